@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace hipmap
+{
+
+/// Writes all bytes to a temporary name beside `path`, syncs, and renames: readers see the old file
+/// or the whole new one, never a part.  Throws InputError with path and cause; leaves no temporary
+/// file.
+void write_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
+void write_file(const std::filesystem::path& path, std::string_view text);
+
+/// Throws InputError if `path` could not be written later (no such folder, no permission, a folder
+/// itself), so that long work is not done for nothing.  Changes no file.
+void check_writable(const std::filesystem::path& path);
+
+/// The whole file.  Throws InputError with path and cause if it cannot be read.
+std::vector<std::byte> read_file(const std::filesystem::path& path);
+
+} // namespace hipmap

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "common/math/rgb.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace hipmap
+{
+
+/// Linear RGB, rows from the top left.
+struct Image {
+    int width = 0;
+    int height = 0;
+    std::vector<Rgb> pixels; ///< [width * height]
+
+    Image() = default;
+    Image(int w, int h) : width(w), height(h), pixels(static_cast<std::size_t>(w) * h) {}
+
+    Rgb& at(int x, int y) { return pixels[static_cast<std::size_t>(y) * width + x]; }
+    const Rgb& at(int x, int y) const { return pixels[static_cast<std::size_t>(y) * width + x]; }
+};
+
+} // namespace hipmap

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "common/scene/fingerprint.h"
+#include "common/scene/mesh.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace hipmap
+{
+
+using MapId = std::uint32_t;
+
+/// What an edge of a face is; see docs/partition_file.md.
+enum class EdgeClass : std::uint8_t {
+    connected = 0,    ///< both faces belong to one shared map
+    unconnected = 1,  ///< a crease: the faces meet at the angle threshold or above
+    border = 2,       ///< no face beyond
+    non_manifold = 3, ///< three or more faces, or a neighbour that cannot be wound alike
+    degenerate = 4,   ///< an edge of a face without area
+};
+
+/// Which faces may share photons; made by preprocess, read by render.  All arrays by FaceId of the
+/// scene whose fingerprint it bears.  An edge of face f is numbered 3 f + c and runs from corner c
+/// to corner (c + 1) mod 3.
+struct Partition {
+    Fingerprint scene;
+    double angle_threshold = 0.0;      ///< radians
+    std::uint32_t map_count = 0;       ///< shared maps: ids 0..map_count-1 by lowest face
+    std::vector<MapId> map_of_face;    ///< [F]; kNone for a degenerate face
+    std::vector<EdgeClass> edge_class; ///< [3F]
+    std::vector<std::uint32_t>
+        opposite; ///< [3F] the same edge in the face beyond; kNone if no one face
+    std::vector<std::uint8_t> flipped; ///< [F] 1: wound against the rest of its component, so its
+                                       ///<     front is the component's back
+    std::vector<std::uint8_t>
+        closed; ///< [F] 1: its connected surface has no border and encloses a volume
+    std::vector<float>
+        reach; ///< [F] the largest limiting radius of any point of the face,
+               ///<     scene units; infinity where no edge is connected, 0 if degenerate
+    std::vector<std::uint8_t> candidate; ///< [F] 1: worth a local map
+
+    std::size_t face_count() const { return map_of_face.size(); }
+};
+
+} // namespace hipmap

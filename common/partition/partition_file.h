@@ -1,0 +1,22 @@
+#pragma once
+
+#include "common/partition/partition.h"
+
+#include <filesystem>
+
+namespace hipmap
+{
+
+/// Writes `partition` as a .hpm file (docs/partition_file.md): to a temporary name, synced,
+/// renamed. Throws InputError if the file cannot be written; then nothing is left behind.
+void write_partition(const std::filesystem::path& path, const Partition& partition);
+
+/// Reads a .hpm file and checks every value in it: sizes, ranges of ids, edges that point back.
+/// Throws InputError: no such file, truncated or damaged, another version of the format.
+Partition read_partition(const std::filesystem::path& path);
+
+/// Throws InputError, naming `path`, unless `partition` was made from this scene.
+void check_partition_of(const Partition& partition, const Scene& scene,
+                        const std::filesystem::path& path);
+
+} // namespace hipmap

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "common/scene/mesh.h"
+
+#include <limits>
+#include <memory>
+#include <optional>
+
+namespace hipmap
+{
+
+/// Half-line in scene units.  direction: unit.
+struct Ray {
+    glm::vec3 origin{0.0f};
+    glm::vec3 direction{0, 0, 1};
+    float near = 0.0f;
+    float far = std::numeric_limits<float>::infinity();
+};
+
+struct RayHit {
+    float distance = 0.0f;
+    FaceId face = kNone;
+    glm::vec2 barycentric{0.0f}; ///< weights of the second and third corner
+};
+
+/// The faces of a mesh, ready for ray casting (Embree, robust).
+/// Read-only once built: any number of threads may cast rays.
+class EmbreeScene
+{
+  public:
+    /// Copies what it needs of the mesh.  O(n log n).  An empty mesh is never hit.
+    explicit EmbreeScene(const TriangleMesh& mesh);
+    ~EmbreeScene();
+    EmbreeScene(EmbreeScene&&) noexcept;
+    EmbreeScene& operator=(EmbreeScene&&) noexcept;
+
+    /// The nearest face within [near, far]; of equally near ones the lowest FaceId.
+    /// A ray with a number that is not finite (far may be) or a near below zero hits nothing.
+    std::optional<RayHit> nearest(const Ray& ray) const;
+
+    /// Whether any face lies within [near, far].
+    bool occluded(const Ray& ray) const;
+
+  private:
+    struct Handles;
+    std::unique_ptr<Handles> handles_;
+};
+
+} // namespace hipmap

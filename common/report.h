@@ -1,0 +1,39 @@
+#pragma once
+
+#include <chrono>
+#include <mutex>
+#include <string>
+#include <string_view>
+
+namespace hipmap
+{
+
+/// The only printing of both tools, all of it on standard error.  Thread-safe.
+class Report
+{
+  public:
+    /// A plain line.
+    void line(std::string_view text);
+    /// "warning: ..."; counted.
+    void warn(std::string_view text);
+    std::size_t warnings() const { return warnings_; }
+
+    /// Starts a stage of long work that `progress` then reports on.
+    void begin(std::string_view stage);
+    /// done: 0 to 1.  On a terminal one line that is rewritten, with the time left; elsewhere a
+    /// plain line at intervals.  Cheap enough to call often.
+    void progress(double done);
+    /// Ends the stage with a line that gives its time.  Returns the seconds it took.
+    double end();
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    std::mutex mutex_;
+    std::string stage_;
+    Clock::time_point begun_;
+    Clock::time_point shown_;
+    std::size_t warnings_ = 0;
+    bool line_open_ = false;
+};
+
+} // namespace hipmap

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "common/scene/scene.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace hipmap
+{
+
+/// What the numbers of punctual lights mean (Blender's exporter calls the modes Standard, Unitless
+/// and Raw): lumen-based as the specification has it, W/sr and W/m2, or lamp watts.
+enum class LightUnits { spec, compat, raw };
+
+struct SceneOptions {
+    LightUnits light_units = LightUnits::spec;
+    std::optional<Rgb> environment;   ///< overrides the sky; none: grey if the scene has no light
+    std::vector<std::string> exclude; ///< names of objects left out
+    std::string camera;               ///< name; empty: the first
+};
+
+/// What was found in a scene file, what was taken for granted, and what is lost, as sentences.
+struct SceneAudit {
+    std::vector<std::string> found;
+    std::vector<std::string> assumed;
+    std::vector<std::string> warnings;
+};
+
+struct LoadedScene {
+    Scene scene;
+    SceneAudit audit;
+};
+
+/// Reads .glb, .gltf or .obj by suffix, checks it, moves it into its SceneFrame, and supplies what
+/// a scene cannot do without: a camera that frames everything, a uniform grey sky if nothing
+/// shines. Throws InputError: no such file, not a scene, an index out of range, a number that is
+/// not finite, no face at all, an unknown required extension, an unknown camera or excluded name.
+/// Same file and options, same faces in the same order.  Cost: linear in the file.
+LoadedScene load_scene(const std::filesystem::path& path, const SceneOptions& options);
+
+} // namespace hipmap

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace hipmap
+{
+
+/// Index of a face (a world-space triangle) in load order; the same in both tools.
+using FaceId = std::uint32_t;
+using MaterialId = std::uint32_t;
+using ObjectId = std::uint32_t;
+
+/// No face, no map, no object.
+inline constexpr std::uint32_t kNone = 0xffffffffu;
+
+/// The triangles of a scene, in scene units (see SceneFrame).
+struct TriangleMesh {
+    std::vector<glm::vec3> positions; ///< [V] as the file splits them; not welded
+    std::vector<glm::vec3> normals;   ///< [V] shading normals, unit; zero where there is none
+    std::vector<glm::uvec3> corners;  ///< [F] indices into positions, counter-clockwise from
+                                      ///<     the front (mirrored transforms undone)
+    std::vector<MaterialId> material_of_face; ///< [F]
+    std::vector<ObjectId> object_of_face;     ///< [F]
+    std::vector<std::string> object_names;    ///< [O]
+
+    std::size_t face_count() const { return corners.size(); }
+};
+
+/// Cross product of two edges of a face: twice its area long, along its front normal.
+/// In double, so that tiny faces keep their direction.  Zero for a degenerate face.
+inline glm::dvec3 scaled_normal(const TriangleMesh& mesh, FaceId face)
+{
+    const glm::uvec3 c = mesh.corners[face];
+    const glm::dvec3 a(mesh.positions[c.x]);
+    return glm::cross(glm::dvec3(mesh.positions[c.y]) - a, glm::dvec3(mesh.positions[c.z]) - a);
+}
+
+/// Area of a face in square scene units.
+inline double face_area(const TriangleMesh& mesh, FaceId face)
+{
+    return 0.5 * glm::length(scaled_normal(mesh, face));
+}
+
+} // namespace hipmap

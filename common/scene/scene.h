@@ -1,0 +1,79 @@
+#pragma once
+
+#include "common/math/rgb.h"
+#include "common/scene/mesh.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace hipmap
+{
+
+/// Where the scene lies in the world.  Inside hipmap all lengths are scene units: the world is
+/// moved so that the bounding box of its faces is centred on the origin and divided by a power of
+/// two so that the longest side of the box is in (1/2, 1].
+///     world metres = centre + metres_per_unit * scene units
+struct SceneFrame {
+    glm::dvec3 centre{0.0};
+    double metres_per_unit = 1.0;
+};
+
+/// glTF metallic-roughness and the extensions read so far.
+struct Material {
+    std::string name;
+    Rgb base_color{1.0f};
+    float metallic = 1.0f;
+    float roughness = 1.0f;
+    Rgb emission{0.0f};        ///< radiance, W/(m2 sr)
+    bool double_sided = false; ///< emits from the back too (scattering is always two-sided)
+    float transmission = 0.0f;
+    float ior = 1.5f;
+    float specular = 1.0f; ///< KHR_materials_specular
+    Rgb specular_color{1.0f};
+    Rgb absorption{0.0f}; ///< of the inside, per scene unit (Beer-Lambert)
+};
+
+enum class LightKind : std::uint8_t { point, spot, directional };
+
+/// A light without size (KHR_lights_punctual).
+struct PunctualLight {
+    std::string name;
+    LightKind kind = LightKind::point;
+    glm::vec3 position{0.0f};      ///< scene units; point, spot
+    glm::vec3 direction{0, 0, -1}; ///< the way light travels, unit; spot, directional
+    Rgb intensity{0.0f};           ///< point, spot: W/sr divided by metres_per_unit^2, so that
+                                   ///<   intensity / distance^2 in scene units is W/m2;
+                                   ///< directional: W/m2 on a plane across the direction
+    float cos_inner = 1.0f;        ///< spot: full intensity within, cos_inner > cos_outer
+    float cos_outer = 0.0f;        ///< spot: none beyond
+};
+
+enum class Projection : std::uint8_t { perspective, orthographic };
+
+struct Camera {
+    std::string name;
+    Projection projection = Projection::perspective;
+    glm::vec3 position{0.0f}; ///< scene units
+    glm::vec3 right{1, 0, 0}; ///< unit; right, up and -forward are right-handed
+    glm::vec3 up{0, 1, 0};
+    glm::vec3 forward{0, 0, -1};
+    float tan_half_height = 0.5f; ///< perspective: tangent of half the vertical angle of view
+    float half_height = 1.0f;     ///< orthographic: half the height seen, scene units
+    float aspect = 0.0f;          ///< width over height; 0: as the image
+    float near_clip = 0.0f;       ///< along forward, scene units
+    float far_clip = 0.0f;        ///< 0: none
+};
+
+/// Everything that is rendered, in scene units.  Read-only after loading.
+struct Scene {
+    SceneFrame frame;
+    TriangleMesh mesh;
+    std::vector<Material> materials; ///< [M], at least one
+    std::vector<PunctualLight> lights;
+    Rgb environment{0.0f};       ///< radiance of a uniform sky, W/(m2 sr)
+    std::vector<Camera> cameras; ///< at least one
+    std::size_t camera = 0;      ///< the one to render from
+};
+
+} // namespace hipmap
