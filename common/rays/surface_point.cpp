@@ -1,0 +1,82 @@
+#include "common/rays/surface_point.h"
+
+#include <cmath>
+#include <limits>
+
+namespace hipmap
+{
+
+namespace
+{
+
+/// Bound of the relative rounding error of n float operations (Higham's gamma).
+constexpr float rounding_bound(int n)
+{
+    const float half_ulp = std::numeric_limits<float>::epsilon() / 2;
+    return n * half_ulp / (1 - n * half_ulp);
+}
+
+/// Shrinks a distance so that rounding cannot carry it past its end.
+constexpr float kJustShort = 1 - 1e-4f;
+
+glm::vec3 interpolated_normal(const TriangleMesh& mesh, const glm::uvec3& c,
+                              const glm::vec3& weights, const glm::vec3& geometric_normal)
+{
+    const glm::vec3 sum = weights.x * mesh.normals[c.x] + weights.y * mesh.normals[c.y] +
+                          weights.z * mesh.normals[c.z];
+    const float length2 = glm::dot(sum, sum);
+    if (!(length2 > 0) || !std::isfinite(length2))
+        return geometric_normal;
+    const glm::vec3 normal = sum / std::sqrt(length2);
+    const float side = glm::dot(normal, geometric_normal);
+    if (side == 0)
+        return geometric_normal;
+    return side > 0 ? normal : -normal;
+}
+
+} // namespace
+
+SurfacePoint surface_point(const TriangleMesh& mesh, FaceId face, const glm::vec2& barycentric)
+{
+    const glm::uvec3 c = mesh.corners[face];
+    const glm::vec3 weights(1 - barycentric.x - barycentric.y, barycentric.x, barycentric.y);
+    const glm::vec3 a = weights.x * mesh.positions[c.x];
+    const glm::vec3 b = weights.y * mesh.positions[c.y];
+    const glm::vec3 d = weights.z * mesh.positions[c.z];
+
+    SurfacePoint point;
+    point.face = face;
+    point.position = a + b + d;
+    point.position_error = rounding_bound(7) * (glm::abs(a) + glm::abs(b) + glm::abs(d));
+    const glm::dvec3 normal = scaled_normal(mesh, face);
+    const double length = glm::length(normal);
+    point.geometric_normal = length > 0 ? glm::vec3(normal / length) : glm::vec3(0, 0, 1);
+    point.shading_normal = interpolated_normal(mesh, c, weights, point.geometric_normal);
+    return point;
+}
+
+glm::vec3 offset_origin(const SurfacePoint& point, const glm::vec3& direction)
+{
+    const glm::vec3 n = point.geometric_normal;
+    const float distance = glm::dot(glm::abs(n), point.position_error);
+    const glm::vec3 offset = glm::dot(direction, n) < 0 ? -distance * n : distance * n;
+    glm::vec3 origin = point.position + offset;
+    // The addition may round back towards the face; go on to the next float.
+    for (int i = 0; i < 3; ++i)
+        if (offset[i] != 0)
+            origin[i] = std::nextafter(origin[i], std::copysign(HUGE_VALF, offset[i]));
+    return origin;
+}
+
+Ray ray_between(const SurfacePoint& from, const glm::vec3& to)
+{
+    Ray ray;
+    ray.origin = offset_origin(from, to - from.position);
+    const glm::vec3 way = to - ray.origin;
+    const float distance = glm::length(way);
+    ray.direction = distance > 0 ? way / distance : from.geometric_normal;
+    ray.far = distance * kJustShort;
+    return ray;
+}
+
+} // namespace hipmap
