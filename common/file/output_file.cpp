@@ -1,0 +1,200 @@
+#include "common/file/output_file.h"
+
+#include "common/input_error.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <string>
+#include <system_error>
+#include <utility>
+
+namespace hipmap
+{
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(const fs::path& path, const std::string& what)
+{
+    throw InputError(path.string() + ": " + what);
+}
+
+[[noreturn]] void fail(const fs::path& path, const std::string& what, int error)
+{
+    fail(path, what + " (" + std::generic_category().message(error) + ")");
+}
+
+/// Closes a file descriptor that was not released.
+class Descriptor
+{
+  public:
+    explicit Descriptor(int fd) : fd_(fd) {}
+    ~Descriptor()
+    {
+        if (fd_ >= 0)
+            ::close(fd_);
+    }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+
+    int get() const { return fd_; }
+    /// Closes now; 0 or the error.
+    int close()
+    {
+        const int fd = std::exchange(fd_, -1);
+        return ::close(fd) == 0 ? 0 : errno;
+    }
+
+  private:
+    int fd_;
+};
+
+/// Removes a file unless it was kept.
+class TemporaryName
+{
+  public:
+    explicit TemporaryName(fs::path path) : path_(std::move(path)) {}
+    ~TemporaryName()
+    {
+        if (!kept_)
+            ::unlink(path_.c_str());
+    }
+    TemporaryName(const TemporaryName&) = delete;
+    TemporaryName& operator=(const TemporaryName&) = delete;
+
+    const fs::path& path() const { return path_; }
+    void keep() { kept_ = true; }
+
+  private:
+    fs::path path_;
+    bool kept_ = false;
+};
+
+fs::path folder_of(const fs::path& path)
+{
+    return path.has_parent_path() ? path.parent_path() : fs::path(".");
+}
+
+/// A new empty file in `folder`; its name does not grow with the name of the file to be written,
+/// which may be as long as the file system allows.
+std::pair<int, fs::path> create_temporary(const fs::path& folder, const fs::path& target)
+{
+    static std::atomic<unsigned> counter{0};
+    constexpr int kAttempts = 1000; // names left behind by a killed process of the same id
+    for (int i = 0; i < kAttempts; ++i) {
+        const fs::path name = folder / (".hipmap-" + std::to_string(::getpid()) + "-" +
+                                        std::to_string(counter++) + ".tmp");
+        const int fd = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        if (fd >= 0)
+            return {fd, name};
+        if (errno != EEXIST)
+            fail(target, "cannot write into its folder", errno);
+    }
+    fail(target, "cannot write into its folder: too many old .hipmap-*.tmp files; delete them");
+}
+
+void write_all(int fd, std::span<const std::byte> bytes, const fs::path& target)
+{
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(fd, bytes.data(), bytes.size());
+        if (written < 0 && errno == EINTR)
+            continue;
+        if (written < 0)
+            fail(target, "cannot be written", errno);
+        bytes = bytes.subspan(static_cast<std::size_t>(written));
+    }
+}
+
+/// Makes a rename in `folder` last through a power cut; file systems that cannot are left alone.
+void sync_folder(const fs::path& folder)
+{
+    const Descriptor descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (descriptor.get() >= 0)
+        ::fsync(descriptor.get());
+}
+
+} // namespace
+
+void write_file(const fs::path& path, std::span<const std::byte> bytes)
+{
+    check_writable(path);
+    // Through a symbolic link the file it leads to is replaced, not the link.
+    std::error_code no_target;
+    const fs::path resolved = fs::canonical(path, no_target);
+    const fs::path target = no_target ? path : resolved;
+
+    const auto [fd, name] = create_temporary(folder_of(target), path);
+    TemporaryName temporary(name);
+    Descriptor descriptor(fd);
+    write_all(descriptor.get(), bytes, path);
+    if (::fsync(descriptor.get()) != 0)
+        fail(path, "cannot be written", errno);
+    if (const int error = descriptor.close(); error != 0)
+        fail(path, "cannot be written", error);
+    if (::rename(temporary.path().c_str(), target.c_str()) != 0)
+        fail(path, "cannot be written", errno);
+    temporary.keep();
+    sync_folder(folder_of(target));
+}
+
+void write_file(const fs::path& path, std::string_view text)
+{
+    write_file(path, std::as_bytes(std::span(text.data(), text.size())));
+}
+
+void check_writable(const fs::path& path)
+{
+    if (path.empty())
+        throw InputError("the name of an output file is empty; give one");
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    if (fs::is_directory(status) || !path.has_filename())
+        fail(path, "is a folder; give the name of a file in it");
+    if (!fs::exists(status) && status.type() != fs::file_type::not_found)
+        fail(path, "cannot be written", error.value());
+    if (fs::exists(status) && !fs::is_regular_file(status))
+        fail(path, "is not a regular file; choose another name");
+    if (fs::exists(status) && ::access(path.c_str(), W_OK) != 0)
+        fail(path, "is write-protected; choose another name", errno);
+
+    const fs::path folder = folder_of(path);
+    if (!fs::is_directory(folder, error))
+        fail(path, "its folder does not exist; make it or choose another");
+    if (::access(folder.c_str(), W_OK | X_OK) != 0)
+        fail(path, "cannot write into its folder; choose another", errno);
+}
+
+std::vector<std::byte> read_file(const fs::path& path)
+{
+    const Descriptor descriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+    struct stat status = {};
+    if (descriptor.get() < 0 || ::fstat(descriptor.get(), &status) != 0)
+        fail(path, "cannot be read; check the path", errno);
+    if (S_ISDIR(status.st_mode))
+        fail(path, "is a folder; give the name of a file in it");
+    if (!S_ISREG(status.st_mode))
+        fail(path, "is not a regular file; copy it to one");
+
+    std::vector<std::byte> bytes(static_cast<std::size_t>(status.st_size));
+    std::size_t filled = 0;
+    while (filled < bytes.size()) {
+        const ssize_t count = ::read(descriptor.get(), &bytes[filled], bytes.size() - filled);
+        if (count < 0 && errno == EINTR)
+            continue;
+        if (count < 0)
+            fail(path, "cannot be read", errno);
+        if (count == 0)
+            break; // it was cut short meanwhile
+        filled += static_cast<std::size_t>(count);
+    }
+    bytes.resize(filled);
+    return bytes;
+}
+
+} // namespace hipmap
