@@ -76,6 +76,12 @@ class TemporaryName
     bool kept_ = false;
 };
 
+/// By the effective user, who writes; access() asks for the real one.
+bool may_access(const fs::path& path, int mode)
+{
+    return ::faccessat(AT_FDCWD, path.c_str(), mode, AT_EACCESS) == 0;
+}
+
 fs::path folder_of(const fs::path& path)
 {
     return path.has_parent_path() ? path.parent_path() : fs::path(".");
@@ -160,13 +166,13 @@ void check_writable(const fs::path& path)
         fail(path, "cannot be written", error.value());
     if (fs::exists(status) && !fs::is_regular_file(status))
         fail(path, "is not a regular file; choose another name");
-    if (fs::exists(status) && ::access(path.c_str(), W_OK) != 0)
+    if (fs::exists(status) && !may_access(path, W_OK))
         fail(path, "is write-protected; choose another name", errno);
 
     const fs::path folder = folder_of(path);
     if (!fs::is_directory(folder, error))
         fail(path, "its folder does not exist; make it or choose another");
-    if (::access(folder.c_str(), W_OK | X_OK) != 0)
+    if (!may_access(folder, W_OK | X_OK))
         fail(path, "cannot write into its folder; choose another", errno);
 }
 

@@ -1,0 +1,179 @@
+#include "common/image/exr_file.h"
+
+#include "common/file/output_file.h"
+#include "common/input_error.h"
+
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfFrameBuffer.h>
+#include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfIO.h>
+#include <OpenEXR/ImfInputFile.h>
+#include <OpenEXR/ImfOutputFile.h>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <cstring>
+#include <exception>
+#include <stdexcept>
+#include <vector>
+
+namespace hipmap
+{
+
+namespace
+{
+
+constexpr std::array<const char*, 3> kChannelNames = {"R", "G", "B"};
+constexpr std::int64_t kMaxPixels = std::int64_t(1) << 28; // a header may promise anything
+
+/// Keeps what is written, so that the file is made in one step.
+class MemoryOutput : public Imf::OStream
+{
+  public:
+    MemoryOutput() : OStream("") {}
+
+    void write(const char c[], int n) override
+    {
+        const std::size_t end = at_ + static_cast<std::size_t>(n);
+        if (end > bytes_.size())
+            bytes_.resize(end);
+        std::memcpy(bytes_.data() + at_, c, static_cast<std::size_t>(n));
+        at_ = end;
+    }
+    std::uint64_t tellp() override { return at_; }
+    void seekp(std::uint64_t position) override { at_ = position; }
+
+    std::span<const std::byte> bytes() const { return bytes_; }
+
+  private:
+    std::vector<std::byte> bytes_;
+    std::size_t at_ = 0;
+};
+
+class MemoryInput : public Imf::IStream
+{
+  public:
+    explicit MemoryInput(std::span<const std::byte> bytes) : IStream(""), bytes_(bytes) {}
+
+    bool read(char c[], int n) override
+    {
+        const auto count = static_cast<std::size_t>(n);
+        if (n < 0 || at_ > bytes_.size() || count > bytes_.size() - at_)
+            throw std::runtime_error("the file ends too early");
+        std::memcpy(c, bytes_.data() + at_, count);
+        at_ += count;
+        return at_ < bytes_.size();
+    }
+    std::uint64_t tellg() override { return at_; }
+    void seekg(std::uint64_t position) override { at_ = position; }
+
+  private:
+    std::span<const std::byte> bytes_;
+    std::size_t at_ = 0;
+};
+
+std::string channel_name(std::string_view layer, std::size_t channel)
+{
+    return (layer.empty() ? "" : std::string(layer) + ".") + kChannelNames[channel];
+}
+
+/// Lets the three channels of `layer` be read from or written to `image`, whose first pixel is at
+/// (x0, y0) of the file.
+void insert_slices(Imf::FrameBuffer& buffer, Image& image, std::string_view layer, int x0, int y0)
+{
+    const std::size_t column = sizeof(Rgb);
+    const std::size_t row = column * static_cast<std::size_t>(image.width);
+    for (std::size_t c = 0; c < kChannelNames.size(); ++c) {
+        auto* base = reinterpret_cast<char*>(&image.pixels.front()[static_cast<int>(c)]);
+        const Imath::V2i origin(x0, y0);
+        buffer.insert(
+            channel_name(layer, c),
+            Imf::Slice::Make(Imf::FLOAT, base, origin, image.width, image.height, column, row));
+    }
+}
+
+Image finite_copy(const Image& image)
+{
+    Image copy = image;
+    for (Rgb& pixel : copy.pixels)
+        for (int c = 0; c < 3; ++c)
+            pixel[c] = std::isfinite(pixel[c]) ? pixel[c] : 0.0f;
+    return copy;
+}
+
+void check_channels(const Imf::Header& header, std::string_view layer)
+{
+    for (std::size_t c = 0; c < kChannelNames.size(); ++c) {
+        const std::string name = channel_name(layer, c);
+        const Imf::Channel* channel = header.channels().findChannel(name);
+        if (channel == nullptr)
+            throw std::runtime_error("it has no channel " + name);
+        if (channel->xSampling != 1 || channel->ySampling != 1)
+            throw std::runtime_error("channel " + name + " is subsampled");
+    }
+}
+
+Image read_exr_bytes(std::span<const std::byte> bytes, std::string_view layer)
+{
+    MemoryInput stream(bytes);
+    Imf::InputFile file(stream, 0);
+    check_channels(file.header(), layer);
+    const Imath::Box2i window = file.header().dataWindow();
+    const std::int64_t width = std::int64_t(window.max.x) - window.min.x + 1;
+    const std::int64_t height = std::int64_t(window.max.y) - window.min.y + 1;
+    if (width <= 0 || height <= 0 || width > kMaxPixels || height > kMaxPixels / width)
+        throw std::runtime_error("its size is not plausible");
+
+    Image image(static_cast<int>(width), static_cast<int>(height));
+    Imf::FrameBuffer buffer;
+    insert_slices(buffer, image, layer, window.min.x, window.min.y);
+    file.setFrameBuffer(buffer);
+    file.readPixels(window.min.y, window.max.y);
+    return image;
+}
+
+} // namespace
+
+void write_exr(const std::filesystem::path& path, const Image& image, std::span<const Layer> layers)
+{
+    std::vector<std::string> names = {""};
+    std::vector<Image> images = {finite_copy(image)};
+    for (const Layer& layer : layers) {
+        assert(layer.image->width == image.width && layer.image->height == image.height);
+        names.push_back(layer.name);
+        images.push_back(finite_copy(*layer.image));
+    }
+
+    Imf::Header header(image.width, image.height);
+    header.compression() = Imf::ZIP_COMPRESSION;
+    Imf::FrameBuffer buffer;
+    for (std::size_t i = 0; i < images.size(); ++i) {
+        for (std::size_t c = 0; c < kChannelNames.size(); ++c)
+            header.channels().insert(channel_name(names[i], c), Imf::Channel(Imf::FLOAT));
+        insert_slices(buffer, images[i], names[i], 0, 0);
+    }
+    MemoryOutput stream;
+    {
+        Imf::OutputFile file(stream, header, 0); // its destructor writes the table of offsets
+        file.setFrameBuffer(buffer);
+        file.writePixels(image.height);
+    }
+    write_file(path, stream.bytes());
+}
+
+Image read_exr(const std::filesystem::path& path, std::string_view layer)
+{
+    const std::vector<std::byte> bytes = read_file(path);
+    try {
+        return read_exr_bytes(bytes, layer);
+    } catch (const std::exception& error) {
+        std::string cause = error.what();
+        std::replace(cause.begin(), cause.end(), '\n', ' ');
+        throw InputError(path.string() + ": cannot be read as EXR (" + cause +
+                         "); export it again as OpenEXR with channels R, G and B");
+    }
+}
+
+} // namespace hipmap
