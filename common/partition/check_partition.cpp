@@ -1,0 +1,88 @@
+#include "common/partition/check_partition.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace hipmap
+{
+namespace
+{
+
+bool all_flags(const std::vector<std::uint8_t>& flags)
+{
+    return std::ranges::all_of(flags, [](std::uint8_t flag) { return flag <= 1; });
+}
+
+std::string defect_of_sizes(const Partition& p)
+{
+    const std::size_t faces = p.face_count();
+    if (faces > kNone / 3)
+        return "too many faces";
+    if (p.edge_class.size() != 3 * faces || p.opposite.size() != 3 * faces ||
+        p.flipped.size() != faces || p.closed.size() != faces || p.reach.size() != faces ||
+        p.candidate.size() != faces)
+        return "its arrays differ in length";
+    return {};
+}
+
+std::string defect_of_faces(const Partition& p)
+{
+    MapId next = 0;
+    for (FaceId face = 0; face < p.face_count(); ++face) {
+        const MapId map = p.map_of_face[face];
+        const auto place = [&] { return "face " + std::to_string(face); };
+        if (map != kNone && map > next)
+            return place() + " has a map id out of order";
+        if (map == next)
+            ++next;
+        if (!(p.reach[face] >= 0))
+            return place() + " has no valid reach";
+        if (map == kNone && p.candidate[face])
+            return place() + " has no map but asks for a local one";
+    }
+    return next == p.map_count ? "" : "the number of its maps is wrong";
+}
+
+std::string defect_of_edge(const Partition& p, std::uint32_t edge)
+{
+    const std::uint32_t twin = p.opposite[edge];
+    const EdgeClass edge_class = p.edge_class[edge];
+    const MapId map = p.map_of_face[edge / 3];
+    if (edge_class > EdgeClass::degenerate)
+        return "is of no known class";
+    if ((edge_class == EdgeClass::degenerate) != (map == kNone))
+        return "does not agree with its face";
+    const bool has_twin =
+        edge_class == EdgeClass::connected || edge_class == EdgeClass::unconnected;
+    if (has_twin != (twin != kNone))
+        return "does not agree with its opposite";
+    if (!has_twin)
+        return {};
+    if (twin >= p.opposite.size() || twin / 3 == edge / 3 || p.opposite[twin] != edge ||
+        p.edge_class[twin] != edge_class)
+        return "does not agree with its opposite";
+    if (edge_class == EdgeClass::connected && p.map_of_face[twin / 3] != map)
+        return "connects two maps";
+    return {};
+}
+
+} // namespace
+
+std::string defect_of(const Partition& p)
+{
+    if (std::string defect = defect_of_sizes(p); !defect.empty())
+        return defect;
+    if (!(p.angle_threshold >= 0 && p.angle_threshold <= std::numbers::pi))
+        return "its angle threshold is out of range";
+    if (!all_flags(p.flipped) || !all_flags(p.closed) || !all_flags(p.candidate))
+        return "a flag is neither 0 nor 1";
+    if (std::string defect = defect_of_faces(p); !defect.empty())
+        return defect;
+    for (std::uint32_t edge = 0; edge < p.edge_class.size(); ++edge)
+        if (const std::string defect = defect_of_edge(p, edge); !defect.empty())
+            return "edge " + std::to_string(edge) + " " + defect;
+    return {};
+}
+
+} // namespace hipmap

@@ -1,0 +1,161 @@
+#include "common/partition/partition_file.h"
+
+#include "common/file/output_file.h"
+#include "common/input_error.h"
+#include "common/math/random.h"
+#include "common/partition/check_partition.h"
+#include "common/partition/partition_generated.h"
+
+#include <flatbuffers/flatbuffers.h>
+
+#include <cstring>
+
+namespace hipmap
+{
+namespace
+{
+
+constexpr std::uint32_t kVersion = 1;
+
+/// FlatBuffers offsets are 31 bits, and its Release builder writes past them without a word.
+constexpr std::size_t kMaxBytes = std::size_t{1} << 30;
+
+/// Mixes the bytes of an array, and its length, into a running hash.
+template <typename T>
+void mix_in(std::uint64_t& hash, const T* values, std::size_t count)
+{
+    const auto* bytes = reinterpret_cast<const unsigned char*>(values);
+    std::size_t left = count * sizeof(T);
+    hash = mix_bits(hash ^ left);
+    while (left > 0) {
+        std::uint64_t word = 0;
+        const std::size_t step = std::min(left, sizeof word);
+        std::memcpy(&word, bytes, step);
+        hash = mix_bits(hash ^ word);
+        bytes += step;
+        left -= step;
+    }
+}
+
+/// 64 bits over every field, so that damage which leaves each number plausible is found as well.
+std::uint64_t checksum(const Partition& p)
+{
+    std::uint64_t hash = kVersion;
+    mix_in(hash, p.scene.words.data(), p.scene.words.size());
+    mix_in(hash, &p.angle_threshold, 1);
+    mix_in(hash, &p.map_count, 1);
+    mix_in(hash, p.map_of_face.data(), p.map_of_face.size());
+    mix_in(hash, p.edge_class.data(), p.edge_class.size());
+    mix_in(hash, p.opposite.data(), p.opposite.size());
+    mix_in(hash, p.flipped.data(), p.flipped.size());
+    mix_in(hash, p.closed.data(), p.closed.size());
+    mix_in(hash, p.reach.data(), p.reach.size());
+    mix_in(hash, p.candidate.data(), p.candidate.size());
+    return hash;
+}
+
+/// Copies one array of the file; an absent one is empty.
+template <typename T, typename Stored>
+void copy_array(std::vector<T>& to, const flatbuffers::Vector<Stored>* from)
+{
+    static_assert(sizeof(T) == sizeof(Stored));
+    if (!from)
+        return;
+    to.resize(from->size());
+    if (!to.empty())
+        std::memcpy(to.data(), from->data(), to.size() * sizeof(T));
+}
+
+Partition unpack(const file::Partition& stored)
+{
+    Partition p;
+    p.scene.words = {stored.scene_0(), stored.scene_1()};
+    p.angle_threshold = stored.angle_threshold();
+    p.map_count = stored.map_count();
+    copy_array(p.map_of_face, stored.map_of_face());
+    copy_array(p.edge_class, stored.edge_class());
+    copy_array(p.opposite, stored.opposite());
+    copy_array(p.flipped, stored.flipped());
+    copy_array(p.closed, stored.closed());
+    copy_array(p.reach, stored.reach());
+    copy_array(p.candidate, stored.candidate());
+    return p;
+}
+
+InputError unreadable(const std::filesystem::path& path, const std::string& what)
+{
+    return InputError(path.string() + ": " + what + "; run preprocess again");
+}
+
+} // namespace
+
+void write_partition(const std::filesystem::path& path, const Partition& p)
+{
+    constexpr std::size_t kBytesPerFace = 3 * (sizeof(EdgeClass) + sizeof(std::uint32_t)) +
+                                          sizeof(MapId) + sizeof(float) + 3 * sizeof(std::uint8_t);
+    const std::size_t bytes = p.face_count() * kBytesPerFace + 1024;
+    if (bytes > kMaxBytes)
+        throw InputError(path.string() + ": a partition of " + std::to_string(p.face_count()) +
+                         " faces does not fit the format (at most " +
+                         std::to_string((kMaxBytes - 1024) / kBytesPerFace) +
+                         "); split the scene or reduce it");
+
+    flatbuffers::FlatBufferBuilder builder(bytes);
+    const auto* classes = reinterpret_cast<const std::uint8_t*>(p.edge_class.data());
+    const auto map_of_face = builder.CreateVector(p.map_of_face);
+    const auto edge_class = builder.CreateVector(classes, p.edge_class.size());
+    const auto opposite = builder.CreateVector(p.opposite);
+    const auto flipped = builder.CreateVector(p.flipped);
+    const auto closed = builder.CreateVector(p.closed);
+    const auto reach = builder.CreateVector(p.reach);
+    const auto candidate = builder.CreateVector(p.candidate);
+    const auto root = file::CreatePartition(
+        builder, kVersion, checksum(p), p.scene.words[0], p.scene.words[1], p.angle_threshold,
+        p.map_count, map_of_face, edge_class, opposite, flipped, closed, reach, candidate);
+    file::FinishPartitionBuffer(builder, root);
+    write_file(path, std::as_bytes(std::span(builder.GetBufferPointer(), builder.GetSize())));
+}
+
+Partition read_partition(const std::filesystem::path& path)
+{
+    std::error_code unknown;
+    if (const auto size = std::filesystem::file_size(path, unknown); !unknown && size > kMaxBytes)
+        throw unreadable(path, "too large for a partition file");
+    const std::vector<std::byte> bytes = read_file(path);
+    const auto* data = reinterpret_cast<const std::uint8_t*>(bytes.data());
+    constexpr std::size_t kHeader = sizeof(flatbuffers::uoffset_t) + 4;
+    if (bytes.size() < kHeader || std::memcmp(data + sizeof(flatbuffers::uoffset_t), "HPM", 3) != 0)
+        throw unreadable(path, "not a partition file");
+    if (!file::PartitionBufferHasIdentifier(data))
+        throw unreadable(path, "written by another version of preprocess");
+    flatbuffers::Verifier verifier(data, bytes.size());
+    if (!file::VerifyPartitionBuffer(verifier))
+        throw unreadable(path, "the partition file is truncated or damaged");
+    const file::Partition& stored = *file::GetPartition(data);
+    if (stored.version() != kVersion)
+        throw unreadable(path, "written in version " + std::to_string(stored.version()) +
+                                   " of the format, this program reads " +
+                                   std::to_string(kVersion));
+    Partition partition = unpack(stored);
+    if (const std::string defect = defect_of(partition); !defect.empty())
+        throw unreadable(path, "the partition file is damaged: " + defect);
+    if (stored.checksum() != checksum(partition))
+        throw unreadable(path, "the partition file is damaged: its checksum is wrong");
+    return partition;
+}
+
+void check_partition_of(const Partition& partition, const Scene& scene,
+                        const std::filesystem::path& path)
+{
+    const std::size_t mine = partition.face_count();
+    const std::size_t theirs = scene.mesh.face_count();
+    if (mine == theirs && partition.scene == fingerprint(scene))
+        return;
+    const std::string faces =
+        mine == theirs ? "as many faces, but not the same"
+                       : std::to_string(mine) + " faces, the scene has " + std::to_string(theirs);
+    throw InputError(path.string() + ": made for another scene (" + faces +
+                     "); run preprocess on this scene again");
+}
+
+} // namespace hipmap
