@@ -1,0 +1,94 @@
+#include "preprocess/mesh/orient_faces.h"
+
+#include <array>
+#include <span>
+
+namespace hipmap
+{
+namespace
+{
+
+std::vector<std::uint32_t> pair_edges(std::size_t edge_count, const EdgeGroups& groups)
+{
+    std::vector<std::uint32_t> partner(edge_count, kNone);
+    for (std::size_t g = 0; g < groups.count(); ++g) {
+        if (groups.first[g + 1] - groups.first[g] != 2)
+            continue;
+        const std::uint32_t a = groups.edges[groups.first[g]];
+        const std::uint32_t b = groups.edges[groups.first[g] + 1];
+        partner[a] = b;
+        partner[b] = a;
+    }
+    return partner;
+}
+
+/// Walks one component breadth first.  `flipped` becomes whether a face is wound against the first
+/// one.  Appends the faces to `order`.
+class ComponentWalk
+{
+  public:
+    ComponentWalk(const WeldedFaces& faces, Orientation& out)
+        : faces_(faces), out_(out), seen_(faces.degenerate)
+    {
+    }
+
+    /// The faces connected with `seed`, in the order of the walk; empty if it was seen before.
+    std::span<const FaceId> walk(FaceId seed)
+    {
+        order_.clear();
+        if (seen_[seed])
+            return {};
+        seen_[seed] = 1;
+        order_.push_back(seed);
+        for (std::size_t next = 0; next < order_.size(); ++next)
+            for (std::uint32_t c = 0; c < 3; ++c)
+                cross(3 * order_[next] + c);
+        return order_;
+    }
+
+  private:
+    void cross(std::uint32_t edge)
+    {
+        const std::uint32_t twin = out_.partner[edge];
+        if (twin == kNone)
+            return;
+        const bool same_direction = faces_.start(edge) == faces_.start(twin);
+        const std::uint8_t wanted = out_.flipped[edge / 3] ^ std::uint8_t{same_direction};
+        if (!seen_[twin / 3]) {
+            seen_[twin / 3] = 1;
+            out_.flipped[twin / 3] = wanted;
+            order_.push_back(twin / 3);
+        } else if (out_.flipped[twin / 3] != wanted) {
+            out_.partner[edge] = out_.partner[twin] = kNone;
+            ++out_.cut_edges;
+        }
+    }
+
+    const WeldedFaces& faces_;
+    Orientation& out_;
+    std::vector<std::uint8_t> seen_;
+    std::vector<FaceId> order_;
+};
+
+} // namespace
+
+Orientation orient_faces(const TriangleMesh& mesh, const WeldedFaces& faces,
+                         const EdgeGroups& groups)
+{
+    Orientation out;
+    out.flipped.assign(mesh.face_count(), 0);
+    out.partner = pair_edges(3 * mesh.face_count(), groups);
+    ComponentWalk component(faces, out);
+    for (FaceId seed = 0; seed < mesh.face_count(); ++seed) {
+        const std::span<const FaceId> members = component.walk(seed);
+        std::array<double, 2> area{0.0, 0.0};
+        for (const FaceId face : members)
+            area[out.flipped[face]] += face_area(mesh, face);
+        if (area[1] > area[0])
+            for (const FaceId face : members)
+                out.flipped[face] ^= 1;
+    }
+    return out;
+}
+
+} // namespace hipmap

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace hipmap
+{
+
+/// One id per position of a mesh whose file splits vertices at seams.
+struct VertexWeld {
+    std::vector<std::uint32_t> id_of_vertex; ///< [V]
+    std::uint32_t count = 0;                 ///< ids: 0..count-1 by lowest vertex
+};
+
+/// Gives vertices with bit-identical positions one id; -0 counts as 0, near positions stay apart.
+/// positions: finite, any unit.  Linear, one thread.
+VertexWeld weld_vertices(std::span<const glm::vec3> positions);
+
+} // namespace hipmap

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "common/scene/mesh.h"
+#include "preprocess/mesh/weld_vertices.h"
+
+namespace hipmap
+{
+
+/// The faces of a mesh by welded vertex.  Edge 3 f + c of face f runs from corner c to corner
+/// (c + 1) mod 3, as everywhere.
+struct WeldedFaces {
+    std::vector<glm::uvec3> corners;      ///< [F] welded vertices
+    std::vector<std::uint8_t> degenerate; ///< [F] 1: a vertex twice, or an area of exactly zero
+    std::uint32_t vertex_count = 0;
+
+    std::uint32_t start(std::uint32_t edge) const
+    {
+        return corners[edge / 3][static_cast<int>(edge % 3)];
+    }
+    std::uint32_t end(std::uint32_t edge) const
+    {
+        return corners[edge / 3][static_cast<int>((edge % 3 + 1) % 3)];
+    }
+};
+
+/// Looks every corner up in the weld and finds the degenerate faces.  Linear, parallel.
+WeldedFaces weld_faces(const TriangleMesh& mesh, const VertexWeld& weld);
+
+/// The edges of all faces but the degenerate ones, those between the same two vertices together.
+struct EdgeGroups {
+    std::vector<std::uint32_t> edges; ///< by group; ascending within one
+    std::vector<std::uint32_t> first; ///< [G + 1] where each group begins in `edges`
+
+    std::size_t count() const { return first.size() - 1; }
+};
+
+/// Groups come in the order of their lower, then their higher vertex.  Near linear, parallel.
+EdgeGroups group_edges(const WeldedFaces& faces);
+
+} // namespace hipmap

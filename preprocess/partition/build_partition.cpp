@@ -1,0 +1,96 @@
+#include "preprocess/partition/build_partition.h"
+
+#include "common/input_error.h"
+#include "preprocess/partition/connected_edges.h"
+#include "preprocess/partition/local_candidates.h"
+
+#include <algorithm>
+#include <chrono>
+#include <string>
+
+namespace hipmap
+{
+namespace
+{
+
+/// Runs one pass and notes how long it took.
+template <typename Work>
+auto timed(PartitionSummary& summary, std::string_view name, const Work& work)
+{
+    const auto begun = std::chrono::steady_clock::now();
+    auto result = work();
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begun;
+    summary.passes.push_back({name, seconds.count()});
+    return result;
+}
+
+void count_edges(PartitionSummary& summary, const Partition& partition)
+{
+    for (std::uint32_t edge = 0; edge < partition.edge_class.size(); ++edge)
+        if (partition.opposite[edge] == kNone || edge < partition.opposite[edge])
+            ++summary.edges[static_cast<std::size_t>(partition.edge_class[edge])];
+}
+
+void measure_maps(PartitionSummary& summary, const Partition& partition, const TriangleMesh& mesh)
+{
+    summary.maps.resize(partition.map_count);
+    for (MapId id = 0; id < partition.map_count; ++id)
+        summary.maps[id].id = id;
+    for (FaceId face = 0; face < mesh.face_count(); ++face) {
+        if (partition.map_of_face[face] == kNone)
+            continue;
+        PartitionSummary::Map& map = summary.maps[partition.map_of_face[face]];
+        ++map.faces;
+        map.area += face_area(mesh, face);
+    }
+}
+
+} // namespace
+
+PartitionResult build_partition(const Scene& scene, const PartitionOptions& options)
+{
+    const TriangleMesh& mesh = scene.mesh;
+    if (mesh.face_count() > kNone / 3 || mesh.positions.size() >= kNone)
+        throw InputError("the scene has " + std::to_string(mesh.face_count()) +
+                         " faces, too many to number their edges; split it");
+    PartitionResult result;
+    Partition& out = result.partition;
+    PartitionSummary& summary = result.summary;
+
+    out.scene = timed(summary, "fingerprint", [&] { return fingerprint(scene); });
+    const VertexWeld weld =
+        timed(summary, "weld vertices", [&] { return weld_vertices(mesh.positions); });
+    HalfEdges edges =
+        timed(summary, "find half-edges", [&] { return find_half_edges(mesh, weld); });
+    EdgeClasses classes = timed(summary, "classify edges", [&] {
+        return classify_edges(mesh, edges, options.angle_threshold);
+    });
+    SharedMaps maps = timed(summary, "share maps",
+                            [&] { return share_maps(classes.edge_class, edges.opposite); });
+    LocalCandidates locals = timed(summary, "find local candidates", [&] {
+        return find_local_candidates(mesh, classes.edge_class, maps);
+    });
+
+    out.angle_threshold = options.angle_threshold;
+    out.map_count = maps.count;
+    out.map_of_face = std::move(maps.map_of_face);
+    out.edge_class = std::move(classes.edge_class);
+    out.opposite = std::move(edges.opposite);
+    out.flipped = std::move(edges.flipped);
+    out.closed = std::move(edges.closed);
+    out.reach = std::move(locals.reach);
+    out.candidate = std::move(locals.candidate);
+
+    summary.faces = mesh.face_count();
+    summary.vertices = mesh.positions.size();
+    summary.welded_vertices = weld.count;
+    summary.edges_in_band = classes.edges_in_band;
+    summary.defects = edges.defects;
+    summary.candidates = static_cast<std::size_t>(std::ranges::count(out.candidate, 1));
+    summary.closed_faces = static_cast<std::size_t>(std::ranges::count(out.closed, 1));
+    count_edges(summary, out);
+    measure_maps(summary, out, mesh);
+    return result;
+}
+
+} // namespace hipmap

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "common/partition/partition.h"
+#include "common/scene/scene.h"
+#include "preprocess/mesh/half_edges.h"
+
+#include <array>
+#include <numbers>
+#include <string_view>
+
+namespace hipmap
+{
+
+struct PartitionOptions {
+    double angle_threshold = std::numbers::pi / 6; ///< radians, 0 to pi
+};
+
+/// What was found on the way to a partition.
+struct PartitionSummary {
+    struct Map {
+        MapId id = 0;
+        std::size_t faces = 0;
+        double area = 0.0; ///< square scene units
+    };
+    struct Pass {
+        std::string_view name;
+        double seconds = 0.0;
+    };
+    std::size_t faces = 0;
+    std::size_t vertices = 0;
+    std::size_t welded_vertices = 0;
+    std::array<std::size_t, 5> edges{}; ///< by EdgeClass; an edge of two faces counts once
+    std::size_t edges_in_band = 0;      ///< within the tolerance of the angle threshold
+    std::size_t candidates = 0;
+    std::size_t closed_faces = 0;
+    std::vector<Map> maps; ///< by id
+    MeshDefects defects;
+    std::vector<Pass> passes; ///< in order
+};
+
+struct PartitionResult {
+    Partition partition;
+    PartitionSummary summary;
+};
+
+/// Decides which faces of a scene may share photons; docs/partition_file.md.
+/// Same scene and options, same partition, at any thread count.  Near linear.
+/// Throws InputError if the scene has more faces than edges can be numbered.
+PartitionResult build_partition(const Scene& scene, const PartitionOptions& options);
+
+} // namespace hipmap

@@ -1,0 +1,60 @@
+#include "preprocess/partition/connected_edges.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace hipmap
+{
+namespace
+{
+
+/// Cosines between which an edge counts as at the threshold.
+struct AngleTest {
+    double above; ///< a greater cosine is connected
+    double below; ///< a smaller one is surely not
+
+    explicit AngleTest(double threshold)
+        : above(threshold > kAngleBand ? std::cos(threshold - kAngleBand)
+                                       : std::numeric_limits<double>::infinity()),
+          below(std::cos(std::min(threshold + kAngleBand, std::numbers::pi)))
+    {
+    }
+};
+
+glm::dvec3 outward_normal(const TriangleMesh& mesh, const HalfEdges& edges, FaceId face)
+{
+    const glm::dvec3 normal = scaled_normal(mesh, face);
+    return edges.flipped[face] ? -normal : normal;
+}
+
+} // namespace
+
+EdgeClasses classify_edges(const TriangleMesh& mesh, const HalfEdges& edges, double angle_threshold)
+{
+    const AngleTest test(angle_threshold);
+    EdgeClasses out;
+    out.edge_class = edges.edge_class;
+    std::vector<std::uint8_t> in_band(edges.opposite.size());
+    tbb::parallel_for(std::size_t{0}, edges.opposite.size(), [&](std::size_t edge) {
+        const std::uint32_t twin = edges.opposite[edge];
+        if (twin == kNone)
+            return;
+        const glm::dvec3 n1 = outward_normal(mesh, edges, static_cast<FaceId>(edge / 3));
+        const glm::dvec3 n2 = outward_normal(mesh, edges, twin / 3);
+        // Both halves of an edge must round alike, and the products of dot and of the lengths do.
+        const double dot = glm::dot(n1, n2);
+        const double lengths = glm::length(n1) * glm::length(n2);
+        if (dot > test.above * lengths)
+            out.edge_class[edge] = EdgeClass::connected;
+        else
+            in_band[edge] = edge < twin && dot >= test.below * lengths;
+    });
+    out.edges_in_band = static_cast<std::size_t>(std::ranges::count(in_band, 1));
+    return out;
+}
+
+} // namespace hipmap

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "preprocess/mesh/half_edges.h"
+
+#include <cstddef>
+
+namespace hipmap
+{
+
+/// Edges nearer to the threshold than this, in radians, count as above it, so that the rounding of
+/// positions (a rotated cube) cannot change a partition.
+inline constexpr double kAngleBand = 1e-4;
+
+struct EdgeClasses {
+    std::vector<EdgeClass> edge_class; ///< [3F]
+    std::size_t edges_in_band = 0;     ///< edges within kAngleBand of the threshold
+};
+
+/// Makes edges of two faces connected where their fronts (after turning flipped faces) differ by
+/// less than the threshold:
+///     dot(n1, n2) > cos(threshold - band) |n1| |n2|          with unnormalised normals in double
+/// angle_threshold: radians, 0 to pi; 0 connects nothing.  Other classes stay as they are.
+/// Linear, parallel.
+EdgeClasses classify_edges(const TriangleMesh& mesh, const HalfEdges& edges,
+                           double angle_threshold);
+
+} // namespace hipmap

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "preprocess/partition/share_maps.h"
+
+#include <array>
+
+namespace hipmap
+{
+
+struct LocalCandidates {
+    std::vector<float> reach;            ///< [F] as in Partition
+    std::vector<std::uint8_t> candidate; ///< [F] 1: worth a local map
+};
+
+/// Largest distance of any point of a triangle from the nearest of its chosen edges (segments).
+/// corners: any unit; area not zero.  connected: for the edges from corner 0, 1 and 2.
+/// Infinity if none is chosen; three: the inradius; one: the distance of the corner across; two:
+/// see docs/partition_file.md (2).
+double reach_of(const std::array<glm::dvec3, 3>& corners, const std::array<bool, 3>& connected);
+
+/// Faces on which the search of a local map can end within its limiting radius: those that are not
+/// alone in their shared map, and whose reach exceeds the filter radius that the fewest photons a
+/// local map may have, 10 k, would give it, docs/partition_file.md (3).
+/// Linear, parallel.
+LocalCandidates find_local_candidates(const TriangleMesh& mesh,
+                                      std::span<const EdgeClass> edge_class,
+                                      const SharedMaps& maps);
+
+} // namespace hipmap
