@@ -1,0 +1,75 @@
+"""Runs the scripts under assets/ again and compares what they build with what is committed.
+
+    rebuild_assets_test.py ASSETS
+
+Exits 77 (skipped) where Blender is not installed.
+"""
+
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+
+from glb_file import GlbFile
+
+SKIPPED = 77
+POSITION_TOLERANCE = 1e-6  # metres, in a scene of 2 m: a last bit or so
+NORMAL_TOLERANCE = 1e-4  # smooth normals are sums in an order that varies
+
+
+def build(blender, script, output):
+    # Debian's Blender takes the libraries of the first python3 on the path; only the system's has
+    # the numpy that the exporter needs.
+    run = subprocess.run(
+        [blender, "-b", "--factory-startup", "--python-exit-code", "1", "--python", script, "--",
+         output], env={**os.environ, "PATH": "/usr/bin:/bin"}, stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT, text=True, check=False)
+    assert run.returncode == 0 and os.path.exists(output), f"{script} failed:\n{run.stdout}"
+
+
+def near(a, b, tolerance):
+    """Whether two parts of JSON are alike but for rounding."""
+    if isinstance(a, dict) and isinstance(b, dict):
+        return a.keys() == b.keys() and all(near(a[key], b[key], tolerance) for key in a)
+    if isinstance(a, (list, tuple)) and isinstance(b, (list, tuple)):
+        return len(a) == len(b) and all(near(x, y, tolerance) for x, y in zip(a, b))
+    if isinstance(a, float) or isinstance(b, float):
+        return abs(a - b) <= tolerance
+    return a == b
+
+
+def compare(committed, rebuilt):
+    for key in ("scenes", "nodes", "meshes", "materials", "cameras", "accessors"):
+        old, new = committed.json[key], rebuilt.json[key]
+        assert near(old, new, POSITION_TOLERANCE), f"{key} differ:\n{old}\n{new}"
+    for mesh in committed.json["meshes"]:
+        for primitive in mesh["primitives"]:
+            accessors = [("indices", primitive["indices"], 0)]
+            for name, index in primitive["attributes"].items():
+                tolerance = NORMAL_TOLERANCE if name == "NORMAL" else POSITION_TOLERANCE
+                accessors.append((name, index, tolerance))
+            for name, index, tolerance in accessors:
+                assert near(committed.values(index), rebuilt.values(index), tolerance), \
+                    f"{name} of {mesh['name']} differ"
+
+
+def main():
+    assets = sys.argv[1]
+    blender = shutil.which("blender")
+    if blender is None:
+        print("SKIP: Blender is not installed")
+        return SKIPPED
+    with tempfile.TemporaryDirectory() as folder:
+        scripts = sorted(name for name in os.listdir(assets) if name.endswith(".py"))
+        assert scripts, f"no script in {assets}"
+        for script in scripts:
+            name = script[:-3] + ".glb"
+            build(blender, os.path.join(assets, script), os.path.join(folder, name))
+            compare(GlbFile(os.path.join(assets, name)), GlbFile(os.path.join(folder, name)))
+            print(f"{name}: the script builds what is committed")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
