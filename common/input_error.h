@@ -3,14 +3,12 @@
 #include <stdexcept>
 #include <string>
 
-namespace hipmap
-{
+namespace hipmap {
 
 /// Bad input or usage: the one exception that is the user's to mend.
 /// The message is one line that names the file, the place in it, what is wrong and what to do.
 /// Only main catches it (exit code 2).
-class InputError : public std::runtime_error
-{
+class InputError : public std::runtime_error {
   public:
     explicit InputError(const std::string& message) : std::runtime_error(message) {}
 };

@@ -4,8 +4,7 @@
 
 #include <limits>
 
-namespace hipmap
-{
+namespace hipmap {
 
 /// Axis-aligned box; empty until a point is added.
 template <typename Vec>

@@ -4,8 +4,7 @@
 
 #include <cmath>
 
-namespace hipmap
-{
+namespace hipmap {
 
 /// Right-handed orthonormal basis whose z axis is a given unit vector.
 /// Source: Duff et al. 2017, "Building an Orthonormal Basis, Revisited".

@@ -4,8 +4,7 @@
 
 #include <cstdint>
 
-namespace hipmap
-{
+namespace hipmap {
 
 /// The output function of SplitMix64 (Steele, Lea and Flood 2014): a bijection that mixes all bits.
 inline std::uint64_t mix_bits(std::uint64_t x)
@@ -20,8 +19,7 @@ enum class RandomStream : std::uint64_t { photons = 1, eye_paths = 2, pictures =
 
 /// Uniform numbers in [0, 1) as a function of (seed, stream, pass, path, dimension) alone, so that
 /// neither the number of threads nor the order of work can change them.
-class RandomSequence
-{
+class RandomSequence {
   public:
     RandomSequence(std::uint64_t seed, RandomStream stream, std::uint64_t pass, std::uint64_t path)
     {

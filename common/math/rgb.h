@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace hipmap
-{
+namespace hipmap {
 
 /// Linear RGB with Rec. 709 primaries: radiance, power, albedo.
 using Rgb = glm::vec3;

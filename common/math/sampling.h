@@ -6,8 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace hipmap
-{
+namespace hipmap {
 
 inline constexpr float kPi = std::numbers::pi_v<float>;
 

@@ -1,7 +1,6 @@
 #include "common/rays/camera_ray.h"
 
-namespace hipmap
-{
+namespace hipmap {
 
 Ray camera_ray(const Camera& camera, const glm::vec2& picture, float aspect)
 {

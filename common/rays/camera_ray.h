@@ -3,8 +3,7 @@
 #include "common/rays/embree_scene.h"
 #include "common/scene/scene.h"
 
-namespace hipmap
-{
+namespace hipmap {
 
 /// The ray through a point of the picture.
 /// picture: (0, 0) top left, (1, 1) bottom right.  aspect: width over height of the picture; where

@@ -7,11 +7,9 @@
 #include <cmath>
 #include <new>
 
-namespace hipmap
-{
+namespace hipmap {
 
-namespace
-{
+namespace {
 
 /// Beyond this Embree 3.13 aborts the process instead of reporting a miss.
 constexpr float kLargestCoordinate = 1e18f;

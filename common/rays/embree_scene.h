@@ -6,8 +6,7 @@
 #include <memory>
 #include <optional>
 
-namespace hipmap
-{
+namespace hipmap {
 
 /// Half-line in scene units.  direction: unit.
 struct Ray {
@@ -25,8 +24,7 @@ struct RayHit {
 
 /// The faces of a mesh, ready for ray casting (Embree, robust).
 /// Read-only once built: any number of threads may cast rays.
-class EmbreeScene
-{
+class EmbreeScene {
   public:
     /// Copies what it needs of the mesh.  O(n log n).  An empty mesh is never hit.
     explicit EmbreeScene(const TriangleMesh& mesh);

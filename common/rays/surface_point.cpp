@@ -3,11 +3,9 @@
 #include <cmath>
 #include <limits>
 
-namespace hipmap
-{
+namespace hipmap {
 
-namespace
-{
+namespace {
 
 /// Bound of the relative rounding error of n float operations (Higham's gamma).
 constexpr float rounding_bound(int n)

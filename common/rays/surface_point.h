@@ -3,8 +3,7 @@
 #include "common/rays/embree_scene.h"
 #include "common/scene/mesh.h"
 
-namespace hipmap
-{
+namespace hipmap {
 
 /// A point of a face, computed from its corners and not from the ray.
 struct SurfacePoint {

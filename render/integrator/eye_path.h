@@ -1,0 +1,42 @@
+#pragma once
+
+#include "common/math/random.h"
+#include "render/maps/estimate.h"
+#include "render/shading/interaction.h"
+
+namespace hipmap {
+
+/// Where direct light comes from.
+enum class DirectLight : std::uint8_t {
+    shadow_rays, ///< sampled at each hit; the maps hold the other classes
+    photons,     ///< from the global map, as the thesis has it
+};
+
+/// What one pass gathers from.  Borrows everything.
+struct PassMaps {
+    const RenderScene& scene;
+    const MapBoundaries& boundaries;
+    const PhotonMaps& caustic;
+    const PhotonMaps& global;
+    DirectLight direct = DirectLight::shadow_rays;
+};
+
+/// What one thread needs for eye paths.
+struct EyeScratch {
+    EstimateScratch caustic;
+    EstimateScratch global;
+
+    explicit EyeScratch(const PassMaps& maps)
+        : caustic(maps.caustic.options), global(maps.global.options)
+    {
+    }
+};
+
+/// Radiance that arrives along an eye ray, W/(m2 sr): emission, and at every diffuse surface seen
+/// directly or through mirrors and glass, light from the lights (if not from photons), the caustic
+/// map and the global map.  docs/light_transport.md (12).
+/// May not be finite if the scene's numbers overflow; the film drops such samples.  Thread-safe.
+Rgb trace_eye_path(const PassMaps& maps, const Ray& ray, RandomSequence& random,
+                   EyeScratch& scratch);
+
+} // namespace hipmap

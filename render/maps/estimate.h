@@ -1,0 +1,36 @@
+#pragma once
+
+#include "render/maps/find_photons.h"
+#include "render/maps/map_boundaries.h"
+#include "render/maps/visible_disc.h"
+
+namespace hipmap {
+
+/// What the estimates of one thread need besides the maps.
+struct EstimateScratch {
+    SearchScratch search;
+    std::vector<BoundarySegment> segments;
+    VisibleDisc disc;
+
+    explicit EstimateScratch(const MapOptions& options) : search(options) {}
+};
+
+/// The surfaces that photons lie on and where their maps end.  Borrows all of it.
+struct MapSurfaces {
+    const TriangleMesh& mesh;
+    const Partition& partition;
+    const MapBoundaries& boundaries;
+};
+
+/// Density of photon power at a point, W/m2 (power and area are both in scene units): the
+/// irradiance, with what depends on the direction of arrival already in the photons' power.
+///     E = 1 / A(r_k) * sum of the k-1 nearest powers                  docs/photon_maps.md (2)
+/// or, where fewer than k lie within the query's radius, all of them over the area within it (over
+/// the whole map if the radius is infinite), (3).  A(r) is the part of the disc that is visible
+/// from the query without crossing a boundary of its map, docs/visible_area.md; photons beyond one
+/// do not count.  Mode global has no boundaries. No photon: zero, never NaN.  Thread-safe.  Blurs
+/// detail finer than r_k.
+Rgb estimate_irradiance(const PhotonMaps& maps, const MapSurfaces& surfaces,
+                        const PhotonQuery& query, EstimateScratch& scratch);
+
+} // namespace hipmap

@@ -1,0 +1,98 @@
+#include "render/maps/find_photons.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hipmap {
+
+namespace {
+
+constexpr auto kAcceptAll = [](std::uint32_t) { return true; };
+
+double distance_to_segment(const glm::dvec3& point, const glm::dvec3& a, const glm::dvec3& b)
+{
+    const glm::dvec3 along = b - a;
+    const double length2 = glm::dot(along, along);
+    const double t = length2 > 0 ? std::clamp(glm::dot(point - a, along) / length2, 0.0, 1.0) : 0.0;
+    return glm::length(point - (a + t * along));
+}
+
+/// Algorithm 4 of the thesis up to where it turns to the shared map; empty: it does turn there.
+std::span<const Neighbour> find_in_local(const PhotonMaps& maps, const PhotonQuery& query,
+                                         float limit, SearchScratch& scratch)
+{
+    const std::uint32_t index = maps.local_of_face[2 * std::size_t{query.face} + query.side];
+    if (index == kNone)
+        return {};
+    const LocalMap& local = maps.locals[index];
+    if (local.filter_radius > limit) {
+        ++scratch.statistics.skipped;
+        return {};
+    }
+    ++scratch.statistics.local_searches;
+    // A photon at the limiting radius itself is already too far.
+    const float below = std::nextafter(limit * limit, 0.0f);
+    NeighbourHeap heap(scratch.heap, std::min(below, query.radius * query.radius));
+    search_tree(local.tree, query.position, kAcceptAll, heap);
+    if (heap.full() || limit > query.radius)
+        return heap.sorted();
+    ++scratch.statistics.abandoned;
+    return {};
+}
+
+} // namespace
+
+SearchStatistics& SearchStatistics::operator+=(const SearchStatistics& other)
+{
+    queries += other.queries;
+    local_searches += other.local_searches;
+    skipped += other.skipped;
+    abandoned += other.abandoned;
+    photons_found += other.photons_found;
+    return *this;
+}
+
+float limiting_radius(const TriangleMesh& mesh, const Partition& partition, FaceId face,
+                      const glm::vec3& point)
+{
+    double nearest = std::numeric_limits<double>::infinity();
+    const glm::uvec3 corners = mesh.corners[face];
+    for (int c = 0; c < 3; ++c) {
+        if (partition.edge_class[3 * std::size_t{face} + c] != EdgeClass::connected)
+            continue;
+        nearest = std::min(
+            nearest, distance_to_segment(glm::dvec3(point), glm::dvec3(mesh.positions[corners[c]]),
+                                         glm::dvec3(mesh.positions[corners[(c + 1) % 3]])));
+    }
+    return static_cast<float>(nearest);
+}
+
+float even_radius(const PhotonMaps& maps, const Partition& partition, const PhotonQuery& query)
+{
+    const MapId id = partition.map_of_face[query.face];
+    if (id == kNone)
+        return std::numeric_limits<float>::infinity();
+    const std::size_t map = maps.map_index(id, query.side);
+    return filter_radius(maps.map_area[map], maps.options.neighbours,
+                         maps.first_point[map + 1] - maps.first_point[map]);
+}
+
+std::span<const Neighbour> find_photons(const PhotonMaps& maps, const TriangleMesh& mesh,
+                                        const Partition& partition, const PhotonQuery& query,
+                                        SearchScratch& scratch)
+{
+    if (maps.photons.empty())
+        return {};
+    ++scratch.statistics.queries;
+    std::span<const Neighbour> found;
+    if (maps.options.mode == MapMode::thesis && maps.options.neighbours > 0) {
+        const float limit = limiting_radius(mesh, partition, query.face, query.position);
+        found = find_in_local(maps, query, limit, scratch);
+    }
+    if (found.empty())
+        found = find_in_shared(maps, partition, query, scratch, kAcceptAll);
+    scratch.statistics.photons_found += found.size();
+    return found;
+}
+
+} // namespace hipmap

@@ -1,0 +1,75 @@
+#pragma once
+
+#include "common/partition/partition.h"
+#include "render/maps/photon_tree.h"
+#include "render/photons/photon.h"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace hipmap {
+
+/// How photons are split into maps.
+enum class MapMode : std::uint8_t {
+    none,   ///< no photons at all
+    global, ///< one map (Jensen 1996)
+    shared, ///< one for each shared map of the partition and side (Larsen and Christensen 2003)
+    thesis, ///< the same, and one for each face that has many photons (Mpawulo 2005)
+};
+
+struct MapOptions {
+    MapMode mode = MapMode::shared;
+    std::uint32_t neighbours = 50; ///< k, at least 1
+    std::uint32_t local_min = 500; ///< M: fewest photons of a local map
+};
+
+/// The photons of a face and side that has many of them, by reference into the photons of the set.
+struct LocalMap {
+    PhotonTree tree;
+    float filter_radius = 0.0f; ///< docs/photon_maps.md (4), scene units
+};
+
+/// All maps of one kind of photon (caustic or global).  Read-only once built: any number of threads
+/// may search.  Not copyable: trees refer to the arrays.
+struct PhotonMaps {
+    MapOptions options;
+    std::vector<Photon> photons;    ///< [n], by (path, bounce)
+    std::vector<TreePoint> points;  ///< [n], map by map
+    std::vector<std::uint8_t> axes; ///< [n]
+    std::vector<std::uint64_t>
+        first_point;             ///< [maps + 1]: map m owns points [first[m], first[m+1])
+    std::vector<float> map_area; ///< [maps] of the faces, square scene units
+    std::vector<TreePoint> local_points;
+    std::vector<std::uint8_t> local_axes;
+    std::vector<std::uint32_t>
+        local_of_face; ///< [2F] by face and side; kNone; empty without locals
+    std::vector<LocalMap> locals;
+
+    PhotonMaps() = default;
+    PhotonMaps(PhotonMaps&&) = default;
+    PhotonMaps& operator=(PhotonMaps&&) = default;
+
+    /// The map of a face and side: 0 in mode global.
+    std::size_t map_index(MapId map, std::uint8_t side) const
+    {
+        return options.mode == MapMode::global ? 0 : 2 * std::size_t{map} + side;
+    }
+    PhotonTree tree(std::size_t map) const
+    {
+        const std::size_t begin = first_point[map], count = first_point[map + 1] - begin;
+        return {{points.data() + begin, count}, {axes.data() + begin, count}};
+    }
+    /// Maps of the first tier that hold a photon.
+    std::size_t filled_maps() const;
+};
+
+/// sqrt(A k / (pi N)), docs/photon_maps.md (4); infinite without photons.
+float filter_radius(double area, std::uint32_t neighbours, std::uint64_t photons);
+
+/// Splits `photons` into maps and orders their trees, in parallel.  O(n log n).
+/// Same photons, same maps, at any thread count.  No photons: empty maps, which find nothing.
+PhotonMaps build_photon_maps(std::vector<Photon> photons, const TriangleMesh& mesh,
+                             const Partition& partition, const MapOptions& options);
+
+} // namespace hipmap

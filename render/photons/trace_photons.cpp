@@ -1,0 +1,183 @@
+#include "render/photons/trace_photons.h"
+
+#include "common/math/frame.h"
+#include "common/math/sampling.h"
+#include "render/shading/interaction.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+
+namespace hipmap {
+
+namespace {
+
+/// Paths traced by one task; fixed, so that sums are formed in the same order at any thread count.
+constexpr std::uint64_t kPathsPerChunk = 4096;
+
+/// Russian roulette ends paths long before this; between perfect mirrors nothing else would.
+constexpr int kMostBounces = 512;
+
+/// A light path under way.
+struct LightPath {
+    Ray ray;
+    Rgb power{0.0f};
+    Rgb absorption{0.0f}; ///< of what the ray travels in
+    bool specular = false;
+    bool diffuse = false;
+};
+
+enum class Event { absorb, diffuse, mirror, transmit };
+
+/// Russian roulette in RGB, docs/light_transport.md (10): which lobe the path goes on in, and its
+/// power there.  The power stays bounded by the largest channel of what came in.
+Event choose_event(LightPath& path, const Rgb (&shares)[3], float u)
+{
+    const float incoming = max_channel(path.power);
+    if (!(incoming > 0))
+        return Event::absorb;
+    float chance[3];
+    float sum = 0;
+    for (int i = 0; i < 3; ++i)
+        sum += chance[i] = max_channel(path.power * shares[i]) / incoming;
+    const float scale = sum > 1 ? 1 / sum : 1;
+    for (int i = 0; i < 3; ++i) {
+        const float p = chance[i] * scale;
+        if (u < p) {
+            path.power *= shares[i] / p;
+            return static_cast<Event>(i + 1);
+        }
+        u -= p;
+    }
+    return Event::absorb;
+}
+
+/// docs/photon_maps.md (1).
+void store(const Interaction& at, const LightPath& path, const PhotonOptions& options,
+           TracedPhotons& out)
+{
+    if (!path.diffuse && !path.specular && !options.store_direct)
+        return;
+    const float geometric = glm::dot(at.back, at.normal);
+    const Rgb power = path.power * coat_half(*at.bsdf, at.cosine) * (at.cosine / geometric);
+    if (!is_finite(power) || !is_finite(at.point.position)) {
+        ++out.dropped;
+        return;
+    }
+    const bool caustic = path.specular && !path.diffuse;
+    (caustic ? out.caustic : out.global)
+        .push_back({at.point.position, power, at.back, at.point.face, at.side});
+}
+
+/// Sends the path on from a surface.  False: it ends there.
+bool scatter(const Interaction& at, LightPath& path, RandomSequence& random, PowerBalance& balance)
+{
+    const SpecularLobes specular = specular_lobes(*at.bsdf, at.cosine, at.front, at.solid);
+    const Rgb shares[3] = {diffuse_albedo(*at.bsdf, at.cosine), specular.mirror, specular.transmit};
+    balance.absorbed += glm::dvec3(path.power * (1.0f - shares[0] - shares[1] - shares[2]));
+
+    switch (choose_event(path, shares, random.next())) {
+    case Event::absorb:
+        return false;
+    case Event::diffuse: {
+        const glm::vec3 local = sample_cosine_hemisphere(random.next2());
+        path.ray.direction = Frame(at.shading_normal).to_world(local);
+        path.ray.origin = offset_origin(at.point, at.normal);
+        path.power *= coat_half(*at.bsdf, local.z) / (1.0f - at.bsdf->coat_average);
+        path.diffuse = true;
+        if (!(glm::dot(path.ray.direction, at.normal) > 0)) {
+            balance.absorbed += glm::dvec3(path.power);
+            return false;
+        }
+        break;
+    }
+    case Event::mirror:
+        path.ray = mirror_ray(at);
+        path.specular = true;
+        break;
+    case Event::transmit:
+        path.ray = transmitted_ray(at, specular.eta);
+        path.absorption = absorption_beyond(at);
+        path.specular = true;
+        break;
+    }
+    path.power *= particle_correction(at, path.ray.direction);
+    return true;
+}
+
+void trace_path(const RenderScene& scene, const PhotonOptions& options, LightPath path,
+                RandomSequence& random, TracedPhotons& out)
+{
+    out.power.emitted += glm::dvec3(path.power);
+    for (int bounce = 0; bounce < kMostBounces; ++bounce) {
+        const std::optional<RayHit> hit = scene.rays.nearest(path.ray);
+        if (!hit) {
+            out.power.escaped += glm::dvec3(path.power);
+            return;
+        }
+        const Rgb arriving = path.power * transmittance(path.absorption, hit->distance);
+        out.power.absorbed += glm::dvec3(path.power - arriving);
+        path.power = arriving;
+
+        const Interaction at = interact(scene, path.ray, *hit);
+        if (at.bsdf->has_diffuse() && scene.partition.map_of_face[hit->face] != kNone)
+            store(at, path, options, out);
+        if (!scatter(at, path, random, out.power))
+            return;
+    }
+    ++out.cut;
+}
+
+void append(std::vector<Photon>& to, std::vector<Photon>& from)
+{
+    to.insert(to.end(), from.begin(), from.end());
+    std::vector<Photon>().swap(from);
+}
+
+TracedPhotons join(std::vector<TracedPhotons>& chunks)
+{
+    TracedPhotons out;
+    std::size_t caustic = 0, global = 0;
+    for (const TracedPhotons& chunk : chunks) {
+        caustic += chunk.caustic.size();
+        global += chunk.global.size();
+    }
+    out.caustic.reserve(caustic);
+    out.global.reserve(global);
+    for (TracedPhotons& chunk : chunks) {
+        append(out.caustic, chunk.caustic);
+        append(out.global, chunk.global);
+        out.dropped += chunk.dropped;
+        out.cut += chunk.cut;
+        out.power.emitted += chunk.power.emitted;
+        out.power.absorbed += chunk.power.absorbed;
+        out.power.escaped += chunk.power.escaped;
+    }
+    return out;
+}
+
+} // namespace
+
+TracedPhotons trace_photons(const RenderScene& scene, const PhotonOptions& options)
+{
+    const EmissionPlan plan = plan_emission(scene.lights, options.paths);
+    const std::uint64_t chunk_count = (plan.paths + kPathsPerChunk - 1) / kPathsPerChunk;
+    std::vector<TracedPhotons> chunks(chunk_count);
+    tbb::parallel_for(std::uint64_t{0}, chunk_count, [&](std::uint64_t c) {
+        const std::uint64_t end = std::min(plan.paths, (c + 1) * kPathsPerChunk);
+        for (std::uint64_t i = c * kPathsPerChunk; i < end; ++i) {
+            RandomSequence random(options.seed, RandomStream::photons, options.pass, i);
+            const EmittedPath start =
+                emit_path(scene.lights, plan, scene.mesh(), scene.bsdfs, i, random);
+            LightPath path;
+            path.ray = start.ray;
+            path.power = start.power;
+            trace_path(scene, options, path, random, chunks[c]);
+        }
+    });
+    TracedPhotons out = join(chunks);
+    out.emitted = plan.paths;
+    return out;
+}
+
+} // namespace hipmap

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "render/photons/photon.h"
+#include "render/shading/emission.h"
+#include "render/shading/render_scene.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace hipmap {
+
+struct PhotonOptions {
+    std::uint64_t paths = 0; ///< light paths to emit
+    std::uint64_t seed = 0;
+    std::uint64_t pass = 0;
+    bool store_direct =
+        false; ///< photons straight from a light too; else the integrator finds that light
+};
+
+/// Where the power of the light paths went, W / metres_per_unit^2.
+/// emitted = absorbed + escaped in expectation.
+struct PowerBalance {
+    glm::dvec3 emitted{0.0};
+    glm::dvec3 absorbed{0.0};
+    glm::dvec3 escaped{0.0};
+};
+
+/// The photons of one pass, in the order of (path, bounce).
+struct TracedPhotons {
+    std::uint64_t emitted = 0;   ///< light paths
+    std::vector<Photon> caustic; ///< light, specular+, diffuse
+    std::vector<Photon> global;  ///< indirect, and direct if asked for
+    std::uint64_t dropped = 0;   ///< not finite; their power is lost
+    std::uint64_t cut = 0;       ///< paths that reached the largest number of bounces
+    PowerBalance power;
+};
+
+/// Traces light paths in parallel (oneTBB).  Same scene and options, same photons at any thread
+/// count. A scene without light, or no paths: no photons.
+TracedPhotons trace_photons(const RenderScene& scene, const PhotonOptions& options);
+
+} // namespace hipmap

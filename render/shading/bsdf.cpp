@@ -1,0 +1,132 @@
+#include "render/shading/bsdf.h"
+
+#include <glm/glm.hpp>
+
+#include <cmath>
+
+namespace hipmap {
+
+namespace {
+
+float grazing_weight(float cosine)
+{
+    const float m = std::clamp(1 - cosine, 0.0f, 1.0f);
+    return m * m * m * m * m;
+}
+
+/// Schlick's reflectance, docs/light_transport.md (2).
+Rgb schlick(const Rgb& f0, const Rgb& f90, float cosine)
+{
+    return f0 + (f90 - f0) * grazing_weight(cosine);
+}
+
+/// Its average over the cosine-weighted hemisphere, docs/light_transport.md (3).
+Rgb schlick_average(const Rgb& f0, const Rgb& f90)
+{
+    return f0 + (f90 - f0) * (1.0f / 21);
+}
+
+Bsdf make_bsdf(const Material& material)
+{
+    const bool smooth = is_specular(material.roughness);
+    const float index_step = (material.ior - 1) / (material.ior + 1);
+    const Rgb f0 =
+        glm::min(index_step * index_step * material.specular_color, Rgb(1)) * material.specular;
+    const Rgb f90(material.specular);
+    const float opaque = (1 - material.metallic) * (1 - material.transmission);
+
+    Bsdf out;
+    out.ior = material.ior;
+    out.absorption = material.absorption;
+    out.emission = material.emission;
+    out.emits_behind = material.double_sided;
+    out.glass = (1 - material.metallic) * material.transmission;
+    out.glass_tint = material.base_color;
+    out.glass_reflection = glm::min(material.specular_color, Rgb(1)) * material.specular;
+    if (smooth) {
+        out.metal = material.metallic;
+        out.metal_f0 = material.base_color;
+        out.coat_f0 = f0;
+        out.coat_f90 = f90;
+        out.coat_average = schlick_average(f0, f90);
+        out.coated = opaque > 0 && !is_black(out.coat_average);
+        out.diffuse = out.coated ? opaque * material.base_color /
+                                       glm::max(1.0f - out.coat_average, Rgb(1e-6f))
+                                 : opaque * material.base_color;
+        if (!out.coated)
+            out.coat_f0 = out.coat_f90 = out.coat_average = Rgb(0);
+    } else {
+        const Rgb coat = schlick_average(f0, f90);
+        const Rgb metal = schlick_average(material.base_color, Rgb(1));
+        out.diffuse =
+            opaque * (material.base_color * (1.0f - coat) + coat) + material.metallic * metal;
+    }
+    return out;
+}
+
+} // namespace
+
+std::vector<Bsdf> make_bsdfs(const std::vector<Material>& materials)
+{
+    std::vector<Bsdf> out;
+    out.reserve(materials.size());
+    for (const Material& material : materials)
+        out.push_back(make_bsdf(material));
+    return out;
+}
+
+Rgb coat_half(const Bsdf& bsdf, float cosine)
+{
+    return bsdf.coated ? 1.0f - schlick(bsdf.coat_f0, bsdf.coat_f90, cosine) : Rgb(1);
+}
+
+Rgb diffuse_albedo(const Bsdf& bsdf, float cosine)
+{
+    return bsdf.diffuse * coat_half(bsdf, cosine) * (1.0f - bsdf.coat_average);
+}
+
+float fresnel_dielectric(float cosine, float eta)
+{
+    const float sin2_beyond = (1 - cosine * cosine) / (eta * eta);
+    if (sin2_beyond >= 1)
+        return 1;
+    const float cos_beyond = std::sqrt(1 - sin2_beyond);
+    const float parallel = (eta * cosine - cos_beyond) / (eta * cosine + cos_beyond);
+    const float perpendicular = (cosine - eta * cos_beyond) / (cosine + eta * cos_beyond);
+    return 0.5f * (parallel * parallel + perpendicular * perpendicular);
+}
+
+SpecularLobes specular_lobes(const Bsdf& bsdf, float cosine, bool front, bool solid)
+{
+    SpecularLobes out;
+    if (bsdf.metal > 0)
+        out.mirror += bsdf.metal * schlick(bsdf.metal_f0, Rgb(1), cosine);
+    if (bsdf.coated) {
+        const float opaque = 1 - bsdf.metal - bsdf.glass;
+        out.mirror += opaque * schlick(bsdf.coat_f0, bsdf.coat_f90, cosine);
+    }
+    if (bsdf.glass > 0) {
+        const float eta = solid && !front ? 1 / bsdf.ior : bsdf.ior;
+        const float f = fresnel_dielectric(cosine, eta);
+        const Rgb reflected = f < 1 ? f * bsdf.glass_reflection : Rgb(1);
+        out.mirror += bsdf.glass * reflected;
+        out.transmit = bsdf.glass * (1.0f - reflected) * bsdf.glass_tint;
+        out.eta = solid ? eta : 1.0f;
+    }
+    return out;
+}
+
+glm::vec3 refract(const glm::vec3& direction, const glm::vec3& normal, float eta)
+{
+    const float cosine = glm::dot(direction, normal);
+    const float cos2_beyond = 1 - (1 - cosine * cosine) / (eta * eta);
+    const float cos_beyond = std::sqrt(std::max(0.0f, cos2_beyond));
+    return glm::normalize((normal * cosine - direction) / eta - normal * cos_beyond);
+}
+
+glm::vec3 reflect(const glm::vec3& direction, const glm::vec3& normal)
+{
+    return glm::normalize(2 * glm::dot(direction, normal) * normal - direction);
+}
+
+} // namespace hipmap

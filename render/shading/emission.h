@@ -1,0 +1,31 @@
+#pragma once
+
+#include "render/shading/lights.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace hipmap {
+
+/// How the light paths of a pass are shared out: by power, each light with a floor share.
+/// The lights are the punctual ones, then all emissive faces as one, then the sky.
+struct EmissionPlan {
+    std::vector<std::uint64_t>
+        first_path; ///< [lights + 1] light i owns paths [first[i], first[i+1])
+    std::uint64_t paths = 0;
+};
+
+/// Every light that shines gets at least one path; none if nothing shines or `paths` is 0.
+EmissionPlan plan_emission(const LightSet& lights, std::uint64_t paths);
+
+/// The start of a light path.
+struct EmittedPath {
+    Ray ray;
+    Rgb power{0.0f}; ///< already divided by the paths of its light
+};
+
+/// path: 0..plan.paths-1.  Source: docs/light_transport.md (5)-(7).
+EmittedPath emit_path(const LightSet& lights, const EmissionPlan& plan, const TriangleMesh& mesh,
+                      const std::vector<Bsdf>& bsdfs, std::uint64_t path, RandomSequence& random);
+
+} // namespace hipmap

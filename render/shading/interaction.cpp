@@ -1,0 +1,69 @@
+#include "render/shading/interaction.h"
+
+#include <cmath>
+
+namespace hipmap {
+
+Interaction interact(const RenderScene& scene, const Ray& ray, const RayHit& hit)
+{
+    Interaction out;
+    out.point = surface_point(scene.mesh(), hit.face, hit.barycentric);
+    out.bsdf = &scene.bsdfs[scene.mesh().material_of_face[hit.face]];
+    out.back = -ray.direction;
+    out.front = glm::dot(out.back, out.point.geometric_normal) >= 0;
+    const float sign = out.front ? 1.0f : -1.0f;
+    out.normal = sign * out.point.geometric_normal;
+    out.shading_normal = sign * out.point.shading_normal;
+    out.cosine = glm::dot(out.back, out.shading_normal);
+    if (!(out.cosine > 0)) { // seen from behind the interpolated normal
+        out.shading_normal = out.normal;
+        out.cosine = std::max(0.0f, glm::dot(out.back, out.normal));
+    }
+    out.solid = scene.partition.closed[hit.face] != 0;
+    const bool flipped = scene.partition.flipped[hit.face] != 0;
+    out.side = out.front == flipped ? 1 : 0;
+    return out;
+}
+
+Ray mirror_ray(const Interaction& at)
+{
+    Ray ray;
+    ray.direction = reflect(at.back, at.shading_normal);
+    if (!(glm::dot(ray.direction, at.normal) > 0)) // bent into the surface by the shading normal
+        ray.direction = reflect(at.back, at.normal);
+    ray.origin = offset_origin(at.point, at.normal);
+    return ray;
+}
+
+Ray transmitted_ray(const Interaction& at, float eta)
+{
+    Ray ray;
+    ray.direction = eta == 1 ? -at.back : refract(at.back, at.shading_normal, eta);
+    if (!(glm::dot(ray.direction, at.normal) < 0))
+        ray.direction = -at.back;
+    ray.origin = offset_origin(at.point, -at.normal);
+    return ray;
+}
+
+Rgb absorption_beyond(const Interaction& at)
+{
+    return at.solid && at.front ? at.bsdf->absorption : Rgb(0);
+}
+
+Rgb transmittance(const Rgb& absorption, float distance)
+{
+    return is_black(absorption) ? Rgb(1) : glm::exp(-absorption * distance);
+}
+
+float particle_correction(const Interaction& at, const glm::vec3& towards)
+{
+    if (at.shading_normal == at.normal)
+        return 1;
+    const float below =
+        glm::dot(at.back, at.normal) * std::abs(glm::dot(towards, at.shading_normal));
+    if (!(below > 0))
+        return 0;
+    return at.cosine * std::abs(glm::dot(towards, at.normal)) / below;
+}
+
+} // namespace hipmap

@@ -1,0 +1,12 @@
+#include "render/shading/render_scene.h"
+
+namespace hipmap {
+
+RenderScene::RenderScene(const Scene& from_scene, const Partition& from_partition)
+    : scene(from_scene), partition(from_partition), rays(from_scene.mesh),
+      bsdfs(make_bsdfs(from_scene.materials)),
+      lights(collect_lights(from_scene.mesh, from_scene, bsdfs))
+{
+}
+
+} // namespace hipmap

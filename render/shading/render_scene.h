@@ -1,0 +1,27 @@
+#pragma once
+
+#include "common/partition/partition.h"
+#include "common/rays/embree_scene.h"
+#include "common/scene/scene.h"
+#include "render/shading/bsdf.h"
+#include "render/shading/lights.h"
+
+#include <vector>
+
+namespace hipmap {
+
+/// A scene with all that rendering derives from it.  Borrows scene and partition, which must
+/// outlive it.  Read-only: any number of threads may use it.
+struct RenderScene {
+    const Scene& scene;
+    const Partition& partition;
+    EmbreeScene rays;
+    std::vector<Bsdf> bsdfs; ///< [M]
+    LightSet lights;
+
+    RenderScene(const Scene& from_scene, const Partition& from_partition);
+
+    const TriangleMesh& mesh() const { return scene.mesh; }
+};
+
+} // namespace hipmap
