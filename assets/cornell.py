@@ -8,9 +8,7 @@ Metres; Blender's axes (z up). The room is 2 m wide, deep and high, open towards
 import math
 import sys
 
-import bmesh
 import bpy
-from mathutils import Matrix
 
 SPHERE_SEGMENTS, SPHERE_RINGS = 64, 32
 
@@ -31,22 +29,17 @@ def matte(name, color):
     return principled(name, color, Specular=0.0, Roughness=1.0)
 
 
-def add_mesh(name, mesh, materials):
-    mesh.name = name
-    for material in materials:
-        mesh.materials.append(material)
-    placed = bpy.data.objects.new(name, mesh)
-    bpy.context.collection.objects.link(placed)
-    return placed
-
-
 def add_polygons(name, vertices, polygons, materials):
     """polygons: (material index, corners), counter-clockwise from the front."""
     mesh = bpy.data.meshes.new(name)
     mesh.from_pydata(vertices, [], [corners for _, corners in polygons])
+    for material in materials:
+        mesh.materials.append(material)
     for polygon, (material, _) in zip(mesh.polygons, polygons):
         polygon.material_index = material
-    return add_mesh(name, mesh, materials)
+    placed = bpy.data.objects.new(name, mesh)
+    bpy.context.collection.objects.link(placed)
+    return placed
 
 
 def add_room(white, red, green):
@@ -62,28 +55,48 @@ def add_room(white, red, green):
 
 
 def add_block(material):
-    mesh = bpy.data.meshes.new("Block")
-    shape = bmesh.new()
-    bmesh.ops.create_cube(shape, size=1.0)
-    bmesh.ops.translate(shape, verts=shape.verts, vec=(0, 0, 0.5))
-    shape.to_mesh(mesh)
-    shape.free()
-    block = add_mesh("Block", mesh, [material])
-    turn = Matrix.Rotation(math.radians(24), 4, "Z")
-    size = Matrix.Diagonal((0.5, 0.5, 1.0, 1.0))
-    block.matrix_world = Matrix.Translation((0.48, 0.4, 0)) @ turn @ size
+    """Turned about its upright axis; a unit cube with the rest in the object's transform."""
+    vertices = [(x, y, z) for z in (0, 1) for y in (-0.5, 0.5) for x in (-0.5, 0.5)]
+    sides = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (1, 3, 7, 5), (3, 2, 6, 7), (2, 0, 4, 6)]
+    block = add_polygons("Block", vertices, [(0, corners) for corners in sides], [material])
+    block.location = (0.48, 0.4, 0)
+    block.rotation_euler = (0, 0, math.radians(24))
+    block.scale = (0.5, 0.5, 1.0)
+
+
+def sphere_vertices(radius):
+    """South pole, rings upwards, north pole."""
+    vertices = [(0, 0, -radius)]
+    for ring in range(1, SPHERE_RINGS):
+        latitude = math.pi * (ring / SPHERE_RINGS - 0.5)
+        across = radius * math.cos(latitude)
+        for segment in range(SPHERE_SEGMENTS):
+            angle = 2 * math.pi * segment / SPHERE_SEGMENTS
+            z = radius * math.sin(latitude)
+            vertices.append((across * math.cos(angle), across * math.sin(angle), z))
+    return vertices + [(0, 0, radius)]
+
+
+def sphere_polygons():
+    def at(ring, segment):
+        return 1 + (ring - 1) * SPHERE_SEGMENTS + segment % SPHERE_SEGMENTS
+
+    last = SPHERE_RINGS - 1
+    polygons = []
+    for i in range(SPHERE_SEGMENTS):
+        polygons.append((0, (0, at(1, i + 1), at(1, i))))
+        polygons.append((0, (at(last, i), at(last, i + 1), at(last + 1, 0))))
+        for ring in range(1, last):
+            corners = at(ring, i), at(ring, i + 1), at(ring + 1, i + 1), at(ring + 1, i)
+            polygons.append((0, corners))
+    return polygons
 
 
 def add_sphere(name, radius, x, y, material):
-    mesh = bpy.data.meshes.new(name)
-    shape = bmesh.new()
-    bmesh.ops.create_uvsphere(
-        shape, u_segments=SPHERE_SEGMENTS, v_segments=SPHERE_RINGS, radius=radius)
-    for face in shape.faces:
-        face.smooth = True
-    shape.to_mesh(mesh)
-    shape.free()
-    add_mesh(name, mesh, [material]).location = (x, y, radius)
+    """Smooth shaded, standing on the floor.  Blender's own spheres have faces in random order."""
+    sphere = add_polygons(name, sphere_vertices(radius), sphere_polygons(), [material])
+    sphere.data.polygons.foreach_set("use_smooth", [True] * len(sphere.data.polygons))
+    sphere.location = (x, y, radius)
 
 
 def add_lamp():
