@@ -5,10 +5,8 @@
 #include <algorithm>
 #include <utility>
 
-namespace hipmap
-{
-namespace
-{
+namespace hipmap {
+namespace {
 
 bool is_degenerate(const TriangleMesh& mesh, FaceId face, const glm::uvec3& welded)
 {
@@ -37,7 +35,7 @@ WeldedFaces weld_faces(const TriangleMesh& mesh, const VertexWeld& weld)
 EdgeGroups group_edges(const WeldedFaces& faces)
 {
     const auto ends = [&](std::uint32_t edge) {
-        return std::minmax(faces.start(edge), faces.end(edge));
+        return std::minmax({faces.start(edge), faces.end(edge)});
     };
     const auto high = [&](std::uint32_t edge) {
         return std::max(faces.start(edge), faces.end(edge));
