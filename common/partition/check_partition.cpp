@@ -4,10 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-namespace hipmap
-{
-namespace
-{
+namespace hipmap {
+namespace {
 
 bool all_flags(const std::vector<std::uint8_t>& flags)
 {

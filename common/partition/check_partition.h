@@ -4,8 +4,7 @@
 
 #include <string>
 
-namespace hipmap
-{
+namespace hipmap {
 
 /// What is wrong with a partition, as the end of a sentence; empty if nothing is.
 /// Checks the lengths of all arrays, the ranges of ids and classes, that map ids run by lowest

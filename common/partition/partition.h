@@ -7,8 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace hipmap
-{
+namespace hipmap {
 
 using MapId = std::uint32_t;
 

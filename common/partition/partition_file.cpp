@@ -10,10 +10,8 @@
 
 #include <cstring>
 
-namespace hipmap
-{
-namespace
-{
+namespace hipmap {
+namespace {
 
 constexpr std::uint32_t kVersion = 1;
 

@@ -4,8 +4,7 @@
 
 #include <filesystem>
 
-namespace hipmap
-{
+namespace hipmap {
 
 /// Writes `partition` as a .hpm file (docs/partition_file.md): to a temporary name, synced,
 /// renamed. Throws InputError if the file cannot be written; then nothing is left behind.

@@ -4,10 +4,8 @@
 
 #include <cmath>
 
-namespace hipmap
-{
-namespace
-{
+namespace hipmap {
+namespace {
 
 /// Volume over area^(3/2), below which a volume is only rounding.  A sphere has 0.094, a pane of
 /// 1 m2 and 1 um thickness 4e-7; the sums below are good to about 1e-15 per face.

@@ -2,8 +2,7 @@
 
 #include "preprocess/mesh/half_edges.h"
 
-namespace hipmap
-{
+namespace hipmap {
 
 /// Marks the faces of surfaces that enclose a volume: connected across opposite edges, without a
 /// border or non-manifold edge, of four faces or more, and with a volume that is not lost in the

@@ -6,14 +6,12 @@
 #include <utility>
 #include <vector>
 
-namespace hipmap
-{
+namespace hipmap {
 
 /// Union-find over 0..n-1 (Tarjan 1975), with path halving; n operations cost O(n log n) at worst
 /// and near n in practice.  The root of a set is its lowest member, so that the order of unions
 /// changes nothing.  One thread.
-class DisjointSets
-{
+class DisjointSets {
   public:
     explicit DisjointSets(std::size_t count) : parent_(count)
     {

@@ -7,10 +7,8 @@
 
 #include <algorithm>
 
-namespace hipmap
-{
-namespace
-{
+namespace hipmap {
+namespace {
 
 /// A vertex for every corner: corners share one only if a walk around the welded vertex leads from
 /// one to the other across paired edges.

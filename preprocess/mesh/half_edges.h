@@ -3,8 +3,7 @@
 #include "common/partition/partition.h"
 #include "preprocess/mesh/weld_vertices.h"
 
-namespace hipmap
-{
+namespace hipmap {
 
 /// What was found wrong with a mesh; nothing of it loses a face.
 struct MeshDefects {
@@ -13,7 +12,7 @@ struct MeshDefects {
     std::size_t border_edges = 0;       ///< of one face
     std::size_t non_manifold_edges = 0; ///< of three or more faces
     std::size_t cut_edges = 0;          ///< of two faces that no winding suits
-    std::size_t refused_faces = 0;      ///< that the half-edge mesh could not take in
+    std::size_t refused_faces = 0;      ///< that OpenMesh could not take in: none is known to be
 };
 
 /// The neighbourhood of faces as flat arrays; edges are numbered 3 face + corner.

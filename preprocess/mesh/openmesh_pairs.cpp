@@ -6,10 +6,8 @@
 #include <array>
 #include <cassert>
 
-namespace hipmap
-{
-namespace
-{
+namespace hipmap {
+namespace {
 
 using Mesh = OpenMesh::TriMesh_ArrayKernelT<>;
 using Corners = std::array<OpenMesh::VertexHandle, 3>;

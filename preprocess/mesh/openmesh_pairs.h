@@ -2,8 +2,7 @@
 
 #include "common/scene/mesh.h"
 
-namespace hipmap
-{
+namespace hipmap {
 
 /// What a half-edge mesh made of some faces.
 struct HalfEdgePairs {

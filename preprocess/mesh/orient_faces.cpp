@@ -3,10 +3,8 @@
 #include <array>
 #include <span>
 
-namespace hipmap
-{
-namespace
-{
+namespace hipmap {
+namespace {
 
 std::vector<std::uint32_t> pair_edges(std::size_t edge_count, const EdgeGroups& groups)
 {
@@ -24,8 +22,7 @@ std::vector<std::uint32_t> pair_edges(std::size_t edge_count, const EdgeGroups& 
 
 /// Walks one component breadth first.  `flipped` becomes whether a face is wound against the first
 /// one.  Appends the faces to `order`.
-class ComponentWalk
-{
+class ComponentWalk {
   public:
     ComponentWalk(const WeldedFaces& faces, Orientation& out)
         : faces_(faces), out_(out), seen_(faces.degenerate)

@@ -2,8 +2,7 @@
 
 #include "preprocess/mesh/welded_faces.h"
 
-namespace hipmap
-{
+namespace hipmap {
 
 /// Which faces must be turned so that neighbours are wound alike.
 struct Orientation {

@@ -5,10 +5,8 @@
 
 #include <bit>
 
-namespace hipmap
-{
-namespace
-{
+namespace hipmap {
+namespace {
 
 std::uint64_t hash_of(const glm::vec3& p)
 {

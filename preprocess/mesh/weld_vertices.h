@@ -6,8 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace hipmap
-{
+namespace hipmap {
 
 /// One id per position of a mesh whose file splits vertices at seams.
 struct VertexWeld {

@@ -3,8 +3,7 @@
 #include "common/scene/mesh.h"
 #include "preprocess/mesh/weld_vertices.h"
 
-namespace hipmap
-{
+namespace hipmap {
 
 /// The faces of a mesh by welded vertex.  Edge 3 f + c of face f runs from corner c to corner
 /// (c + 1) mod 3, as everywhere.

@@ -8,10 +8,8 @@
 #include <chrono>
 #include <string>
 
-namespace hipmap
-{
-namespace
-{
+namespace hipmap {
+namespace {
 
 /// Runs one pass and notes how long it took.
 template <typename Work>

@@ -8,8 +8,7 @@
 #include <numbers>
 #include <string_view>
 
-namespace hipmap
-{
+namespace hipmap {
 
 struct PartitionOptions {
     double angle_threshold = std::numbers::pi / 6; ///< radians, 0 to pi

@@ -7,10 +7,8 @@
 #include <limits>
 #include <numbers>
 
-namespace hipmap
-{
-namespace
-{
+namespace hipmap {
+namespace {
 
 /// Cosines between which an edge counts as at the threshold.
 struct AngleTest {

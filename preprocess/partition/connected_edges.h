@@ -4,8 +4,7 @@
 
 #include <cstddef>
 
-namespace hipmap
-{
+namespace hipmap {
 
 /// Edges nearer to the threshold than this, in radians, count as above it, so that the rounding of
 /// positions (a rotated cube) cannot change a partition.

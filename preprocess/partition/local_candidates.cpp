@@ -7,10 +7,8 @@
 #include <limits>
 #include <numbers>
 
-namespace hipmap
-{
-namespace
-{
+namespace hipmap {
+namespace {
 
 using Corners = std::array<glm::dvec3, 3>;
 

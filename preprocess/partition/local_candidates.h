@@ -4,8 +4,7 @@
 
 #include <array>
 
-namespace hipmap
-{
+namespace hipmap {
 
 struct LocalCandidates {
     std::vector<float> reach;            ///< [F] as in Partition

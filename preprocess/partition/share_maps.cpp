@@ -2,8 +2,7 @@
 
 #include "preprocess/mesh/disjoint_sets.h"
 
-namespace hipmap
-{
+namespace hipmap {
 
 SharedMaps share_maps(std::span<const EdgeClass> edge_class,
                       std::span<const std::uint32_t> opposite)

@@ -4,8 +4,7 @@
 
 #include <span>
 
-namespace hipmap
-{
+namespace hipmap {
 
 struct SharedMaps {
     std::vector<MapId> map_of_face; ///< [F]; kNone for a degenerate face
