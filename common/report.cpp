@@ -8,11 +8,9 @@
 #include <iostream>
 #include <string>
 
-namespace hipmap
-{
+namespace hipmap {
 
-namespace
-{
+namespace {
 
 constexpr double kTerminalInterval = 0.1; // s between two rewrites of the progress line
 constexpr double kPlainInterval = 5.0;    // s between two plain lines

@@ -5,12 +5,10 @@
 #include <string>
 #include <string_view>
 
-namespace hipmap
-{
+namespace hipmap {
 
 /// The only printing of both tools, all of it on standard error.  Thread-safe.
-class Report
-{
+class Report {
   public:
     /// A plain line.
     void line(std::string_view text);

@@ -12,11 +12,9 @@
 #include <system_error>
 #include <utility>
 
-namespace hipmap
-{
+namespace hipmap {
 
-namespace
-{
+namespace {
 
 namespace fs = std::filesystem;
 
@@ -31,8 +29,7 @@ namespace fs = std::filesystem;
 }
 
 /// Closes a file descriptor that was not released.
-class Descriptor
-{
+class Descriptor {
   public:
     explicit Descriptor(int fd) : fd_(fd) {}
     ~Descriptor()
@@ -56,8 +53,7 @@ class Descriptor
 };
 
 /// Removes a file unless it was kept.
-class TemporaryName
-{
+class TemporaryName {
   public:
     explicit TemporaryName(fs::path path) : path_(std::move(path)) {}
     ~TemporaryName()

@@ -6,8 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace hipmap
-{
+namespace hipmap {
 
 /// Writes all bytes to a temporary name beside `path`, syncs, and renames: readers see the old file
 /// or the whole new one, never a part.  Throws InputError with path and cause; leaves no temporary

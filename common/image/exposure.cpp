@@ -4,8 +4,7 @@
 #include <cmath>
 #include <vector>
 
-namespace hipmap
-{
+namespace hipmap {
 
 float auto_exposure(const Image& image)
 {

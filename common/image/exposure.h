@@ -2,8 +2,7 @@
 
 #include "common/image/image.h"
 
-namespace hipmap
-{
+namespace hipmap {
 
 /// Exposure that shows most of `image` without clipping it, in EV (stops): the 90th percentile
 /// (nearest rank) of the luminance of the pixels that are finite and brighter than black comes to

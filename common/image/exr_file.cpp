@@ -19,18 +19,15 @@
 #include <stdexcept>
 #include <vector>
 
-namespace hipmap
-{
+namespace hipmap {
 
-namespace
-{
+namespace {
 
 constexpr std::array<const char*, 3> kChannelNames = {"R", "G", "B"};
 constexpr std::int64_t kMaxPixels = std::int64_t(1) << 28; // a header may promise anything
 
 /// Keeps what is written, so that the file is made in one step.
-class MemoryOutput : public Imf::OStream
-{
+class MemoryOutput : public Imf::OStream {
   public:
     MemoryOutput() : OStream("") {}
 
@@ -52,8 +49,7 @@ class MemoryOutput : public Imf::OStream
     std::size_t at_ = 0;
 };
 
-class MemoryInput : public Imf::IStream
-{
+class MemoryInput : public Imf::IStream {
   public:
     explicit MemoryInput(std::span<const std::byte> bytes) : IStream(""), bytes_(bytes) {}
 

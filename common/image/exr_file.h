@@ -7,8 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace hipmap
-{
+namespace hipmap {
 
 /// One more picture of the same size in an .exr file.
 struct Layer {

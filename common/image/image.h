@@ -5,8 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace hipmap
-{
+namespace hipmap {
 
 /// Linear RGB, rows from the top left.
 struct Image {

@@ -7,8 +7,7 @@
 #include <string>
 #include <utility>
 
-namespace hipmap
-{
+namespace hipmap {
 
 ImageFormat image_format(const std::filesystem::path& path)
 {

@@ -2,8 +2,7 @@
 
 #include <filesystem>
 
-namespace hipmap
-{
+namespace hipmap {
 
 /// exr, pfm and hdr hold radiance; png and ppm 8-bit display values.
 enum class ImageFormat { exr, pfm, hdr, png, ppm };

@@ -22,11 +22,9 @@
 #include <string_view>
 #include <vector>
 
-namespace hipmap
-{
+namespace hipmap {
 
-namespace
-{
+namespace {
 
 constexpr std::int64_t kMaxPixels = std::int64_t(1) << 28; // a header may promise anything
 

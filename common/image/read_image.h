@@ -4,8 +4,7 @@
 
 #include <filesystem>
 
-namespace hipmap
-{
+namespace hipmap {
 
 /// Reads a linear picture by suffix: .exr (channels R, G, B), .pfm (colour or grey, either byte
 /// order) or .hdr (Radiance).  Throws InputError: no such file, another suffix, damaged, or a pixel

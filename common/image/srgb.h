@@ -3,8 +3,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace hipmap
-{
+namespace hipmap {
 
 /// The sRGB transfer function: display-linear in [0, 1] to display value in [0, 1].
 /// Source: IEC 61966-2-1.

@@ -19,11 +19,9 @@
 #include <string>
 #include <vector>
 
-namespace hipmap
-{
+namespace hipmap {
 
-namespace
-{
+namespace {
 
 using Levels = std::vector<std::uint8_t>; // [width * height * 3]
 

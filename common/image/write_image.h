@@ -5,8 +5,7 @@
 
 #include <filesystem>
 
-namespace hipmap
-{
+namespace hipmap {
 
 /// How 8-bit formats show an image.
 struct Display {

@@ -9,17 +9,14 @@
 #include <thread>
 #include <vector>
 
-namespace hipmap
-{
+namespace hipmap {
 
 using Catch::Matchers::Matches;
 
-namespace
-{
+namespace {
 
 /// What is written to standard error while this lives.
-class CapturedErrors
-{
+class CapturedErrors {
   public:
     CapturedErrors() : old_(std::cerr.rdbuf(text_.rdbuf())) {}
     ~CapturedErrors() { std::cerr.rdbuf(old_); }

@@ -6,12 +6,10 @@
 #include <stdexcept>
 #include <string>
 
-namespace hipmap
-{
+namespace hipmap {
 
 /// A new empty folder that goes away with the object.
-class TemporaryFolder
-{
+class TemporaryFolder {
   public:
     TemporaryFolder()
     {

@@ -12,14 +12,12 @@
 #include <sstream>
 #include <string>
 
-namespace hipmap
-{
+namespace hipmap {
 
 namespace fs = std::filesystem;
 using Catch::Matchers::Contains;
 
-namespace
-{
+namespace {
 
 std::string text_of(const fs::path& path)
 {
@@ -39,8 +37,7 @@ std::string error_of(const auto& action)
 }
 
 /// No file may grow beyond `bytes` while this lives: as a full disk would have it.
-class FileSizeLimit
-{
+class FileSizeLimit {
   public:
     explicit FileSizeLimit(rlim_t bytes)
     {

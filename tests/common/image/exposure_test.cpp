@@ -5,8 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace hipmap
-{
+namespace hipmap {
 
 TEST_CASE("auto_exposure: the 90th percentile comes to 0.8", "[image]")
 {

@@ -16,14 +16,12 @@
 #include <string>
 #include <vector>
 
-namespace hipmap
-{
+namespace hipmap {
 
 namespace fs = std::filesystem;
 using Catch::Matchers::Contains;
 
-namespace
-{
+namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();

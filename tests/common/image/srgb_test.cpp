@@ -5,11 +5,9 @@
 #include <cmath>
 #include <limits>
 
-namespace hipmap
-{
+namespace hipmap {
 
-namespace
-{
+namespace {
 
 /// The decoding half of IEC 61966-2-1, in double.
 double linear_from_srgb(double value)
