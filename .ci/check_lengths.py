@@ -11,7 +11,8 @@ def main():
     lengths = [(name, len(lines_of(name))) for name in source_files()]
     long_files = [f"{name}: {count} lines, {MOST_LINES} at most: divide it"
                   for name, count in lengths if count > MOST_LINES]
-    print("\n".join(long_files) or f"{len(lengths)} files, the longest {max(n for _, n in lengths)}")
+    longest = max(count for _, count in lengths)
+    print("\n".join(long_files) or f"{len(lengths)} files, the longest of {longest} lines")
     return 1 if long_files else 0
 
 

@@ -1,0 +1,59 @@
+#!/usr/bin/env bash
+# From a scene to a picture: installs what is missing, builds, partitions, renders.
+set -euo pipefail
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+
+usage() {
+    cat <<'TEXT'
+usage: ./pipeline.sh [SCENE [OUTDIR]]
+
+Installs the packages that are missing (as root or with sudo), builds both tools, and runs them on
+SCENE (.glb, .gltf or .obj).  The results go to OUTDIR.
+
+  SCENE    default: the bundled scene, assets/cornell.glb
+  OUTDIR   default: out/NAME, NAME being the name of SCENE without its suffix
+TEXT
+}
+
+fail_usage() {
+    echo "error: $1" >&2
+    exit 2
+}
+
+case ${1:-} in
+--help | -h)
+    usage
+    exit 0
+    ;;
+-*) fail_usage "unknown option $1; see ./pipeline.sh --help" ;;
+esac
+[[ $# -le 2 ]] || fail_usage "more than two arguments; see ./pipeline.sh --help"
+
+scene=${1:-$root/assets/cornell.glb}
+[[ -f $scene ]] || fail_usage "$scene: no such file; give a .glb, .gltf or .obj file"
+name=$(basename "$scene")
+name=${name%.*}
+out=${2:-out/$name}
+
+"$root/.ci/setup.sh" release preprocess render
+
+mkdir -p "$out"
+bin=$root/build/release/bin
+partition=$out/$name.hpm
+"$bin/preprocess" "$scene" -o "$partition" --images "$out" --json "$out/partition.json"
+"$bin/render" "$scene" "$partition" -o "$out/$name.png" -o "$out/$name.exr" \
+    --stats "$out/stats.json"
+
+cat <<TEXT
+
+$out/
+  $name.png         the picture, exposed for a screen
+  $name.exr         the same in absolute radiance, linear
+  shared_maps.png   which faces share photons, a colour for each map
+  edges.png         edges by class
+  candidates.png    faces that may get a map of their own
+  $name.hpm         the partition that render reads
+  partition.json    what preprocess found
+  stats.json        what render did, and how long it took
+TEXT

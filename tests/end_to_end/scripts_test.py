@@ -1,0 +1,130 @@
+"""pipeline.sh, test.sh and .ci/run with stand-ins for the programs they call, so that nothing is
+installed or built.
+
+    scripts_test.py ROOT
+"""
+
+import os
+import shutil
+import stat
+import subprocess
+import sys
+import tempfile
+import unittest
+
+ROOT = sys.argv[1]
+LOG = 'echo "$(basename "$0") $*" >>"$STAND_IN_LOG"\n'
+STAND_INS = {
+    "apt-get": LOG,
+    "cmake": LOG,
+    "ctest": LOG + 'echo "50% tests passed, 1 tests failed out of 2"; exit "${CTEST_RESULT:-0}"\n',
+    "dpkg-query": 'for p in "$@"; do [[ " $LACKING " == *" $p "* ]] || echo "installed $p"; done\n',
+    "sudo": 'exec "$@"\n',
+}
+
+
+class Scripts(unittest.TestCase):
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory(prefix="hipmap-test-")
+        self.addCleanup(temporary.cleanup)
+        self.folder = temporary.name
+        self.root = os.path.join(self.folder, "a checkout")
+        os.makedirs(os.path.join(self.root, "build/release/bin"))
+        for name in ("pipeline.sh", "test.sh", ".ci", "assets"):
+            source = os.path.join(ROOT, name)
+            copy = shutil.copytree if os.path.isdir(source) else shutil.copy
+            copy(source, os.path.join(self.root, name))
+        for name, text in STAND_INS.items():
+            self.stand_in(os.path.join(self.folder, name), text)
+        for name in ("preprocess", "render"):
+            self.stand_in(os.path.join(self.root, "build/release/bin", name),
+                          LOG + f'exit "${{{name.upper()}_RESULT:-0}}"\n')
+
+    def stand_in(self, path, text):
+        with open(path, "w", encoding="utf-8") as file:
+            file.write("#!/usr/bin/env bash\n" + text)
+        os.chmod(path, os.stat(path).st_mode | stat.S_IXUSR)
+
+    def run_script(self, script, *arguments, **variables):
+        """Exit code, output, errors, and the lines the stand-ins wrote."""
+        log = os.path.join(self.folder, "log")
+        open(log, "w", encoding="utf-8").close()
+        environment = {**os.environ, "PATH": self.folder + ":" + os.environ["PATH"],
+                       "STAND_IN_LOG": log, "LACKING": "", **variables}
+        done = subprocess.run([os.path.join(self.root, script), *arguments], cwd=self.folder,
+                              env=environment, capture_output=True, text=True, check=False)
+        with open(log, encoding="utf-8") as file:
+            return done.returncode, done.stdout, done.stderr, file.read().splitlines()
+
+    def test_what_is_missing_is_installed_and_nothing_else(self):
+        lacking = "libembree-dev catch2"
+        code, _, errors, log = self.run_script("test.sh", LACKING=lacking)
+        self.assertEqual(code, 0, errors)
+        installs = [line for line in log if line.startswith("apt-get") and " install " in line]
+        self.assertEqual(len(installs), 1)
+        self.assertIn("--no-install-recommends", installs[0])
+        self.assertEqual(sorted(installs[0].split()[-2:]), sorted(lacking.split()))
+
+    def test_nothing_is_installed_where_nothing_is_missing(self):
+        code, _, errors, log = self.run_script("test.sh")
+        self.assertEqual(code, 0, errors)
+        self.assertEqual([line for line in log if line.startswith("apt-get")], [])
+
+    def test_test_sh_passes_on_its_arguments_and_the_result(self):
+        code, _, _, log = self.run_script("test.sh", "--sanitize", "--", "-R", "weld",
+                                          CTEST_RESULT="8")
+        self.assertEqual(code, 8)
+        self.assertIn("--preset sanitize", log[0])
+        self.assertIn("build/sanitize", log[-1])
+        self.assertTrue(log[-1].endswith("-R weld"), log[-1])
+
+    def test_usage(self):
+        for script in ("test.sh", "pipeline.sh"):
+            code, output, _, log = self.run_script(script, "--help")
+            self.assertEqual((code, log), (0, []))
+            self.assertIn("usage:", output)
+            code, _, errors, log = self.run_script(script, "--no-such-option")
+            self.assertEqual((code, log), (2, []))
+            self.assertIn("--no-such-option", errors)
+
+    def test_a_missing_scene_is_refused_before_anything_is_done(self):
+        code, _, errors, log = self.run_script("pipeline.sh", "missing.glb")
+        self.assertEqual((code, log), (2, []))
+        self.assertEqual(errors.count("\n"), 1)
+        self.assertIn("missing.glb", errors)
+
+    def test_pipeline_runs_both_tools_on_the_bundled_scene(self):
+        code, output, errors, log = self.run_script("pipeline.sh")
+        self.assertEqual(code, 0, errors)
+        self.assertTrue(os.path.isdir(os.path.join(self.folder, "out/cornell")))
+        self.assertTrue(log[-2].startswith("preprocess "))
+        self.assertTrue(log[-1].startswith("render "))
+        for line in log[-2:]:
+            self.assertIn("assets/cornell.glb", line)
+            self.assertIn("out/cornell/cornell.hpm", line)
+        self.assertIn("cornell.png", output)
+
+    def test_pipeline_takes_names_with_spaces_and_ends_with_the_code_of_what_failed(self):
+        scene = os.path.join(self.folder, "my desk.v2.glb")
+        shutil.copy(os.path.join(ROOT, "assets/cornell.glb"), scene)
+        code, output, _, log = self.run_script("pipeline.sh", scene, "my out", RENDER_RESULT="3")
+        self.assertEqual(code, 3)
+        self.assertIn("my out/my desk.v2.hpm", log[-1])
+        self.assertNotIn("the partition that render reads", output)
+        code, _, _, log = self.run_script("pipeline.sh", scene, "my out", PREPROCESS_RESULT="2")
+        self.assertEqual(code, 2)
+        self.assertTrue(log[-1].startswith("preprocess "))
+
+    def test_ci_ends_with_the_summary_and_the_result_of_ctest(self):
+        summary = "50% tests passed, 1 tests failed out of 2"
+        code, output, errors, log = self.run_script(".ci/run")
+        self.assertEqual(code, 0, errors)
+        self.assertEqual(output.splitlines()[-1], summary)
+        self.assertTrue(any("HIPMAP_WERROR=ON" in line for line in log), log)
+        code, output, _, _ = self.run_script(".ci/run", CTEST_RESULT="8")
+        self.assertEqual(code, 8)
+        self.assertIn(summary, output)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1], verbosity=2)

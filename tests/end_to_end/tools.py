@@ -1,0 +1,54 @@
+"""Runs hipmap's tools as a user does."""
+
+import os
+import subprocess
+import tempfile
+import unittest
+
+
+class Tools:
+    """folder: where the programs are.  scene: the bundled scene."""
+
+    folder = ""
+    scene = ""
+
+
+def run(tool, *arguments):
+    command = [os.path.join(Tools.folder, tool), *map(str, arguments)]
+    return subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                          stdin=subprocess.DEVNULL, check=False)
+
+
+class ToolsTestCase(unittest.TestCase):
+    """Each test has an empty folder of its own."""
+
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory(prefix="hipmap-test-")
+        self.addCleanup(temporary.cleanup)
+        self.folder = temporary.name
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def succeed(self, tool, *arguments):
+        """Runs a tool that is to succeed; returns what it printed on standard error."""
+        done = run(tool, *arguments)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertNotIn("error", done.stderr)
+        return done.stderr
+
+    def refuse(self, tool, *arguments, naming):
+        """Runs a tool that is to refuse its input, with one line, and to write nothing."""
+        before = sorted(os.listdir(self.folder))
+        done = run(tool, *arguments)
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
+        self.assertTrue(done.stderr.startswith("error: "), done.stderr)
+        self.assertIn(naming, done.stderr)
+        self.assertEqual(sorted(os.listdir(self.folder)), before)
+
+
+def main(arguments):
+    """arguments: program, folder of the tools, scene."""
+    Tools.folder, Tools.scene = arguments[1:3]
+    unittest.main(argv=arguments[:1], verbosity=2)
