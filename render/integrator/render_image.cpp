@@ -1,12 +1,12 @@
 #include "render/integrator/render_image.h"
 
 #include "common/rays/camera_ray.h"
+#include "common/stopwatch.h"
 
 #include <tbb/combinable.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <chrono>
 
 namespace hipmap {
 
@@ -16,11 +16,6 @@ constexpr int kTile = 16;
 
 /// Of the work of a pass, what its photons are taken for in the progress shown.
 constexpr double kPhotonShare = 0.2;
-
-double seconds_since(std::chrono::steady_clock::time_point start)
-{
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 /// Counts of one thread.
 struct ThreadCounts {
@@ -100,7 +95,7 @@ void count_kind(KindStatistics& kind, const PhotonMaps& maps)
 PassMapSet make_maps(const RenderScene& scene, const RenderOptions& options, std::uint32_t pass,
                      RenderStatistics& statistics)
 {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     PhotonOptions photons{options.photons, options.seed, pass,
                           options.direct == DirectLight::photons};
     if (options.maps.mode == MapMode::none)
@@ -110,15 +105,15 @@ PassMapSet make_maps(const RenderScene& scene, const RenderOptions& options, std
     statistics.dropped_photons += traced.dropped;
     statistics.cut_paths += traced.cut;
     statistics.power = traced.power;
-    statistics.seconds_photons += seconds_since(start);
+    statistics.seconds_photons += watch.seconds();
 
-    const auto traced_at = std::chrono::steady_clock::now();
+    const Stopwatch building;
     PassMapSet maps{
         build_photon_maps(std::move(traced.caustic), scene.mesh(), scene.partition, options.maps),
         build_photon_maps(std::move(traced.global), scene.mesh(), scene.partition, options.maps)};
     count_kind(statistics.caustic, maps.caustic);
     count_kind(statistics.global, maps.global);
-    statistics.seconds_maps += seconds_since(traced_at);
+    statistics.seconds_maps += building.seconds();
     return maps;
 }
 
@@ -165,7 +160,7 @@ RenderedImage render_image(const RenderScene& scene, const RenderOptions& option
         const PassMapSet maps = make_maps(scene, options, pass, out.statistics);
         progress(kPhotonShare);
 
-        const auto start = std::chrono::steady_clock::now();
+        const Stopwatch watch;
         const PassMaps pass_maps{scene, boundaries, maps.caustic, maps.global, options.direct};
         const TileRenderer renderer(pass_maps, options, pass);
         Image image(options.width, options.height);
@@ -177,7 +172,7 @@ RenderedImage render_image(const RenderScene& scene, const RenderOptions& option
             add_pass(out.image, image);
             ++out.statistics.passes;
         }
-        out.statistics.seconds_image += seconds_since(start);
+        out.statistics.seconds_image += watch.seconds();
     }
     for (Rgb& pixel : out.image.pixels)
         pixel /= static_cast<float>(std::max(1u, out.statistics.passes));

@@ -1,0 +1,127 @@
+#include "common/command_line/command_line.h"
+
+#include "common/input_error.h"
+
+#include <tbb/global_control.h>
+
+#include <cmath>
+#include <exception>
+#include <iostream>
+#include <new>
+
+namespace hipmap {
+
+namespace {
+
+constexpr int kMostPixelsAcross = 65536;
+
+/// One line, whatever CLI11 puts into its messages.
+std::string on_one_line(std::string text)
+{
+    while (!text.empty() && text.back() == '\n')
+        text.pop_back();
+    for (char& c : text)
+        if (c == '\n')
+            c = ' ';
+    return text;
+}
+
+void print_error(const std::string& what)
+{
+    std::cerr << "error: " << on_one_line(what) << '\n';
+}
+
+int parse_pixels(const std::string& digits, const std::string& text)
+{
+    int value = 0;
+    const bool number = !digits.empty() && digits.size() <= 5 &&
+                        digits.find_first_not_of("0123456789") == std::string::npos;
+    if (number)
+        value = std::stoi(digits);
+    if (value < 1 || value > kMostPixelsAcross)
+        throw CLI::ValidationError("--size", "'" + text +
+                                                 "' is not a picture size; write WIDTHxHEIGHT or "
+                                                 "WIDTH in pixels, 1 to 65536");
+    return value;
+}
+
+} // namespace
+
+std::optional<int> parse_arguments(CLI::App& app, int argc, char** argv)
+{
+    try {
+        app.parse(argc, argv);
+        return std::nullopt;
+    } catch (const CLI::ParseError& problem) {
+        if (problem.get_exit_code() == 0) { // --help, --version
+            app.exit(problem);
+            return kExitDone;
+        }
+        print_error(std::string(problem.what()) + "; see " + app.get_name() + " --help");
+        return kExitInput;
+    }
+}
+
+int run_tool(const std::function<int()>& body)
+{
+    try {
+        return body();
+    } catch (const InputError& problem) {
+        print_error(problem.what());
+        return kExitInput;
+    } catch (const std::bad_alloc&) {
+        print_error("out of memory; a smaller picture or fewer photons need less");
+        return kExitDefect;
+    } catch (const std::exception& problem) {
+        print_error(std::string("a defect in hipmap: ") + problem.what());
+        return kExitDefect;
+    }
+}
+
+CLI::Validator finite_in(double low, double high)
+{
+    const auto check = [low, high](std::string& text) -> std::string {
+        double value = 0;
+        const bool number = CLI::detail::lexical_cast(text, value);
+        if (number && std::isfinite(value) && value >= low && value <= high)
+            return {};
+        std::ostringstream message;
+        message << "'" << text << "' is not a number from " << low << " to " << high;
+        return message.str();
+    };
+    std::ostringstream range;
+    range << "in [" << low << ", " << high << "]";
+    return {check, range.str()};
+}
+
+PictureSize parse_picture_size(const std::string& text)
+{
+    const std::size_t cross = text.find_first_of("xX");
+    if (cross == std::string::npos)
+        return {parse_pixels(text, text), 0};
+    return {parse_pixels(text.substr(0, cross), text), parse_pixels(text.substr(cross + 1), text)};
+}
+
+PictureSize complete_size(PictureSize size, float aspect)
+{
+    if (size.height == 0) {
+        const double height = std::round(size.width / (aspect > 0 ? double{aspect} : 1.0));
+        size.height = static_cast<int>(std::clamp(height, 1.0, double{kMostPixelsAcross}));
+    }
+    return size;
+}
+
+struct ThreadLimit::Control {
+    tbb::global_control control;
+};
+
+ThreadLimit::ThreadLimit(unsigned threads)
+{
+    if (threads > 0)
+        control_.reset(new Control{
+            tbb::global_control(tbb::global_control::max_allowed_parallelism, threads)});
+}
+
+ThreadLimit::~ThreadLimit() = default;
+
+} // namespace hipmap

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace hipmap {
+
+/// Exit codes of both tools.
+inline constexpr int kExitDone = 0;
+inline constexpr int kExitDefect = 1;  ///< a defect of ours
+inline constexpr int kExitInput = 2;   ///< bad input or usage
+inline constexpr int kExitStopped = 3; ///< by a signal
+
+/// Parses the arguments of main.  Returns the exit code if the program is to end now: after --help
+/// or
+/// --version, or after one line on standard error that says what is wrong with the arguments.
+std::optional<int> parse_arguments(CLI::App& app, int argc, char** argv);
+
+/// Runs the body of a tool; turns what it throws into one line on standard error and an exit code.
+int run_tool(const std::function<int()>& body);
+
+/// A number that is finite and within [low, high]; CLI11's own range check lets NaN through.
+CLI::Validator finite_in(double low, double high);
+
+/// Width and height in pixels; height 0: by the camera's aspect.
+struct PictureSize {
+    int width = 0;
+    int height = 0;
+};
+
+/// "WxH" or "W", each 1 to 65,536.
+PictureSize parse_picture_size(const std::string& text);
+
+/// With the height filled in.  aspect: width over height.
+PictureSize complete_size(PictureSize size, float aspect);
+
+/// Limits the threads of a tool for as long as it lives; 0: all cores.
+class ThreadLimit {
+  public:
+    explicit ThreadLimit(unsigned threads);
+    ~ThreadLimit();
+    ThreadLimit(const ThreadLimit&) = delete;
+    ThreadLimit& operator=(const ThreadLimit&) = delete;
+
+  private:
+    struct Control;
+    std::unique_ptr<Control> control_;
+};
+
+} // namespace hipmap

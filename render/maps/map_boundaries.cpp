@@ -1,0 +1,183 @@
+#include "render/maps/map_boundaries.h"
+
+#include "common/math/bounds.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <tuple>
+#include <utility>
+
+namespace hipmap
+{
+
+namespace
+{
+
+/// Ranges up to this long are looped over.
+constexpr std::uint32_t kLeafSize = 16;
+
+bool is_boundary(EdgeClass edge_class)
+{
+    return edge_class == EdgeClass::unconnected || edge_class == EdgeClass::border ||
+           edge_class == EdgeClass::non_manifold;
+}
+
+/// The map whose boundary this edge (3 face + corner) adds to, or kNone.
+MapId map_bounded_by(const Partition& partition, std::uint32_t edge)
+{
+    const MapId map = partition.map_of_face[edge / 3];
+    if (!is_boundary(partition.edge_class[edge]))
+        return kNone;
+    const std::uint32_t beyond = partition.opposite[edge];
+    const bool listed_before = beyond != kNone && beyond < edge &&
+                               partition.map_of_face[beyond / 3] == map &&
+                               is_boundary(partition.edge_class[beyond]);
+    return listed_before ? kNone : map;
+}
+
+double distance2_to_segment(const glm::vec3& point, const BoundarySegment& segment)
+{
+    const glm::dvec3 a(segment.a);
+    const glm::dvec3 along = glm::dvec3(segment.b) - a;
+    const glm::dvec3 to_point = glm::dvec3(point) - a;
+    const double length2 = glm::dot(along, along);
+    const double t = length2 > 0 ? glm::dot(to_point, along) / length2 : 0.0;
+    const glm::dvec3 off = to_point - std::clamp(t, 0.0, 1.0) * along;
+    return glm::dot(off, off);
+}
+
+double distance2_to_box(const glm::vec3& point, const glm::vec3& low, const glm::vec3& high)
+{
+    const glm::dvec3 p(point);
+    const glm::dvec3 off =
+        glm::max(glm::max(glm::dvec3(low) - p, p - glm::dvec3(high)), glm::dvec3(0.0));
+    return glm::dot(off, off);
+}
+
+int longest_axis(const glm::vec3& extent)
+{
+    if (extent.x >= extent.y && extent.x >= extent.z)
+        return 0;
+    return extent.y >= extent.z ? 1 : 2;
+}
+
+/// Orders segments by their middle along an axis; only equal segments are equal.
+struct ByMiddle {
+    int axis;
+    auto key(const BoundarySegment& s) const
+    {
+        return std::tuple(s.a[axis] + s.b[axis], s.a.x, s.a.y, s.a.z, s.b.x, s.b.y, s.b.z);
+    }
+    bool operator()(const BoundarySegment& l, const BoundarySegment& r) const
+    {
+        return key(l) < key(r);
+    }
+};
+
+} // namespace
+
+MapBoundaries::MapBoundaries(const TriangleMesh& mesh, const Partition& partition)
+    : ranges_(partition.map_count + std::size_t{1})
+{
+    assert(partition.face_count() == mesh.face_count());
+    const auto edge_count = static_cast<std::uint32_t>(3 * mesh.face_count());
+    std::vector<std::uint32_t> next(partition.map_count + std::size_t{1}, 0);
+    for (std::uint32_t edge = 0; edge < edge_count; ++edge)
+        if (const MapId map = map_bounded_by(partition, edge); map != kNone)
+            ++next[map];
+    std::uint32_t total = 0;
+    for (std::size_t map = 0; map < next.size(); ++map) {
+        ranges_[map].segment = total;
+        total += std::exchange(next[map], total);
+    }
+
+    segments_.resize(total);
+    for (std::uint32_t edge = 0; edge < edge_count; ++edge) {
+        const MapId map = map_bounded_by(partition, edge);
+        if (map == kNone)
+            continue;
+        const glm::uvec3 corners = mesh.corners[edge / 3];
+        const int corner = static_cast<int>(edge % 3);
+        segments_[next[map]++] = {mesh.positions[corners[corner]],
+                                  mesh.positions[corners[(corner + 1) % 3]]};
+    }
+
+    for (std::size_t map = 0; map < partition.map_count; ++map) {
+        const std::uint32_t begin = ranges_[map].segment;
+        const std::uint32_t end = ranges_[map + 1].segment;
+        ranges_[map].node = end - begin > kLeafSize ? build_tree(begin, end) : 0;
+    }
+    nodes_.shrink_to_fit();
+}
+
+std::uint32_t MapBoundaries::build_tree(std::uint32_t begin, std::uint32_t end)
+{
+    Bounds<glm::vec3> box;
+    Bounds<glm::vec3> middles;
+    for (std::uint32_t i = begin; i < end; ++i) {
+        box.add(segments_[i].a);
+        box.add(segments_[i].b);
+        middles.add(segments_[i].a + segments_[i].b);
+    }
+    const auto node = static_cast<std::uint32_t>(nodes_.size());
+    nodes_.push_back({box.low, box.high, 0});
+    if (end - begin <= kLeafSize)
+        return node;
+
+    const std::uint32_t middle = begin + (end - begin) / 2;
+    std::nth_element(segments_.begin() + begin, segments_.begin() + middle, segments_.begin() + end,
+                     ByMiddle{longest_axis(middles.extent())});
+    build_tree(begin, middle);
+    const std::uint32_t right = build_tree(middle, end);
+    nodes_[node].right = right;
+    return node;
+}
+
+std::span<const BoundarySegment> MapBoundaries::of(MapId map) const
+{
+    assert(map + std::size_t{1} < ranges_.size());
+    const std::uint32_t begin = ranges_[map].segment;
+    return std::span(segments_).subspan(begin, ranges_[map + 1].segment - begin);
+}
+
+void MapBoundaries::append_near(std::uint32_t begin, std::uint32_t end, const glm::vec3& point,
+                                double radius2, std::vector<BoundarySegment>& out) const
+{
+    for (std::uint32_t i = begin; i < end; ++i)
+        if (distance2_to_segment(point, segments_[i]) <= radius2)
+            out.push_back(segments_[i]);
+}
+
+void MapBoundaries::near(MapId map, const glm::vec3& point, float radius,
+                         std::vector<BoundarySegment>& out) const
+{
+    assert(map + std::size_t{1} < ranges_.size());
+    struct Visit {
+        std::uint32_t node, begin, end;
+    };
+    const double radius2 = double(radius) * radius;
+    const std::uint32_t first = ranges_[map].segment;
+    const std::uint32_t last = ranges_[map + 1].segment;
+    if (last - first <= kLeafSize)
+        return append_near(first, last, point, radius2, out);
+
+    std::array<Visit, 40> stack; // halving 2^32 segments goes 32 deep
+    std::size_t depth = 0;
+    stack[depth++] = {ranges_[map].node, first, last};
+    while (depth > 0) {
+        const Visit visit = stack[--depth];
+        const Node& node = nodes_[visit.node];
+        if (distance2_to_box(point, node.low, node.high) > radius2)
+            continue;
+        if (visit.end - visit.begin <= kLeafSize) {
+            append_near(visit.begin, visit.end, point, radius2, out);
+            continue;
+        }
+        const std::uint32_t middle = visit.begin + (visit.end - visit.begin) / 2;
+        stack[depth++] = {node.right, middle, visit.end};
+        stack[depth++] = {visit.node + 1, visit.begin, middle};
+    }
+}
+
+} // namespace hipmap

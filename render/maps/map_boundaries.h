@@ -1,0 +1,65 @@
+#pragma once
+
+#include "common/partition/partition.h"
+#include "common/scene/mesh.h"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace hipmap
+{
+
+/// A piece of the boundary of a map, scene units.
+struct BoundarySegment {
+    glm::vec3 a, b;
+    bool operator==(const BoundarySegment&) const = default;
+};
+
+/// Where the shared maps end: the edges across which no photon is gathered, by map.
+///
+/// The boundary of a map is every unconnected, border and non-manifold edge of its faces.  An edge
+/// with the same map on both sides is one too, listed once if both faces know of each other: the
+/// surface is creased there, or something stands on it.  Edges of faces without area are not: such
+/// a face has no map, and what lies beyond it is not known.
+///
+/// Read-only once built: any number of threads may query it.
+class MapBoundaries
+{
+  public:
+    /// partition: of this very mesh.  Copies what it needs of both.
+    /// Cost: O(n log n) for n segments in one map, linear in the number of maps.
+    MapBoundaries(const TriangleMesh& mesh, const Partition& partition);
+
+    /// The whole boundary of a map; empty for a closed surface.
+    std::span<const BoundarySegment> of(MapId map) const;
+
+    /// Appends the segments of `map` that come within `radius` of `point` to `out`, in a fixed
+    /// order.  radius: scene units, >= 0, may be infinite.
+    /// Cost: a loop for a map of few segments, else logarithmic plus the segments found.
+    void near(MapId map, const glm::vec3& point, float radius,
+              std::vector<BoundarySegment>& out) const;
+
+  private:
+    /// Of a balanced tree in preorder: the left child follows, and the children halve the range.
+    struct Node {
+        glm::vec3 low, high;
+        std::uint32_t right;
+    };
+    struct MapRange {
+        std::uint32_t segment; ///< first of the map
+        std::uint32_t node;    ///< root, if the map has a tree
+    };
+
+    std::uint32_t build_tree(std::uint32_t begin, std::uint32_t end);
+    void append_near(std::uint32_t begin, std::uint32_t end, const glm::vec3& point, double radius2,
+                     std::vector<BoundarySegment>& out) const;
+
+    std::vector<BoundarySegment> segments_; ///< map by map
+    std::vector<MapRange> ranges_;          ///< [map_count + 1]
+    std::vector<Node> nodes_;
+};
+
+} // namespace hipmap

@@ -1,0 +1,100 @@
+#pragma once
+
+#include "render/maps/map_boundaries.h"
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+#include <span>
+#include <vector>
+
+namespace hipmap
+{
+
+/// Where photons are gathered.
+struct DiscQuery {
+    std::array<glm::vec3, 3> face; ///< corners of the face the point lies on
+    glm::vec3 point;               ///< on the face up to rounding, beyond its edges too
+    float radius;                  ///< the largest that will be asked about; > 0, finite
+};
+
+/// The part of a disc around a point that can be seen from the point within the boundary of its
+/// map: docs/visible_area.md.  Everything is projected along the normal of the query's face into
+/// its plane; where the map is planar, that is exact.
+///
+/// One object per thread, used again and again, keeps its memory.  Const functions are thread-safe.
+class VisibleDisc
+{
+  public:
+    /// Looks around `query.point` past `boundary`: the segments of the map within the radius (more
+    /// do no harm), in any order.  A face without area sees everything.
+    /// Cost: nothing without segments, else O(n log n).
+    void look(const DiscQuery& query, std::span<const BoundarySegment> boundary)
+    {
+        walls_.clear();
+        if (!boundary.empty())
+            look_past(query, boundary);
+    }
+
+    /// Nothing hides any of the disc.
+    bool whole() const { return walls_.empty(); }
+
+    /// Whether the straight segment from the query to `photon` crosses no boundary (A1).
+    /// photon: within the radius.  Cost: linear in the segments.
+    bool sees(const glm::vec3& photon) const { return whole() || sees_past_walls(photon); }
+
+    /// Area of the visible part of the disc of radius r, square scene units (A4).
+    /// r: > 0, at most the query's radius.  Never more than pi r^2; never zero (A5).
+    /// Cost: linear in the segments.
+    double area(float r) const
+    {
+        return whole() ? std::numbers::pi * (double(r) * r) : area_within_walls(r);
+    }
+
+  private:
+    /// A projected segment, counter-clockwise about the query, which is the origin.
+    struct Wall {
+        glm::dvec2 a, b;
+        double cross; ///< a x b > 0
+    };
+    /// A point of a wall and the key of its direction.
+    struct Mark {
+        glm::dvec2 point;
+        double key;
+    };
+    /// A stretch of a wall that is nearest to the query.
+    struct Piece {
+        Mark from, to;
+        std::uint32_t wall;
+    };
+    struct Chord {
+        Mark from, to;
+        double area2; ///< twice the area of the triangle it makes with the query
+    };
+
+    void look_past(const DiscQuery& query, std::span<const BoundarySegment> boundary);
+    bool set_plane(const DiscQuery& query);
+    glm::dvec2 project(const glm::vec3& point) const;
+    void add_wall(glm::dvec2 a, glm::dvec2 b, double radius2);
+    void build_envelope();
+    void add_first_pieces(std::uint32_t wall);
+    void merge(std::span<const Piece> left, std::span<const Piece> right);
+    void emit_nearer(const Piece& left, const Piece& right);
+    void emit(const Piece& piece);
+    Mark mark_towards(const Piece& piece, const Mark& direction) const;
+    bool clip(const Piece& piece, double r2, Chord& chord) const;
+    bool sees_past_walls(const glm::vec3& photon) const;
+    double area_within_walls(float r) const;
+
+    glm::dvec3 centre_{0.0}, x_axis_{0.0}, y_axis_{0.0};
+    double nearest2_ = std::numeric_limits<double>::infinity(); ///< of any wall, squared
+    std::vector<Wall> walls_;
+    std::vector<Piece> envelope_; ///< by direction, disjoint
+    std::vector<Piece> merged_;   ///< scratch, as are the two below
+    std::vector<std::uint32_t> runs_, merged_runs_;
+};
+
+} // namespace hipmap

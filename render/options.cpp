@@ -1,0 +1,132 @@
+#include "render/options.h"
+
+#include "common/command_line/scene_arguments.h"
+#include "common/image/image_format.h"
+#include "common/input_error.h"
+
+#include <map>
+
+namespace hipmap {
+
+namespace {
+
+const std::map<std::string, MapMode> kMapModes = {{"none", MapMode::none},
+                                                  {"global", MapMode::global},
+                                                  {"shared", MapMode::shared},
+                                                  {"thesis", MapMode::thesis}};
+
+const std::map<std::string, DirectLight> kDirectLights = {{"shadow-rays", DirectLight::shadow_rays},
+                                                          {"photons", DirectLight::photons}};
+
+/// The thesis' ratio of the fewest photons of a local map to k.
+constexpr std::uint32_t kLocalMinPerNeighbour = 10;
+
+constexpr double kMostPhotons = 4e9;
+constexpr double kMostNeighbours = 1e6;
+constexpr double kMostExposure = 100;
+
+template <typename Value>
+void add_choice(CLI::App& app, const std::string& name, Value& into,
+                const std::map<std::string, Value>& choices, const std::string& help)
+{
+    app.add_option_function<std::string>(
+           name, [&into, &choices](const std::string& choice) { into = choices.at(choice); }, help)
+        ->check(CLI::IsMember(choices))
+        ->type_name("NAME");
+}
+
+template <typename Value>
+void add_count(CLI::App& app, const std::string& name, Value& into, double low, double high,
+               const std::string& help)
+{
+    app.add_option(name, into, help)->check(finite_in(low, high))->type_name("N");
+}
+
+void add_files(CLI::App& app, RenderArguments& arguments)
+{
+    app.add_option("SCENE", arguments.scene, "Scene: .glb, .gltf or .obj")->required();
+    app.add_option("PARTITION", arguments.partition,
+                   "Partition of that scene (.hpm), by preprocess")
+        ->required();
+    app.add_option("-o,--output", arguments.images,
+                   "Image to write; repeatable. .exr, .pfm, .hdr hold radiance, W/(m2 sr); .png, "
+                   ".ppm are exposed sRGB")
+        ->required()
+        ->allow_extra_args(false)
+        ->type_name("FILE");
+    app.add_option("--stats", arguments.statistics, "Write statistics as JSON")->type_name("FILE");
+}
+
+void add_method(CLI::App& app, RenderArguments& arguments)
+{
+    RenderOptions& render = arguments.render;
+    render.photons = 200'000;
+    render.passes = 16;
+    add_choice(
+        app, "--maps", render.maps.mode, kMapModes,
+        "Photon maps: none (direct light and reflections only), global (one map), shared (one "
+        "for each shared map of the partition), thesis (and local maps) [shared]");
+    app.add_option_function<std::string>(
+           "--integrator", [](const std::string&) {},
+           "direct: the maps are looked at directly [direct]")
+        ->check(CLI::IsMember({"direct"}))
+        ->type_name("NAME");
+    add_choice(app, "--direct", render.direct, kDirectLights,
+               "Direct light by shadow-rays or from the photons [shadow-rays]");
+    add_count(app, "--photons", render.photons, 0, kMostPhotons,
+              "Light paths to emit in each pass [200000]");
+    add_count(app, "--neighbours", render.maps.neighbours, 2, kMostNeighbours,
+              "Photons in an estimate, k [50]");
+    add_count(app, "--local-min", render.maps.local_min, 1, kMostPhotons,
+              "Fewest photons of a local map, M [10 k]");
+    add_count(app, "--passes", render.passes, 1, 1e6,
+              "Independent passes, whose images are averaged [16]");
+    add_count(app, "--samples", render.samples, 1, 65536, "Samples of each pixel in a pass [1]");
+    app.add_option("--seed", render.seed, "Seed; the same seed gives the same image [0]")
+        ->type_name("N");
+}
+
+void add_picture(CLI::App& app, RenderArguments& arguments)
+{
+    app.add_option_function<std::string>(
+           "--size",
+           [&arguments](const std::string& text) { arguments.size = parse_picture_size(text); },
+           "Picture size in pixels; W alone takes the camera's aspect [512]")
+        ->type_name("WxH");
+    app.add_option_function<std::string>(
+           "--exposure",
+           [&arguments](const std::string& text) {
+               if (text == "auto")
+                   arguments.exposure_ev.reset();
+               else
+                   arguments.exposure_ev = std::stof(text);
+           },
+           "Exposure of 8-bit images in stops, or auto [auto]")
+        ->check(CLI::IsMember({"auto"}) | finite_in(-kMostExposure, kMostExposure))
+        ->type_name("EV|auto");
+    add_count(app, "--threads", arguments.threads, 0, 4096, "Threads; 0: all cores [0]");
+}
+
+} // namespace
+
+void add_render_arguments(CLI::App& app, RenderArguments& arguments)
+{
+    add_files(app, arguments);
+    add_method(app, arguments);
+    add_picture(app, arguments);
+    add_scene_arguments(app, arguments.scene_options);
+}
+
+void complete_arguments(const CLI::App& app, RenderArguments& arguments)
+{
+    for (const std::filesystem::path& image : arguments.images)
+        image_format(image); // refuses an unknown suffix
+    MapOptions& maps = arguments.render.maps;
+    if (app.count("--local-min") == 0)
+        maps.local_min = kLocalMinPerNeighbour * maps.neighbours;
+    if (arguments.render.direct == DirectLight::photons && maps.mode == MapMode::none)
+        throw InputError("--direct photons needs photons, and --maps none has none; choose other "
+                         "maps or --direct shadow-rays");
+}
+
+} // namespace hipmap

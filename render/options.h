@@ -1,0 +1,33 @@
+#pragma once
+
+#include "common/command_line/command_line.h"
+#include "common/scene/load_scene.h"
+#include "render/integrator/render_image.h"
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+namespace hipmap {
+
+/// What the user asked of `render`.
+struct RenderArguments {
+    std::filesystem::path scene;
+    std::filesystem::path partition;
+    std::vector<std::filesystem::path> images;
+    std::filesystem::path statistics; ///< empty: none
+    SceneOptions scene_options;
+    RenderOptions render; ///< its size is still to be completed
+    PictureSize size{512, 0};
+    std::optional<float> exposure_ev; ///< none: auto
+    unsigned threads = 0;             ///< 0: all cores
+};
+
+/// Adds every option of `render` to `app`, to be read into `arguments`, which must outlive the
+/// parsing.
+void add_render_arguments(CLI::App& app, RenderArguments& arguments);
+
+/// What the options mean together; throws InputError if they contradict each other.
+void complete_arguments(const CLI::App& app, RenderArguments& arguments);
+
+} // namespace hipmap

@@ -1,0 +1,85 @@
+#include "render/statistics.h"
+
+#include <nlohmann/json.hpp>
+
+namespace hipmap {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json kind_json(const KindStatistics& kind)
+{
+    return {{"stored", kind.stored},
+            {"shared_maps", kind.shared_maps},
+            {"local_maps", kind.local_maps},
+            {"queries", kind.searches.queries},
+            {"photons_found", kind.searches.photons_found},
+            {"local_searches", kind.searches.local_searches},
+            {"local_searches_skipped", kind.searches.skipped},
+            {"local_searches_abandoned", kind.searches.abandoned}};
+}
+
+Json rgb_json(const glm::dvec3& value)
+{
+    return {value.x, value.y, value.z};
+}
+
+Json options_json(const RenderOptions& options)
+{
+    static const char* const kModes[] = {"none", "global", "shared", "thesis"};
+    return {{"maps", kModes[static_cast<int>(options.maps.mode)]},
+            {"integrator", "direct"},
+            {"direct", options.direct == DirectLight::photons ? "photons" : "shadow-rays"},
+            {"photons", options.photons},
+            {"neighbours", options.maps.neighbours},
+            {"local_min", options.maps.local_min},
+            {"passes", options.passes},
+            {"samples", options.samples},
+            {"seed", options.seed}};
+}
+
+Json seconds_json(const RenderStatistics& render, const RunStatistics& run)
+{
+    return {{"scene", run.seconds_scene},        {"rays", run.seconds_rays},
+            {"photons", render.seconds_photons}, {"maps", render.seconds_maps},
+            {"image", render.seconds_image},     {"write", run.seconds_write}};
+}
+
+} // namespace
+
+std::string statistics_json(const RenderArguments& arguments, const Scene& scene,
+                            const Partition& partition, const RenderStatistics& render,
+                            const RunStatistics& run)
+{
+    const double unit2 = scene.frame.metres_per_unit * scene.frame.metres_per_unit;
+    const RenderOptions& options = arguments.render;
+    Json json;
+    json["scene"] = {{"file", arguments.scene.string()},
+                     {"faces", scene.mesh.face_count()},
+                     {"materials", scene.materials.size()},
+                     {"lights", scene.lights.size()},
+                     {"camera", scene.cameras[scene.camera].name},
+                     {"metres_per_unit", scene.frame.metres_per_unit}};
+    json["partition"] = {{"file", arguments.partition.string()},
+                         {"shared_maps", partition.map_count}};
+    json["image"] = {
+        {"width", options.width}, {"height", options.height}, {"exposure_ev", run.exposure_ev}};
+    json["options"] = options_json(options);
+    json["passes_done"] = render.passes;
+    json["seconds"] = seconds_json(render, run);
+    json["photons"] = {{"emitted", render.emitted},
+                       {"stored", render.caustic.stored + render.global.stored},
+                       {"dropped", render.dropped_photons},
+                       {"paths_cut", render.cut_paths},
+                       {"caustic", kind_json(render.caustic)},
+                       {"global", kind_json(render.global)}};
+    json["power_W"] = {{"emitted", rgb_json(render.power.emitted * unit2)},
+                       {"absorbed", rgb_json(render.power.absorbed * unit2)},
+                       {"escaped", rgb_json(render.power.escaped * unit2)}};
+    json["dropped_samples"] = render.dropped_samples;
+    json["warnings"] = run.warnings;
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+} // namespace hipmap

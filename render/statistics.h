@@ -1,0 +1,24 @@
+#pragma once
+
+#include "render/integrator/render_image.h"
+#include "render/options.h"
+
+#include <string>
+
+namespace hipmap {
+
+/// What `render` did besides rendering.
+struct RunStatistics {
+    double seconds_scene = 0; ///< reading scene and partition
+    double seconds_rays = 0;  ///< building the ray tracing structure
+    double seconds_write = 0; ///< writing images
+    float exposure_ev = 0;
+    std::size_t warnings = 0;
+};
+
+/// The statistics of a render as JSON text (docs/statistics.md); powers in W.
+std::string statistics_json(const RenderArguments& arguments, const Scene& scene,
+                            const Partition& partition, const RenderStatistics& render,
+                            const RunStatistics& run);
+
+} // namespace hipmap
