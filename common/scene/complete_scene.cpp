@@ -1,0 +1,170 @@
+#include "common/scene/complete_scene.h"
+
+#include "common/scene/raw_scene.h"
+#include "common/scene/scene_names.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace hipmap {
+
+namespace {
+
+constexpr double kFramedDegrees = 40.0; ///< vertical angle of view of the auto-framed camera
+constexpr double kFramedMargin = 1.05;
+constexpr float kSkyRadiance = 1.0f; ///< W/(m2 sr), of a scene without light
+
+/// A three-quarter view from the front (+Z) and slightly above that has every vertex in view.
+Camera framing_camera(const TriangleMesh& mesh)
+{
+    const glm::dvec3 towards_eye = glm::normalize(glm::dvec3(0.55, 0.4, 1.0));
+    const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), towards_eye));
+    const glm::dvec3 up = glm::cross(towards_eye, right);
+    const double tangent = std::tan(kFramedDegrees / 2 * std::numbers::pi / 180);
+    double distance = 0.0;
+    for (const glm::vec3& position : mesh.positions) {
+        const glm::dvec3 p(position);
+        const double off_axis = std::max(std::abs(glm::dot(p, right)), std::abs(glm::dot(p, up)));
+        distance =
+            std::max(distance, kFramedMargin * off_axis / tangent + glm::dot(p, towards_eye));
+    }
+    if (!(distance > 0))
+        distance = 1.0; // every vertex in one point: any view is as good
+    Camera camera;
+    camera.name = "(auto-framed)";
+    camera.position = glm::vec3(towards_eye * distance);
+    camera.right = glm::vec3(right);
+    camera.up = glm::vec3(up);
+    camera.forward = glm::vec3(-towards_eye);
+    camera.tan_half_height = static_cast<float>(tangent);
+    camera.aspect = 1.0f;
+    return camera;
+}
+
+void choose_camera(LoadedScene& loaded, const SceneOptions& options,
+                   const std::filesystem::path& path)
+{
+    Scene& scene = loaded.scene;
+    std::vector<std::string> names;
+    for (const Camera& camera : scene.cameras)
+        names.push_back(camera.name);
+    if (!options.camera.empty()) {
+        const auto at = std::find(names.begin(), names.end(), options.camera);
+        if (at == names.end())
+            throw scene_error(path, "--camera " + quote_name(options.camera),
+                              names.empty() ? "the file has no cameras; in Blender tick Include > "
+                                              "Cameras when exporting"
+                                            : "no such camera; there are " + list_names(names));
+        scene.camera = static_cast<std::size_t>(at - names.begin());
+    }
+    if (names.empty()) {
+        scene.cameras.push_back(framing_camera(scene.mesh));
+        loaded.audit.assumed.push_back("no camera in the file: one that frames everything, seen "
+                                       "from the front (+Z); in Blender tick Include > Cameras "
+                                       "when exporting");
+    } else if (names.size() == 1) {
+        loaded.audit.found.push_back("camera " + quote_name(names[0]));
+    } else {
+        loaded.audit.found.push_back(
+            counted(names.size(), "camera") + ": " + list_names(names) + "; taking " +
+            quote_name(names[scene.camera]) +
+            (options.camera.empty() ? " (--camera NAME takes another)" : ""));
+    }
+}
+
+/// [M] how many faces with an area wear each material.
+std::vector<std::size_t> count_material_faces(const Scene& scene)
+{
+    std::vector<std::size_t> faces(scene.materials.size(), 0);
+    for (FaceId face = 0; face < scene.mesh.face_count(); ++face)
+        if (face_area(scene.mesh, face) > 0)
+            ++faces[scene.mesh.material_of_face[face]];
+    return faces;
+}
+
+const char* kind_name(LightKind kind)
+{
+    switch (kind) {
+    case LightKind::point:
+        return "point light ";
+    case LightKind::spot:
+        return "spot light ";
+    case LightKind::directional:
+        return "sun (directional light) ";
+    }
+    return "";
+}
+
+/// Lists what shines; whether anything does.
+bool note_lights(const Scene& scene, const std::vector<std::size_t>& faces, SceneAudit& audit)
+{
+    bool shines = false;
+    std::vector<std::string> dark;
+    for (const LightKind kind : {LightKind::point, LightKind::spot, LightKind::directional}) {
+        std::vector<std::string> names;
+        for (const PunctualLight& light : scene.lights)
+            if (light.kind == kind)
+                (is_black(light.intensity) ? dark : names).push_back(light.name);
+        if (!names.empty())
+            audit.found.push_back(std::string(kind_name(kind)) + list_names(names));
+        shines = shines || !names.empty();
+    }
+    for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+        if (is_black(scene.materials[i].emission) || faces[i] == 0)
+            continue;
+        audit.found.push_back("glowing material " + quote_name(scene.materials[i].name) + " on " +
+                              counted(faces[i], "face"));
+        shines = true;
+    }
+    if (!dark.empty())
+        audit.warnings.push_back("no power in light " + list_names(dark) + ": it lights nothing");
+    return shines;
+}
+
+void choose_sky(LoadedScene& loaded, bool shines, const SceneOptions& options)
+{
+    if (options.environment) {
+        loaded.scene.environment = *options.environment;
+        if (!shines && is_black(*options.environment))
+            loaded.audit.warnings.push_back("nothing shines and the sky is dark: the picture will "
+                                            "be black; see --environment");
+        return;
+    }
+    if (shines)
+        return;
+    loaded.scene.environment = Rgb(kSkyRadiance);
+    loaded.audit.assumed.push_back(
+        "no light in the file: a uniform grey sky of radiance 1 (--environment changes it); in "
+        "Blender tick Include > Punctual Lights when exporting; area lights and the world are "
+        "never exported, meshes with an Emission material are");
+}
+
+void note_materials(const Scene& scene, const std::vector<std::size_t>& faces, SceneAudit& audit)
+{
+    std::vector<std::string> clear;
+    for (std::size_t i = 0; i < scene.materials.size(); ++i)
+        if (scene.materials[i].transmission > 0 && faces[i] > 0)
+            clear.push_back(scene.materials[i].name);
+    if (!clear.empty())
+        audit.assumed.push_back("transmissive material " + list_names(clear) +
+                                ": solid glass where its mesh is closed, a thin pane where it is "
+                                "open");
+}
+
+} // namespace
+
+void complete_scene(LoadedScene& loaded, const SceneOptions& options,
+                    const std::filesystem::path& path)
+{
+    Scene& scene = loaded.scene;
+    if (scene.materials.empty())
+        scene.materials.emplace_back();
+    const std::vector<std::size_t> faces = count_material_faces(scene);
+    const bool shines = note_lights(scene, faces, loaded.audit);
+    choose_camera(loaded, options, path);
+    choose_sky(loaded, shines, options);
+    note_materials(scene, faces, loaded.audit);
+}
+
+} // namespace hipmap

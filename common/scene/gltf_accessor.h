@@ -1,0 +1,59 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <tiny_gltf.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace hipmap {
+
+/// Bytes of one bufferView, seen as elements.
+struct ElementSpan {
+    const unsigned char* first = nullptr; ///< null: all zero
+    std::size_t stride = 0;
+    int component_type = 0; ///< 5120 to 5126
+
+    /// One component of element `i` as the number it is, not normalised.
+    double component(std::size_t i, int c) const;
+};
+
+/// The elements of a glTF accessor, all of them known to lie within their buffer.
+class GltfAccessor {
+  public:
+    /// Throws InputError, naming the accessor, unless type, component type, stride, count and
+    /// range are sound, and a sparse part points into it in rising order.
+    GltfAccessor(const tinygltf::Model& model, int index, const std::filesystem::path& path);
+
+    std::size_t size() const { return count_; }
+    int type() const { return type_; } ///< TINYGLTF_TYPE_
+    int component_type() const { return base_.component_type; }
+    bool normalized() const { return normalized_; }
+
+    /// Element `i` < size() of a VEC3, normalised integers as their fraction.
+    glm::dvec3 vec3(std::size_t i) const;
+    /// Element `i` < size() of a SCALAR of unsigned integers.
+    std::uint32_t index(std::size_t i) const;
+
+  private:
+    void read_sparse(const tinygltf::Model& model, const tinygltf::Accessor& accessor);
+    ElementSpan elements(const tinygltf::Model& model, int view, std::size_t offset, int type,
+                         int component_type, std::size_t count) const;
+    double value(std::size_t i, int c) const;
+    [[noreturn]] void fail(const std::string& what) const;
+
+    const std::filesystem::path& path_;
+    std::string place_;
+    std::size_t count_ = 0;
+    int type_ = 0;
+    bool normalized_ = false;
+    ElementSpan base_;
+    std::vector<std::uint32_t> sparse_indices_; ///< rising
+    ElementSpan sparse_values_;
+};
+
+} // namespace hipmap

@@ -1,0 +1,207 @@
+#include "common/scene/gltf_material.h"
+
+#include "common/scene/scene_names.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hipmap {
+
+namespace {
+
+using nlohmann::json;
+
+/// An attenuation colour of zero would absorb without limit; this leaves a millionth.
+constexpr double kDarkestAttenuation = 1e-6;
+
+/// KHR_materials_ior: an index of 0 stands for infinity (all is reflected).
+constexpr float kInfiniteIor = 1e4f;
+
+/// Reads the factors of one material; keeps track of those that had to be clamped.
+class FactorReader {
+  public:
+    FactorReader(const RawScene& scene, const std::string& name)
+        : path_(scene.path), place_("material " + quote_name(name))
+    {
+    }
+
+    double number(const json& object, const char* key, double otherwise) const
+    {
+        return object.value(key, otherwise);
+    }
+
+    float fraction(const json& object, const char* key, double otherwise)
+    {
+        return clamp(number(object, key, otherwise), key);
+    }
+
+    glm::dvec3 colour(const json& object, const char* key, double otherwise) const
+    {
+        if (!object.contains(key))
+            return glm::dvec3(otherwise);
+        const json& c = object[key];
+        return {c[0].get<double>(), c[1].get<double>(), c[2].get<double>()};
+    }
+
+    Rgb fractions(const json& object, const char* key)
+    {
+        const glm::dvec3 c = colour(object, key, 1.0);
+        return {clamp(c.x, key), clamp(c.y, key), clamp(c.z, key)};
+    }
+
+    [[noreturn]] void fail(const std::string& what) const
+    {
+        throw scene_error(path_, place_, what);
+    }
+
+    std::vector<std::string> clamped;
+
+  private:
+    float clamp(double value, const char* key)
+    {
+        if (!(value >= 0 && value <= 1))
+            clamped.emplace_back(key);
+        return static_cast<float>(std::clamp(value, 0.0, 1.0));
+    }
+
+    const std::filesystem::path& path_;
+    std::string place_;
+};
+
+const json& extension(const json& material, const char* name)
+{
+    static const json kNothing = json::object();
+    const auto extensions = material.find("extensions");
+    if (extensions == material.end() || !extensions->contains(name))
+        return kNothing;
+    return (*extensions)[name];
+}
+
+void read_volume(const json& volume, FactorReader& read, Material& out)
+{
+    if (!volume.contains("attenuationDistance"))
+        return;
+    const double distance = read.number(volume, "attenuationDistance", 0.0);
+    if (!(distance > 0))
+        read.fail("attenuationDistance must be above 0; set a density above 0");
+    const Rgb colour = read.fractions(volume, "attenuationColor");
+    for (int c = 0; c < 3; ++c)
+        out.absorption[c] = static_cast<float>(
+            -std::log(std::max<double>(colour[c], kDarkestAttenuation)) / distance);
+}
+
+void read_extensions(const json& material, FactorReader& read, Material& out)
+{
+    const json& transmission = extension(material, "KHR_materials_transmission");
+    out.transmission = read.fraction(transmission, "transmissionFactor", 0.0);
+    const double ior = read.number(extension(material, "KHR_materials_ior"), "ior", 1.5);
+    if (!(ior >= 1) && ior != 0)
+        read.fail("its index of refraction must be 1 or more");
+    out.ior = ior == 0 ? kInfiniteIor : static_cast<float>(ior);
+    const json& specular = extension(material, "KHR_materials_specular");
+    out.specular = read.fraction(specular, "specularFactor", 1.0);
+    const glm::dvec3 colour = read.colour(specular, "specularColorFactor", 1.0);
+    if (!(colour.x >= 0 && colour.y >= 0 && colour.z >= 0))
+        read.fail("its specular colour must not be negative");
+    out.specular_color = Rgb(colour);
+    read_volume(extension(material, "KHR_materials_volume"), read, out);
+}
+
+void read_emission(const json& material, FactorReader& read, Material& out)
+{
+    const double strength = read.number(extension(material, "KHR_materials_emissive_strength"),
+                                        "emissiveStrength", 1.0);
+    const glm::dvec3 emission = read.colour(material, "emissiveFactor", 0.0) * strength;
+    if (!(emission.x >= 0 && emission.y >= 0 && emission.z >= 0))
+        read.fail("its emission must not be negative");
+    out.emission = Rgb(emission);
+}
+
+Material read_material(const json& material, FactorReader& read)
+{
+    static const json kNothing = json::object();
+    const auto found = material.find("pbrMetallicRoughness");
+    const json& base = found == material.end() ? kNothing : *found;
+    Material out;
+    out.base_color = read.fractions(base, "baseColorFactor");
+    out.metallic = read.fraction(base, "metallicFactor", 1.0);
+    out.roughness = read.fraction(base, "roughnessFactor", 1.0);
+    out.double_sided = material.value("doubleSided", false);
+    read_emission(material, read, out);
+    read_extensions(material, read, out);
+    return out;
+}
+
+bool is_unlit(const json& material)
+{
+    const auto extensions = material.find("extensions");
+    return extensions != material.end() && extensions->contains("KHR_materials_unlit");
+}
+
+/// An unlit material shows its colour whatever the light: it glows and reflects nothing.
+void make_unlit(Material& material)
+{
+    material.emission = material.base_color;
+    material.base_color = Rgb(0.0f);
+    material.metallic = 0.0f;
+    material.specular = 0.0f;
+    material.transmission = 0.0f;
+}
+
+bool looks_lost(const json& material)
+{
+    const auto base = material.find("pbrMetallicRoughness");
+    return base != material.end() && base->empty() && !material.contains("emissiveFactor") &&
+           !material.contains("extensions");
+}
+
+void note_materials(const std::vector<std::string>& unlit, const std::vector<std::string>& lost,
+                    SceneAudit& audit)
+{
+    if (!unlit.empty())
+        audit.assumed.push_back("unlit (KHR_materials_unlit): " + list_names(unlit) +
+                                " glow in their base colour and reflect nothing");
+    if (!lost.empty())
+        audit.warnings.push_back("white metal: " + list_names(lost) +
+                                 " looks like a lost node material; only the Principled BSDF is "
+                                 "exported from Blender (not Diffuse, Glass, Glossy BSDF)");
+}
+
+} // namespace
+
+Material gltf_default_material()
+{
+    Material material;
+    material.name = "(no material)";
+    return material;
+}
+
+void read_gltf_materials(const GltfDocument& document, RawScene& scene)
+{
+    const auto materials = document.json.find("materials");
+    if (materials == document.json.end())
+        return;
+    std::vector<std::string> unlit, lost;
+    for (const json& material : *materials) {
+        std::string name = clean_name(material.value("name", std::string()));
+        if (name.empty())
+            name = "material " + std::to_string(scene.materials.size());
+        FactorReader read(scene, name);
+        Material out = read_material(material, read);
+        out.name = name;
+        if (is_unlit(material)) {
+            make_unlit(out);
+            unlit.push_back(name);
+        }
+        if (looks_lost(material))
+            lost.push_back(name);
+        if (!read.clamped.empty())
+            scene.audit.warnings.push_back("material " + quote_name(name) + ": " +
+                                           list_names(read.clamped) +
+                                           " is beyond 0 to 1 and was clamped");
+        scene.materials.push_back(std::move(out));
+    }
+    note_materials(unlit, lost, scene.audit);
+}
+
+} // namespace hipmap

@@ -1,0 +1,172 @@
+#include "common/scene/gltf_mesh.h"
+
+#include "common/math/bounds.h"
+#include "common/scene/gltf_accessor.h"
+#include "common/scene/scene_names.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace hipmap {
+
+namespace {
+
+/// Where coordinates exceed the mesh's size by more, float leaves fewer than 10 bits of it.
+constexpr double kFarFromOrigin = 16384.0;
+
+bool is_surface(int mode)
+{
+    return mode == TINYGLTF_MODE_TRIANGLES || mode == TINYGLTF_MODE_TRIANGLE_STRIP ||
+           mode == TINYGLTF_MODE_TRIANGLE_FAN;
+}
+
+bool is_finite_point(const glm::dvec3& p)
+{
+    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+
+void demand(bool good, const RawScene& scene, const std::string& place, const std::string& what)
+{
+    if (!good)
+        throw scene_error(scene.path, place, what + "; the file is damaged, export it again");
+}
+
+std::size_t triangle_count(int mode, std::size_t vertices)
+{
+    if (mode == TINYGLTF_MODE_TRIANGLES)
+        return vertices / 3;
+    return vertices < 3 ? 0 : vertices - 2;
+}
+
+/// Positions in the list of vertices of triangle `t` (glTF 2.0, section 3.7.2.1).
+glm::uvec3 triangle_slots(int mode, std::uint32_t t)
+{
+    if (mode == TINYGLTF_MODE_TRIANGLES)
+        return {3 * t, 3 * t + 1, 3 * t + 2};
+    if (mode == TINYGLTF_MODE_TRIANGLE_FAN)
+        return {t + 1, t + 2, 0};
+    return {t, t + 1 + t % 2, t + 2 - t % 2};
+}
+
+void warn_if_baked_far_away(const GltfPrimitive& primitive, const std::string& mesh,
+                            SceneAudit& audit)
+{
+    Bounds<glm::dvec3> bounds;
+    for (const glm::dvec3& p : primitive.positions)
+        bounds.add(p);
+    const glm::dvec3 size = bounds.extent();
+    const glm::dvec3 away = glm::max(glm::abs(bounds.low), glm::abs(bounds.high));
+    const double extent = std::max(size.x, std::max(size.y, size.z));
+    const double distance = std::max(away.x, std::max(away.y, away.z));
+    if (extent > 0 && distance > kFarFromOrigin * extent)
+        audit.warnings.push_back("mesh " + quote_name(mesh) + " lies " + short_number(distance) +
+                                 " m from its origin but is " + short_number(extent) +
+                                 " m in size: its positions have lost detail; in Blender set the "
+                                 "origin to its geometry before exporting");
+}
+
+} // namespace
+
+std::vector<GltfPrimitive> GltfMeshReader::read(std::size_t index)
+{
+    std::vector<GltfPrimitive> primitives;
+    const tinygltf::Mesh& mesh = model_.meshes[index];
+    for (std::size_t i = 0; i < mesh.primitives.size(); ++i) {
+        const tinygltf::Primitive& primitive = mesh.primitives[i];
+        const std::string place =
+            "meshes[" + std::to_string(index) + "].primitives[" + std::to_string(i) + "]";
+        if (!is_surface(primitive.mode))
+            continue;
+        if (!primitive.attributes.contains("POSITION")) {
+            scene_.audit.warnings.push_back(place + " has no positions and is left out");
+            continue;
+        }
+        primitives.push_back(read_primitive(primitive, place));
+        warn_if_baked_far_away(primitives.back(), mesh.name, scene_.audit);
+    }
+    return primitives;
+}
+
+GltfPrimitive GltfMeshReader::read_primitive(const tinygltf::Primitive& primitive,
+                                             const std::string& place)
+{
+    const GltfAccessor positions(model_, primitive.attributes.at("POSITION"), scene_.path);
+    demand(positions.type() == TINYGLTF_TYPE_VEC3 &&
+               positions.component_type() != TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT,
+           scene_, place, "POSITION must be vectors of three");
+    std::optional<GltfAccessor> normals;
+    if (primitive.attributes.contains("NORMAL")) {
+        normals.emplace(model_, primitive.attributes.at("NORMAL"), scene_.path);
+        demand(normals->type() == TINYGLTF_TYPE_VEC3 && normals->size() == positions.size(), scene_,
+               place, "NORMAL must be as many vectors of three as POSITION");
+    }
+
+    GltfPrimitive out;
+    out.material = primitive.material;
+    out.corners = read_corners(primitive, positions.size(), place);
+    if (local_.size() < positions.size())
+        local_.resize(positions.size(), kNone);
+    std::vector<std::uint32_t> used;
+    for (glm::uvec3& face : out.corners) {
+        for (int c = 0; c < 3; ++c) {
+            std::uint32_t& local = local_[face[c]];
+            if (local == kNone) {
+                local = static_cast<std::uint32_t>(used.size());
+                used.push_back(face[c]);
+            }
+            face[c] = local;
+        }
+    }
+    out.positions.reserve(used.size());
+    for (const std::uint32_t vertex : used) {
+        local_[vertex] = kNone;
+        out.positions.push_back(positions.vec3(vertex));
+        if (normals)
+            out.normals.push_back(normals->vec3(vertex));
+        if (!is_finite_point(out.positions.back()) ||
+            (normals && !is_finite_point(out.normals.back())))
+            throw scene_error(scene_.path, place + ", vertex " + std::to_string(vertex),
+                              "a position or normal is not finite; repair the mesh and export it "
+                              "again");
+    }
+    return out;
+}
+
+std::vector<glm::uvec3> GltfMeshReader::read_corners(const tinygltf::Primitive& primitive,
+                                                     std::size_t vertex_count,
+                                                     const std::string& place)
+{
+    std::optional<GltfAccessor> indices;
+    if (primitive.indices >= 0) {
+        indices.emplace(model_, primitive.indices, scene_.path);
+        const int type = indices->component_type();
+        demand(indices->type() == TINYGLTF_TYPE_SCALAR && !indices->normalized() &&
+                   (type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE ||
+                    type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ||
+                    type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT),
+               scene_, place, "indices must be unsigned integers");
+    }
+    const std::size_t listed = indices ? indices->size() : vertex_count;
+    const std::size_t faces = triangle_count(primitive.mode, listed);
+    demand(listed < kNone && vertex_count < kNone, scene_, place, "more than 2^32 - 2 vertices");
+    if (listed < 3 || (primitive.mode == TINYGLTF_MODE_TRIANGLES && listed % 3 != 0))
+        scene_.audit.warnings.push_back(place + " lists " + std::to_string(listed) +
+                                        " corners; the incomplete last face is left out");
+
+    std::vector<glm::uvec3> corners(faces);
+    for (std::size_t t = 0; t < faces; ++t) {
+        glm::uvec3 face = triangle_slots(primitive.mode, static_cast<std::uint32_t>(t));
+        for (int c = 0; c < 3 && indices; ++c)
+            face[c] = indices->index(face[c]);
+        const std::uint32_t highest = std::max(face.x, std::max(face.y, face.z));
+        if (highest >= vertex_count)
+            throw scene_error(scene_.path, place + ", face " + std::to_string(t),
+                              "names vertex " + std::to_string(highest) + " of " +
+                                  std::to_string(vertex_count) +
+                                  "; the file is damaged, export it again");
+        corners[t] = face;
+    }
+    return corners;
+}
+
+} // namespace hipmap

@@ -1,0 +1,215 @@
+#include "common/scene/gltf_unread.h"
+
+#include "common/scene/scene_names.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string_view>
+
+namespace hipmap {
+
+namespace {
+
+using nlohmann::json;
+using std::string_view;
+
+constexpr string_view kRead[] = {
+    "KHR_lights_punctual", "KHR_materials_emissive_strength", "KHR_materials_transmission",
+    "KHR_materials_ior",   "KHR_materials_specular",          "KHR_materials_volume",
+    "KHR_materials_unlit", "KHR_mesh_quantization",
+};
+
+/// Not read, but a scene without them keeps its shapes and lights: a warning is enough.
+constexpr string_view kSpared[] = {
+    "KHR_texture_transform",
+    "KHR_texture_basisu",
+    "EXT_texture_webp",
+    "EXT_texture_avif",
+    "KHR_materials_clearcoat",
+    "KHR_materials_sheen",
+    "KHR_materials_anisotropy",
+    "KHR_materials_iridescence",
+    "KHR_materials_dispersion",
+    "KHR_materials_variants",
+    "KHR_materials_diffuse_transmission",
+    "KHR_xmp_json_ld",
+    "KHR_animation_pointer",
+};
+
+struct Cure {
+    string_view extension;
+    const char* cure;
+};
+
+constexpr Cure kCures[] = {
+    {"KHR_draco_mesh_compression", "export without compression (Blender: Data > Compression off)"},
+    {"EXT_meshopt_compression", "export without compression"},
+    {"KHR_meshopt_compression", "export without compression"},
+    {"EXT_mesh_gpu_instancing", "export with real instances (nodes that share a mesh)"},
+    {"KHR_materials_pbrSpecularGlossiness", "convert the materials to metallic-roughness"},
+};
+
+template <typename List>
+bool is_in(const List& list, string_view name)
+{
+    return std::find(std::begin(list), std::end(list), name) != std::end(list);
+}
+
+std::string name_of(const json& thing, const char* kind, std::size_t index)
+{
+    const auto name = thing.find("name");
+    if (name != thing.end() && name->is_string() && !name->get_ref<const std::string&>().empty())
+        return name->get<std::string>();
+    return std::string(kind) + " " + std::to_string(index);
+}
+
+/// Kinds of unread things, each with the names it was seen on.
+class UnreadThings {
+  public:
+    void add(const std::string& kind, const std::string& name) { names_[kind].push_back(name); }
+
+    void warn(SceneAudit& audit) const
+    {
+        for (const auto& [kind, names] : names_)
+            audit.warnings.push_back("not read yet: " + kind +
+                                     (names[0].empty() ? "" : " (" + list_names(names) + ")"));
+    }
+
+    bool mentions(const std::string& text) const
+    {
+        return std::any_of(names_.begin(), names_.end(), [&](const auto& entry) {
+            return entry.first.find(text) != std::string::npos;
+        });
+    }
+
+  private:
+    std::map<std::string, std::vector<std::string>> names_;
+};
+
+const json& members(const json& object, const char* key)
+{
+    static const json kNothing = json::object();
+    const auto found = object.find(key);
+    return found == object.end() ? kNothing : *found;
+}
+
+bool is_texture(const std::string& key)
+{
+    return key.ends_with("Texture");
+}
+
+void collect_materials(const json& root, UnreadThings& unread)
+{
+    std::size_t index = 0;
+    for (const json& material : members(root, "materials")) {
+        const std::string name = name_of(material, "material", index++);
+        for (const json* holder : {&material, &members(material, "pbrMetallicRoughness")})
+            for (const auto& [key, value] : holder->items())
+                if (is_texture(key))
+                    unread.add("textures: " + key + " of materials", name);
+        for (const auto& [key, value] : members(material, "extensions").items()) {
+            if (!is_in(kRead, key))
+                unread.add(key + " of materials", name);
+            for (const auto& [slot, texture] : value.items())
+                if (is_in(kRead, key) && is_texture(slot))
+                    unread.add("textures: " + slot + " of materials", name);
+        }
+        const std::string mode = material.value("alphaMode", std::string("OPAQUE"));
+        if (mode != "OPAQUE")
+            unread.add("transparency by alphaMode " + clean_name(mode) +
+                           ", shown opaque, of materials",
+                       name);
+    }
+}
+
+void collect_meshes(const json& root, UnreadThings& unread)
+{
+    std::size_t index = 0;
+    for (const json& mesh : members(root, "meshes")) {
+        const std::string name = name_of(mesh, "mesh", index++);
+        for (const json& primitive : mesh["primitives"]) {
+            if (primitive.value("mode", 4) < 4)
+                unread.add("points and lines of meshes", name);
+            if (primitive.contains("targets"))
+                unread.add("shape keys (morph targets) of meshes", name);
+            for (const auto& [key, value] : primitive["attributes"].items())
+                if (key != "POSITION" && key != "NORMAL" && key != "TANGENT" &&
+                    !key.starts_with("TEXCOORD_"))
+                    unread.add("attribute " + clean_name(key) +
+                                   (key.starts_with("COLOR_") ? " (vertex colours)" : "") +
+                                   " of meshes",
+                               name);
+        }
+    }
+}
+
+void collect_nodes(const json& root, UnreadThings& unread)
+{
+    std::size_t index = 0;
+    for (const json& node : members(root, "nodes")) {
+        const std::string name = name_of(node, "node", index++);
+        if (node.contains("skin"))
+            unread.add("skins (armatures), shown in rest pose, of objects", name);
+        for (const auto& [key, value] : members(node, "extensions").items())
+            if (!is_in(kRead, key))
+                unread.add(clean_name(key) + " of objects", name);
+    }
+    index = 0;
+    const json& lights = members(members(root, "extensions"), "KHR_lights_punctual");
+    for (const json& light : members(lights, "lights")) {
+        if (light.contains("range"))
+            unread.add("range (custom distance) of lights", name_of(light, "light", index));
+        ++index;
+    }
+    index = 0;
+    for (const json& animation : members(root, "animations"))
+        unread.add("animations", name_of(animation, "animation", index++));
+}
+
+void collect_extras(const json& root, UnreadThings& unread)
+{
+    for (const char* kind : {"scenes", "nodes", "materials", "cameras"}) {
+        std::size_t index = 0;
+        for (const json& thing : members(root, kind)) {
+            const json& extras = members(thing, "extras");
+            if (extras.is_object() && extras.contains("hipmap"))
+                unread.add(std::string("custom property 'hipmap' of ") + kind,
+                           name_of(thing, kind, index));
+            ++index;
+        }
+    }
+}
+
+} // namespace
+
+void check_required_extensions(const GltfDocument& document)
+{
+    for (const json& required : members(document.json, "extensionsRequired")) {
+        const auto& name = required.get_ref<const std::string&>();
+        if (is_in(kRead, name) || is_in(kSpared, name))
+            continue;
+        const auto* const known = std::find_if(std::begin(kCures), std::end(kCures),
+                                               [&](const Cure& c) { return c.extension == name; });
+        throw scene_error(document.path, "extensionsRequired",
+                          "extension " + quote_name(name) + " is not read; " +
+                              (known != std::end(kCures) ? known->cure : "export without it"));
+    }
+}
+
+void warn_of_unread_gltf(const GltfDocument& document, SceneAudit& audit)
+{
+    UnreadThings unread;
+    collect_materials(document.json, unread);
+    collect_meshes(document.json, unread);
+    collect_nodes(document.json, unread);
+    collect_extras(document.json, unread);
+    for (const json& used : members(document.json, "extensionsUsed")) {
+        const auto& name = used.get_ref<const std::string&>();
+        if (!is_in(kRead, name) && !unread.mentions(name))
+            unread.add("extension " + clean_name(name), "");
+    }
+    unread.warn(audit);
+}
+
+} // namespace hipmap

@@ -1,0 +1,67 @@
+#pragma once
+
+#include "common/input_error.h"
+#include "common/scene/load_scene.h"
+#include "common/scene/scene.h"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hipmap {
+
+struct RawObject {
+    std::string name;      ///< what a Blender user calls it (the node's name in glTF)
+    std::string mesh_name; ///< of the shared mesh data; may be empty
+};
+
+/// A lamp as its file has it: intensity in the file's own unit.
+struct RawLight {
+    std::string name;
+    LightKind kind = LightKind::point;
+    glm::dvec3 position{0.0};       ///< metres
+    glm::dvec3 direction{0, 0, -1}; ///< unit
+    glm::dvec3 intensity{1.0};      ///< colour times intensity
+    double inner_angle = 0.0;       ///< radians from the axis; spot
+    double outer_angle = 0.0;
+};
+
+struct RawCamera {
+    std::string name;
+    Projection projection = Projection::perspective;
+    glm::dvec3 position{0.0}; ///< metres
+    glm::dvec3 right{1, 0, 0}, up{0, 1, 0}, forward{0, 0, -1};
+    double tan_half_height = 0.5;
+    double half_height = 1.0; ///< metres
+    double aspect = 0.0;      ///< 0: as the image
+    double near_clip = 0.0;   ///< metres
+    double far_clip = 0.0;    ///< 0: none
+};
+
+/// A scene as its file has it: metres, world space, doubles.  Every vertex is used by some face.
+struct RawScene {
+    std::filesystem::path path;
+    std::vector<glm::dvec3> positions;        ///< [V]
+    std::vector<glm::vec3> normals;           ///< [V] unit; zero where there is none
+    std::vector<glm::uvec3> corners;          ///< [F]
+    std::vector<MaterialId> material_of_face; ///< [F]
+    std::vector<ObjectId> object_of_face;     ///< [F]
+    std::vector<RawObject> objects;
+    std::vector<Material> materials; ///< absorption per metre
+    std::vector<RawLight> lights;
+    std::vector<RawCamera> cameras;
+    SceneAudit audit;
+};
+
+/// The error of bad input: "file: place: what".
+inline InputError scene_error(const std::filesystem::path& path, std::string_view place,
+                              std::string_view what)
+{
+    std::string line = path.string() + ": ";
+    if (!place.empty())
+        line.append(place).append(": ");
+    return InputError(line.append(what));
+}
+
+} // namespace hipmap

@@ -1,0 +1,203 @@
+#include "common/scene/scene_frame.h"
+
+#include "common/math/bounds.h"
+#include "common/scene/scene_names.h"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace hipmap {
+
+namespace {
+
+/// Luminous efficacy by which glTF's photometric units are turned into radiometric ones, lm/W.
+constexpr double kLumensPerWatt = 683.0;
+
+/// Lights and cameras may lie this many units away: squares and their inverses fit into float.
+constexpr double kFarthest = 0x1p50;
+
+bool finite(const glm::dvec3& v)
+{
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+double longest(const glm::dvec3& v)
+{
+    return std::max(std::abs(v.x), std::max(std::abs(v.y), std::abs(v.z)));
+}
+
+/// The power of two that brings `length` into (1/2, 1].
+double unit_for(double length)
+{
+    if (!(length > 0))
+        return 1.0;
+    int exponent = 0;
+    const double fraction = std::frexp(length, &exponent);
+    return std::ldexp(1.0, fraction == 0.5 ? exponent - 1 : exponent);
+}
+
+SceneFrame choose_frame(const RawScene& raw)
+{
+    Bounds<glm::dvec3> box;
+    for (const glm::dvec3& p : raw.positions)
+        box.add(p);
+    SceneFrame frame;
+    frame.centre = box.centre();
+    frame.metres_per_unit = unit_for(longest(box.extent()));
+    double farthest = 0.0;
+    for (const RawLight& light : raw.lights)
+        farthest = std::max(farthest, longest(light.position - frame.centre));
+    for (const RawCamera& camera : raw.cameras)
+        farthest = std::max(farthest, longest(camera.position - frame.centre));
+    if (farthest > kFarthest * frame.metres_per_unit)
+        frame.metres_per_unit = unit_for(farthest / kFarthest);
+    return frame;
+}
+
+/// Converts the elements of one scene and checks what comes out.
+class UnitConverter {
+  public:
+    UnitConverter(const RawScene& raw, const SceneFrame& frame, LightUnits units)
+        : raw_(raw), frame_(frame), units_(units)
+    {
+    }
+
+    glm::vec3 position(const glm::dvec3& world) const
+    {
+        return glm::vec3((world - frame_.centre) / frame_.metres_per_unit);
+    }
+
+    Material material(const Material& metres) const
+    {
+        Material out = metres;
+        out.absorption = Rgb(glm::dvec3(metres.absorption) * frame_.metres_per_unit);
+        demand(is_finite(out.base_color) && is_finite(out.emission) && is_finite(out.absorption) &&
+                   is_finite(out.specular_color) && std::isfinite(out.ior),
+               "material", out.name);
+        return out;
+    }
+
+    PunctualLight light(const RawLight& metres) const
+    {
+        PunctualLight out;
+        out.name = metres.name;
+        out.kind = metres.kind;
+        out.position = position(metres.position);
+        out.direction = glm::vec3(metres.direction);
+        glm::dvec3 intensity = metres.intensity * radiometric(metres.kind);
+        if (metres.kind != LightKind::directional)
+            intensity = intensity / frame_.metres_per_unit / frame_.metres_per_unit;
+        out.intensity = Rgb(intensity);
+        out.cos_outer =
+            std::min(static_cast<float>(std::cos(metres.outer_angle)), std::nextafter(1.0f, 0.0f));
+        // A sharp edge (Blender's blend of 0) still needs room to fall off in.
+        out.cos_inner = std::max(static_cast<float>(std::cos(metres.inner_angle)),
+                                 std::nextafter(out.cos_outer, 1.0f));
+        demand(is_finite(out.position) && is_finite(out.direction) && is_finite(out.intensity),
+               "light", out.name);
+        return out;
+    }
+
+    Camera camera(const RawCamera& metres) const
+    {
+        Camera out;
+        out.name = metres.name;
+        out.projection = metres.projection;
+        out.position = position(metres.position);
+        out.right = glm::vec3(metres.right);
+        out.up = glm::vec3(metres.up);
+        out.forward = glm::vec3(metres.forward);
+        out.tan_half_height = static_cast<float>(metres.tan_half_height);
+        out.half_height = static_cast<float>(metres.half_height / frame_.metres_per_unit);
+        out.aspect = static_cast<float>(metres.aspect);
+        out.near_clip = static_cast<float>(metres.near_clip / frame_.metres_per_unit);
+        out.far_clip = static_cast<float>(metres.far_clip / frame_.metres_per_unit);
+        if (!std::isfinite(out.far_clip))
+            out.far_clip = 0.0f; // beyond all that can be seen
+        demand(is_finite(out.position) && is_finite(out.right) && is_finite(out.up) &&
+                   is_finite(out.forward) && std::isfinite(out.tan_half_height) &&
+                   std::isfinite(out.half_height) && std::isfinite(out.near_clip) &&
+                   std::isfinite(out.aspect),
+               "camera", out.name);
+        return out;
+    }
+
+  private:
+    /// W/sr or W/m2 for one unit of the file's intensity; docs/scene.md.
+    double radiometric(LightKind kind) const
+    {
+        switch (units_) {
+        case LightUnits::spec:
+            return 1.0 / kLumensPerWatt;
+        case LightUnits::compat:
+            return 1.0;
+        case LightUnits::raw:
+            return kind == LightKind::directional ? 1.0 : 0.25 / std::numbers::pi;
+        }
+        return 1.0;
+    }
+
+    void demand(bool good, const char* kind, const std::string& name) const
+    {
+        if (!good)
+            throw scene_error(raw_.path, std::string(kind) + " " + quote_name(name),
+                              "a number is not finite or too large; correct it and export again");
+    }
+
+    const RawScene& raw_;
+    const SceneFrame& frame_;
+    LightUnits units_;
+};
+
+void check_size(const RawScene& raw)
+{
+    if (raw.corners.empty())
+        throw scene_error(raw.path, "", "no faces, so nothing to do; export a scene with a mesh");
+    if (raw.corners.size() >= kNone || raw.positions.size() >= kNone)
+        throw scene_error(raw.path, "", "more than 2^32 - 2 faces or vertices; export fewer");
+}
+
+void check_positions(const RawScene& raw)
+{
+    for (std::size_t face = 0; face < raw.corners.size(); ++face)
+        for (int c = 0; c < 3; ++c)
+            if (!finite(raw.positions[raw.corners[face][c]]))
+                throw scene_error(raw.path,
+                                  "object " +
+                                      quote_name(raw.objects[raw.object_of_face[face]].name) +
+                                      ", face " + std::to_string(face),
+                                  "a corner is not finite; apply or correct its transform");
+}
+
+} // namespace
+
+Scene to_scene_units(RawScene& raw, LightUnits units)
+{
+    check_size(raw);
+    check_positions(raw);
+    Scene scene;
+    scene.frame = choose_frame(raw);
+    const UnitConverter convert(raw, scene.frame, units);
+
+    TriangleMesh& mesh = scene.mesh;
+    mesh.positions.reserve(raw.positions.size());
+    for (const glm::dvec3& p : raw.positions)
+        mesh.positions.push_back(convert.position(p));
+    raw.positions = {};
+    mesh.normals = std::move(raw.normals);
+    mesh.corners = std::move(raw.corners);
+    mesh.material_of_face = std::move(raw.material_of_face);
+    mesh.object_of_face = std::move(raw.object_of_face);
+    for (const RawObject& object : raw.objects)
+        mesh.object_names.push_back(object.name);
+    for (const Material& material : raw.materials)
+        scene.materials.push_back(convert.material(material));
+    for (const RawLight& light : raw.lights)
+        scene.lights.push_back(convert.light(light));
+    for (const RawCamera& camera : raw.cameras)
+        scene.cameras.push_back(convert.camera(camera));
+    return scene;
+}
+
+} // namespace hipmap
