@@ -52,17 +52,18 @@ void choose_camera(LoadedScene& loaded, const SceneOptions& options,
     if (!options.camera.empty()) {
         const auto at = std::find(names.begin(), names.end(), options.camera);
         if (at == names.end())
-            throw scene_error(path, "--camera " + quote_name(options.camera),
-                              names.empty() ? "the file has no cameras; in Blender tick Include > "
-                                              "Cameras when exporting"
-                                            : "no such camera; there are " + list_names(names));
+            throw scene_error(
+                path, "--camera " + quote_name(options.camera),
+                names.empty()
+                    ? "the file has no cameras; export as glTF with Include > Cameras ticked"
+                    : "no such camera; there are " + list_names(names));
         scene.camera = static_cast<std::size_t>(at - names.begin());
     }
     if (names.empty()) {
         scene.cameras.push_back(framing_camera(scene.mesh));
-        loaded.audit.assumed.push_back("no camera in the file: one that frames everything, seen "
-                                       "from the front (+Z); in Blender tick Include > Cameras "
-                                       "when exporting");
+        loaded.audit.assumed.push_back(
+            "no camera in the file: one that frames everything, seen from the front (+Z); export "
+            "as glTF with Include > Cameras ticked");
     } else if (names.size() == 1) {
         loaded.audit.found.push_back("camera " + quote_name(names[0]));
     } else {
@@ -135,9 +136,9 @@ void choose_sky(LoadedScene& loaded, bool shines, const SceneOptions& options)
         return;
     loaded.scene.environment = Rgb(kSkyRadiance);
     loaded.audit.assumed.push_back(
-        "no light in the file: a uniform grey sky of radiance 1 (--environment changes it); in "
-        "Blender tick Include > Punctual Lights when exporting; area lights and the world are "
-        "never exported, meshes with an Emission material are");
+        "no light in the file: a uniform grey sky of radiance 1 (--environment changes it); export "
+        "as glTF with Include > Punctual Lights ticked; area lights and the world are never "
+        "exported, meshes with an Emission material are");
 }
 
 void note_materials(const Scene& scene, const std::vector<std::size_t>& faces, SceneAudit& audit)

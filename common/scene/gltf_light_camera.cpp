@@ -49,7 +49,8 @@ bool read_projection(const tinygltf::Camera& camera, RawCamera& out, const RawSc
 {
     const auto demand = [&](bool good, const char* what) {
         if (!good)
-            throw scene_error(scene.path, place, what);
+            throw scene_error(scene.path, place,
+                              std::string(what) + "; correct the camera and export again");
     };
     if (camera.type == "perspective") {
         const tinygltf::PerspectiveCamera& lens = camera.perspective;
@@ -101,7 +102,8 @@ void add_gltf_light(const tinygltf::Model& model, std::size_t index, const std::
                                   ? glm::dvec3(light.color[0], light.color[1], light.color[2])
                                   : glm::dvec3(1.0);
     if (!(light.intensity >= 0) || !(colour.x >= 0 && colour.y >= 0 && colour.z >= 0))
-        throw scene_error(scene.path, place, "its power and colour must not be negative");
+        throw scene_error(scene.path, place,
+                          "its power and colour must not be negative; correct them");
     out.intensity = colour * light.intensity;
     out.position = glm::dvec3(to_world[3]);
     const std::optional<glm::dvec3> direction = look_direction(to_world);

@@ -59,7 +59,7 @@ void warn_if_baked_far_away(const GltfPrimitive& primitive, const std::string& m
     const double extent = std::max(size.x, std::max(size.y, size.z));
     const double distance = std::max(away.x, std::max(away.y, away.z));
     if (extent > 0 && distance > kFarFromOrigin * extent)
-        audit.warnings.push_back("mesh " + quote_name(mesh) + " lies " + short_number(distance) +
+        audit.warnings.push_back(mesh + " lies " + short_number(distance) +
                                  " m from its origin but is " + short_number(extent) +
                                  " m in size: its positions have lost detail; in Blender set the "
                                  "origin to its geometry before exporting");
@@ -82,7 +82,9 @@ std::vector<GltfPrimitive> GltfMeshReader::read(std::size_t index)
             continue;
         }
         primitives.push_back(read_primitive(primitive, place));
-        warn_if_baked_far_away(primitives.back(), mesh.name, scene_.audit);
+        warn_if_baked_far_away(primitives.back(),
+                               mesh.name.empty() ? place : "mesh " + quote_name(mesh.name),
+                               scene_.audit);
     }
     return primitives;
 }

@@ -181,19 +181,49 @@ void collect_extras(const json& root, UnreadThings& unread)
     }
 }
 
+const char* cure_for(string_view extension)
+{
+    for (const Cure& known : kCures)
+        if (known.extension == extension)
+            return known.cure;
+    return "export without it";
+}
+
+/// Whether a primitive's vertices exist in compressed form only.
+bool lacks_plain_data(const json& root, const json& primitive)
+{
+    const auto position = primitive["attributes"].find("POSITION");
+    if (position == primitive["attributes"].end())
+        return false;
+    const json& accessor = root["accessors"][position->get<std::size_t>()];
+    return !accessor.contains("bufferView") && !accessor.contains("sparse");
+}
+
+void check_compressed_meshes(const GltfDocument& document)
+{
+    const string_view draco = "KHR_draco_mesh_compression";
+    std::size_t index = 0;
+    for (const json& mesh : members(document.json, "meshes")) {
+        const std::string name = name_of(mesh, "mesh", index++);
+        for (const json& primitive : mesh["primitives"])
+            if (members(primitive, "extensions").contains(draco) &&
+                lacks_plain_data(document.json, primitive))
+                throw scene_error(document.path, "mesh " + quote_name(name),
+                                  std::string(draco) + " is not read; " + cure_for(draco));
+    }
+}
+
 } // namespace
 
 void check_required_extensions(const GltfDocument& document)
 {
+    check_compressed_meshes(document);
     for (const json& required : members(document.json, "extensionsRequired")) {
         const auto& name = required.get_ref<const std::string&>();
         if (is_in(kRead, name) || is_in(kSpared, name))
             continue;
-        const auto* const known = std::find_if(std::begin(kCures), std::end(kCures),
-                                               [&](const Cure& c) { return c.extension == name; });
         throw scene_error(document.path, "extensionsRequired",
-                          "extension " + quote_name(name) + " is not read; " +
-                              (known != std::end(kCures) ? known->cure : "export without it"));
+                          "extension " + quote_name(name) + " is not read; " + cure_for(name));
     }
 }
 

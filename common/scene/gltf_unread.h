@@ -5,8 +5,8 @@
 
 namespace hipmap {
 
-/// Throws InputError, with the cure where there is one, if the file requires an extension without
-/// which its shapes or lights cannot be read.
+/// Throws InputError, with the cure where there is one, if the file's shapes or lights cannot be
+/// read without an extension that is not read.
 void check_required_extensions(const GltfDocument& document);
 
 /// One warning in the audit for each kind of thing that is in the file but not read, with the

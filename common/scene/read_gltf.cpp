@@ -195,7 +195,8 @@ void note_scenes(const tinygltf::Model& model, SceneAudit& audit)
     const auto scene = static_cast<std::size_t>(std::max(0, model.defaultScene));
     audit.assumed.push_back(
         "of " + std::to_string(model.scenes.size()) +
-        " scenes in the file the active one is taken: " + quote_name(model.scenes[scene].name));
+        " scenes in the file the active one is taken: " +
+        quote_name(first_name({model.scenes[scene].name, "scene " + std::to_string(scene)})));
 }
 
 } // namespace
