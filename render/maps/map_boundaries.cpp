@@ -8,11 +8,9 @@
 #include <tuple>
 #include <utility>
 
-namespace hipmap
-{
+namespace hipmap {
 
-namespace
-{
+namespace {
 
 /// Ranges up to this long are looped over.
 constexpr std::uint32_t kLeafSize = 16;

@@ -9,8 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace hipmap
-{
+namespace hipmap {
 
 /// A piece of the boundary of a map, scene units.
 struct BoundarySegment {
@@ -26,8 +25,7 @@ struct BoundarySegment {
 /// a face has no map, and what lies beyond it is not known.
 ///
 /// Read-only once built: any number of threads may query it.
-class MapBoundaries
-{
+class MapBoundaries {
   public:
     /// partition: of this very mesh.  Copies what it needs of both.
     /// Cost: O(n log n) for n segments in one map, linear in the number of maps.

@@ -11,8 +11,7 @@
 #include <span>
 #include <vector>
 
-namespace hipmap
-{
+namespace hipmap {
 
 /// Where photons are gathered.
 struct DiscQuery {
@@ -26,8 +25,7 @@ struct DiscQuery {
 /// its plane; where the map is planar, that is exact.
 ///
 /// One object per thread, used again and again, keeps its memory.  Const functions are thread-safe.
-class VisibleDisc
-{
+class VisibleDisc {
   public:
     /// Looks around `query.point` past `boundary`: the segments of the map within the radius (more
     /// do no harm), in any order.  A face without area sees everything.
