@@ -2,13 +2,18 @@
 
 #include "common/file/output_file.h"
 #include "common/input_error.h"
-#include "common/math/random.h"
 #include "common/partition/check_partition.h"
 #include "common/partition/partition_generated.h"
 
 #include <flatbuffers/flatbuffers.h>
+#include <xxhash.h>
 
+#include <array>
 #include <cstring>
+#include <memory>
+#include <new>
+#include <span>
+#include <string>
 
 namespace hipmap {
 namespace {
@@ -18,38 +23,32 @@ constexpr std::uint32_t kVersion = 1;
 /// FlatBuffers offsets are 31 bits, and its Release builder writes past them without a word.
 constexpr std::size_t kMaxBytes = std::size_t{1} << 30;
 
-/// Mixes the bytes of an array, and its length, into a running hash.
-template <typename T>
-void mix_in(std::uint64_t& hash, const T* values, std::size_t count)
-{
-    const auto* bytes = reinterpret_cast<const unsigned char*>(values);
-    std::size_t left = count * sizeof(T);
-    hash = mix_bits(hash ^ left);
-    while (left > 0) {
-        std::uint64_t word = 0;
-        const std::size_t step = std::min(left, sizeof word);
-        std::memcpy(&word, bytes, step);
-        hash = mix_bits(hash ^ word);
-        bytes += step;
-        left -= step;
-    }
-}
+struct FreeState {
+    void operator()(XXH3_state_t* state) const { XXH3_freeState(state); }
+};
 
 /// 64 bits over every field, so that damage which leaves each number plausible is found as well.
 std::uint64_t checksum(const Partition& p)
 {
-    std::uint64_t hash = kVersion;
-    mix_in(hash, p.scene.words.data(), p.scene.words.size());
-    mix_in(hash, &p.angle_threshold, 1);
-    mix_in(hash, &p.map_count, 1);
-    mix_in(hash, p.map_of_face.data(), p.map_of_face.size());
-    mix_in(hash, p.edge_class.data(), p.edge_class.size());
-    mix_in(hash, p.opposite.data(), p.opposite.size());
-    mix_in(hash, p.flipped.data(), p.flipped.size());
-    mix_in(hash, p.closed.data(), p.closed.size());
-    mix_in(hash, p.reach.data(), p.reach.size());
-    mix_in(hash, p.candidate.data(), p.candidate.size());
-    return hash;
+    const std::unique_ptr<XXH3_state_t, FreeState> state(XXH3_createState());
+    if (!state || XXH3_64bits_reset(state.get()) == XXH_ERROR)
+        throw std::bad_alloc();
+    const auto add = [&](const auto& array) {
+        const std::uint64_t size = array.size();
+        XXH3_64bits_update(state.get(), &size, sizeof size);
+        XXH3_64bits_update(state.get(), array.data(), size * sizeof array[0]);
+    };
+    add(p.scene.words);
+    add(std::array{p.angle_threshold});
+    add(std::array{p.map_count});
+    add(p.map_of_face);
+    add(p.edge_class);
+    add(p.opposite);
+    add(p.flipped);
+    add(p.closed);
+    add(p.reach);
+    add(p.candidate);
+    return XXH3_64bits_digest(state.get());
 }
 
 /// Copies one array of the file; an absent one is empty.

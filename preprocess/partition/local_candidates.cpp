@@ -29,13 +29,14 @@ double area2_of(const Corners& p)
     return glm::length(glm::cross(p[1] - p[0], p[2] - p[0]));
 }
 
-/// Distance of `corner` from the segment between the other two.
+/// Distance of `corner` from the segment between the other two: the height, or where its foot lies
+/// outside the segment, the longer distance to the end with the obtuse angle.
 double reach_of_one(const Corners& p, int corner)
 {
     const glm::dvec3& from = p[(corner + 1) % 3];
     const glm::dvec3& to = p[(corner + 2) % 3];
     const double area2 = area2_of(p);
-    return std::min(glm::length(p[corner] - from) * sine_or_one(from, to, p[corner], area2),
+    return std::max(glm::length(p[corner] - from) * sine_or_one(from, to, p[corner], area2),
                     glm::length(p[corner] - to) * sine_or_one(to, from, p[corner], area2));
 }
 

@@ -1,0 +1,202 @@
+#include "common/file/output_file.h"
+#include "common/input_error.h"
+#include "common/partition/check_partition.h"
+#include "common/partition/partition_file.h"
+#include "tests/support/tiny_meshes.h"
+
+#include <catch2/catch.hpp>
+#include <unistd.h>
+
+#include <filesystem>
+#include <functional>
+#include <limits>
+#include <span>
+
+using namespace hipmap;
+
+namespace {
+
+/// A folder that goes away with its files.
+struct TemporaryFolder {
+    std::filesystem::path path = std::filesystem::temp_directory_path() /
+                                 ("hipmap_partition_test_" + std::to_string(::getpid()));
+
+    TemporaryFolder() { std::filesystem::create_directories(path); }
+    ~TemporaryFolder() { std::filesystem::remove_all(path); }
+};
+
+/// Two faces that share a map, one alone, one degenerate.
+Partition sample(const Scene& scene)
+{
+    using enum EdgeClass;
+    Partition p;
+    p.scene = fingerprint(scene);
+    p.angle_threshold = 0.5;
+    p.map_count = 2;
+    p.map_of_face = {0, 0, 1, kNone};
+    p.edge_class = {connected, unconnected, border,       connected,  border,     border,
+                    border,    unconnected, non_manifold, degenerate, degenerate, degenerate};
+    p.opposite.assign(12, kNone);
+    p.opposite[0] = 3;
+    p.opposite[3] = 0;
+    p.opposite[1] = 7;
+    p.opposite[7] = 1;
+    p.flipped = {0, 1, 0, 0};
+    p.closed = {1, 1, 0, 0};
+    p.reach = {0.25f, 0.5f, std::numeric_limits<float>::infinity(), 0};
+    p.candidate = {1, 0, 0, 0};
+    return p;
+}
+
+Scene scene_of(std::uint32_t faces)
+{
+    return tiny::make_scene(tiny::fan(faces));
+}
+
+std::string error_of(const std::function<void()>& work)
+{
+    try {
+        work();
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return {};
+}
+
+} // namespace
+
+TEST_CASE("partition file: every field survives", "[partition]")
+{
+    const TemporaryFolder folder;
+    const Partition written = sample(scene_of(4));
+    write_partition(folder.path / "a.hpm", written);
+    const Partition read = read_partition(folder.path / "a.hpm");
+    CHECK(read.scene == written.scene);
+    CHECK(read.angle_threshold == written.angle_threshold);
+    CHECK(read.map_count == written.map_count);
+    CHECK(read.map_of_face == written.map_of_face);
+    CHECK(read.edge_class == written.edge_class);
+    CHECK(read.opposite == written.opposite);
+    CHECK(read.flipped == written.flipped);
+    CHECK(read.closed == written.closed);
+    CHECK(read.reach == written.reach);
+    CHECK(read.candidate == written.candidate);
+}
+
+TEST_CASE("partition file: an empty partition survives", "[partition]")
+{
+    const TemporaryFolder folder;
+    write_partition(folder.path / "a.hpm", Partition{});
+    CHECK(read_partition(folder.path / "a.hpm").face_count() == 0);
+}
+
+TEST_CASE("partition file: a truncated one is refused", "[partition]")
+{
+    const TemporaryFolder folder;
+    const std::filesystem::path path = folder.path / "a.hpm";
+    write_partition(path, sample(scene_of(4)));
+    const std::vector<std::byte> whole = read_file(path);
+    for (std::size_t size = 0; size < whole.size(); ++size) {
+        write_file(path, std::span(whole).first(size));
+        const std::string error = error_of([&] { read_partition(path); });
+        INFO(size << " of " << whole.size() << " bytes");
+        REQUIRE(error.find("a.hpm: ") != std::string::npos);
+        REQUIRE(error.find('\n') == std::string::npos);
+    }
+}
+
+TEST_CASE("partition file: any flipped bit is refused or changes nothing", "[partition]")
+{
+    const TemporaryFolder folder;
+    const std::filesystem::path path = folder.path / "a.hpm";
+    const Partition written = sample(scene_of(4));
+    write_partition(path, written);
+    const std::vector<std::byte> whole = read_file(path);
+    std::size_t refused = 0;
+    for (std::size_t bit = 0; bit < 8 * whole.size(); ++bit) {
+        std::vector<std::byte> damaged = whole;
+        damaged[bit / 8] ^= std::byte{1} << (bit % 8);
+        write_file(path, damaged);
+        try {
+            const Partition read = read_partition(path); // padding was hit
+            REQUIRE(read.scene == written.scene);
+            REQUIRE(read.map_of_face == written.map_of_face);
+            REQUIRE(read.reach == written.reach);
+        } catch (const InputError&) {
+            ++refused;
+        }
+    }
+    CHECK(refused > 4 * whole.size());
+}
+
+TEST_CASE("partition file: other files are not partitions", "[partition]")
+{
+    const TemporaryFolder folder;
+    const std::filesystem::path path = folder.path / "a.hpm";
+    CHECK(error_of([&] { read_partition(path); }) != "");
+    write_file(path, std::string_view("glTF, or anything else that is not a partition"));
+    CHECK(error_of([&] { read_partition(path); }).find("not a partition file") !=
+          std::string::npos);
+    write_file(path, std::string_view("\x10\0\0\0HPM2 of another version", 28));
+    CHECK(error_of([&] { read_partition(path); }).find("another version") != std::string::npos);
+}
+
+TEST_CASE("partition file: values that contradict each other are refused", "[partition]")
+{
+    const TemporaryFolder folder;
+    const std::filesystem::path path = folder.path / "a.hpm";
+    const std::vector<std::function<void(Partition&)>> damages{
+        [](Partition& p) { p.map_of_face[1] = 2; },
+        [](Partition& p) { p.map_of_face[0] = 1; },
+        [](Partition& p) { p.map_of_face[1] = 1; },
+        [](Partition& p) { p.map_count = 3; },
+        [](Partition& p) { p.edge_class[2] = static_cast<EdgeClass>(5); },
+        [](Partition& p) { p.edge_class[0] = EdgeClass::unconnected; },
+        [](Partition& p) { p.edge_class[2] = EdgeClass::degenerate; },
+        [](Partition& p) { p.edge_class[2] = EdgeClass::connected; },
+        [](Partition& p) { p.opposite[0] = 12; },
+        [](Partition& p) { p.opposite[0] = 0; },
+        [](Partition& p) { p.opposite[0] = kNone; },
+        [](Partition& p) { p.opposite[2] = 5; },
+        [](Partition& p) { p.opposite.pop_back(); },
+        [](Partition& p) { p.flipped[0] = 2; },
+        [](Partition& p) { p.closed.push_back(0); },
+        [](Partition& p) { p.reach[0] = -1; },
+        [](Partition& p) { p.reach[0] = std::numeric_limits<float>::quiet_NaN(); },
+        [](Partition& p) { p.candidate[3] = 1; },
+        [](Partition& p) { p.angle_threshold = 4; },
+        [](Partition& p) { p.angle_threshold = std::numeric_limits<double>::quiet_NaN(); },
+    };
+    for (std::size_t i = 0; i < damages.size(); ++i) {
+        Partition p = sample(scene_of(4));
+        REQUIRE(defect_of(p) == "");
+        damages[i](p);
+        INFO("damage " << i);
+        CHECK(defect_of(p) != "");
+        write_partition(path, p);
+        CHECK(error_of([&] { read_partition(path); }).find("damaged") != std::string::npos);
+    }
+}
+
+TEST_CASE("partition file: a partition of another scene is refused", "[partition]")
+{
+    const Partition p = sample(scene_of(4));
+    CHECK(error_of([&] { check_partition_of(p, scene_of(4), "desk.hpm"); }) == "");
+    CHECK(error_of([&] { check_partition_of(p, scene_of(7), "desk.hpm"); }) ==
+          "desk.hpm: made for another scene (4 faces, the scene has 7); "
+          "run preprocess on this scene again");
+    Scene moved = scene_of(4);
+    moved.mesh.positions[1].x += 0.5f;
+    CHECK(error_of([&] {
+              check_partition_of(p, moved, "desk.hpm");
+          }).find("desk.hpm: made for another scene") == 0);
+}
+
+TEST_CASE("partition file: nothing is left where none can be written", "[partition]")
+{
+    const TemporaryFolder folder;
+    const auto path = folder.path / "no_such_folder" / "a.hpm";
+    CHECK(error_of([&] { write_partition(path, sample(scene_of(4))); }).find("a.hpm") !=
+          std::string::npos);
+    CHECK(std::filesystem::is_empty(folder.path));
+}
