@@ -1,0 +1,87 @@
+#include "preprocess/colouring/partition_pictures.h"
+
+#include "common/image/write_image.h"
+#include "common/input_error.h"
+#include "preprocess/colouring/legend.h"
+#include "preprocess/colouring/painters.h"
+#include "preprocess/colouring/palette.h"
+
+#include <algorithm>
+#include <iomanip>
+#include <sstream>
+
+namespace hipmap {
+
+namespace {
+
+using Legend = std::vector<LegendEntry>;
+
+Legend legend_of_maps(const Partition& partition)
+{
+    return {{{}, std::to_string(partition.map_count) + " shared maps, a colour each"}};
+}
+
+Legend legend_of_edges(const Partition& partition)
+{
+    static constexpr std::array<const char*, 5> kNames{"connected", "unconnected", "border",
+                                                       "non-manifold", "degenerate"};
+    Legend legend;
+    for (std::size_t i = 0; i < kNames.size(); ++i) {
+        const auto edge_class = static_cast<EdgeClass>(i);
+        if (std::ranges::find(partition.edge_class, edge_class) != partition.edge_class.end())
+            legend.push_back({{edge_colour(edge_class)}, kNames[i]});
+    }
+    return legend;
+}
+
+std::string in_metres(double metres)
+{
+    std::ostringstream text;
+    text << std::setprecision(2) << metres << " m";
+    return text.str();
+}
+
+Legend legend_of_candidates(const Partition& partition, double metres_per_unit)
+{
+    constexpr int kSteps = 96;
+    Legend legend;
+    const ReachRange range = reach_of_candidates(partition);
+    if (range.largest > 0) {
+        LegendEntry scale;
+        for (int i = 0; i < kSteps; ++i)
+            scale.colours.push_back(scale_colour(i / (kSteps - 1.0)));
+        scale.text = "candidates by reach: " + in_metres(range.least * metres_per_unit) + " to " +
+                     in_metres(range.largest * metres_per_unit);
+        legend.push_back(scale);
+    }
+    legend.push_back({{kPlainFace}, "no candidate"});
+    return legend;
+}
+
+} // namespace
+
+std::vector<std::filesystem::path> write_partition_pictures(const std::filesystem::path& folder,
+                                                            const Scene& scene,
+                                                            const Partition& partition, int width,
+                                                            int height)
+{
+    std::error_code problem;
+    std::filesystem::create_directory(folder, problem);
+    if (problem)
+        throw InputError(folder.string() + ": " + problem.message() + "; name another folder");
+
+    const EmbreeScene rays(scene.mesh);
+    const PictureView view{scene.mesh, rays, scene.cameras[scene.camera], width, height};
+    const std::vector<Image> images =
+        colour_images(view, {paint_maps(partition), paint_edges(scene.mesh, partition),
+                             paint_candidates(partition)});
+    const std::vector<Legend> legends{legend_of_maps(partition), legend_of_edges(partition),
+                                      legend_of_candidates(partition, scene.frame.metres_per_unit)};
+    const std::vector<std::filesystem::path> paths{folder / "shared_maps.png", folder / "edges.png",
+                                                   folder / "candidates.png"};
+    for (std::size_t i = 0; i < paths.size(); ++i)
+        write_display_png(paths[i], add_legend(images[i], legends[i]));
+    return paths;
+}
+
+} // namespace hipmap

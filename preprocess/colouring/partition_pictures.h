@@ -1,0 +1,21 @@
+#pragma once
+
+#include "common/partition/partition.h"
+#include "common/scene/scene.h"
+
+#include <filesystem>
+#include <vector>
+
+namespace hipmap {
+
+/// Writes three pictures of a partition, as the scene's camera sees it, into `folder`:
+/// shared_maps.png, edges.png and candidates.png, each with a legend below.
+/// width, height: of the picture without its legend, pixels, at least one.  The folder is made if
+/// it is missing.  Throws InputError if a file cannot be written.
+/// Returns the paths.  Parallel; the same at any thread count.
+std::vector<std::filesystem::path> write_partition_pictures(const std::filesystem::path& folder,
+                                                            const Scene& scene,
+                                                            const Partition& partition, int width,
+                                                            int height);
+
+} // namespace hipmap

@@ -1,0 +1,72 @@
+#include "common/file/output_file.h"
+#include "common/partition/partition_file.h"
+#include "common/report.h"
+#include "common/scene/print_audit.h"
+#include "common/stopwatch.h"
+#include "preprocess/colouring/partition_pictures.h"
+#include "preprocess/summary.h"
+
+#include <numbers>
+
+namespace hipmap {
+
+namespace {
+
+void print_summary(const PartitionSummary& summary, double angle_deg, Report& report)
+{
+    for (const std::string& sentence : describe(summary, angle_deg))
+        report.line(sentence);
+    for (const std::string& sentence : describe_defects(summary.defects))
+        report.warn(sentence);
+}
+
+int preprocess(const PreprocessArguments& arguments)
+{
+    Report report;
+    check_outputs(arguments);
+    const ThreadLimit threads(arguments.threads);
+
+    const Stopwatch loading;
+    const LoadedScene loaded = load_scene(arguments.scene, arguments.scene_options);
+    print_audit(report, loaded.audit);
+    const double load_seconds = loading.seconds();
+
+    const Scene& scene = loaded.scene;
+    PartitionResult result =
+        build_partition(scene, {.angle_threshold = arguments.angle_deg * std::numbers::pi / 180});
+    result.summary.passes.insert(result.summary.passes.begin(), {"load scene", load_seconds});
+    print_summary(result.summary, arguments.angle_deg, report);
+    write_partition(arguments.output, result.partition);
+    report.line("wrote " + arguments.output.string());
+
+    if (!arguments.images.empty()) {
+        const Stopwatch painting;
+        const auto size = complete_size(arguments.size, scene.cameras[scene.camera].aspect);
+        for (const std::filesystem::path& path : write_partition_pictures(
+                 arguments.images, scene, result.partition, size.width, size.height))
+            report.line("wrote " + path.string());
+        result.summary.passes.push_back({"paint pictures", painting.seconds()});
+    }
+    if (!arguments.json.empty()) {
+        write_file(arguments.json, summary_json(arguments, scene.frame, result.summary));
+        report.line("wrote " + arguments.json.string());
+    }
+    return kExitDone;
+}
+
+} // namespace
+
+} // namespace hipmap
+
+int main(int argc, char** argv)
+{
+    return hipmap::run_tool([&] {
+        hipmap::PreprocessArguments arguments;
+        CLI::App app("Decides which faces of a scene may share photons.", "preprocess");
+        app.set_version_flag("--version", "preprocess " HIPMAP_VERSION);
+        hipmap::add_preprocess_arguments(app, arguments);
+        if (const std::optional<int> code = hipmap::parse_arguments(app, argc, argv))
+            return *code;
+        return hipmap::preprocess(arguments);
+    });
+}

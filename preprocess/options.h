@@ -1,0 +1,30 @@
+#pragma once
+
+#include "common/command_line/command_line.h"
+#include "common/scene/load_scene.h"
+
+#include <filesystem>
+
+namespace hipmap {
+
+/// What the user asked of `preprocess`.
+struct PreprocessArguments {
+    std::filesystem::path scene;
+    std::filesystem::path output;
+    std::filesystem::path images; ///< folder; empty: none
+    std::filesystem::path json;   ///< empty: none
+    double angle_deg = 30;
+    SceneOptions scene_options;
+    PictureSize size{768, 0};
+    unsigned threads = 0; ///< 0: all cores
+};
+
+/// Adds every option of `preprocess` to `app`, to be read into `arguments`, which must outlive the
+/// parsing.
+void add_preprocess_arguments(CLI::App& app, PreprocessArguments& arguments);
+
+/// Throws InputError unless every file asked for could be written and none of them is the scene or
+/// another one.  Changes no file.
+void check_outputs(const PreprocessArguments& arguments);
+
+} // namespace hipmap

@@ -1,0 +1,112 @@
+#include "preprocess/summary.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <iomanip>
+#include <sstream>
+
+namespace hipmap {
+
+namespace {
+
+constexpr std::array<const char*, 5> kClassNames{"connected", "unconnected", "border",
+                                                 "non_manifold", "degenerate"};
+
+std::string counted(std::size_t count, const std::string& noun)
+{
+    return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
+std::string describe_largest(const PartitionSummary& summary)
+{
+    double total = 0;
+    for (const PartitionSummary::Map& map : summary.maps)
+        total += map.area;
+    const auto largest = std::ranges::max_element(
+        summary.maps, {}, [](const PartitionSummary::Map& map) { return map.area; });
+    std::ostringstream text;
+    text << "the largest, map " << largest->id << ", has " << counted(largest->faces, "face")
+         << " and " << std::fixed << std::setprecision(1) << 100 * largest->area / total
+         << " % of the area";
+    return text.str();
+}
+
+} // namespace
+
+std::vector<std::string> describe(const PartitionSummary& summary, double angle_deg)
+{
+    std::ostringstream angle;
+    angle << angle_deg;
+    std::vector<std::string> lines;
+    lines.push_back("mesh: " + counted(summary.faces, "face") + ", " +
+                    std::to_string(summary.welded_vertices) + " vertices" + " after welding " +
+                    std::to_string(summary.vertices) + ", " + std::to_string(summary.closed_faces) +
+                    " faces on closed surfaces");
+    lines.push_back("edges: " + std::to_string(summary.edges[0]) + " connected, " +
+                    std::to_string(summary.edges[1]) + " unconnected (faces at " + angle.str() +
+                    " degrees or more), " + std::to_string(summary.edges[2]) + " border, " +
+                    std::to_string(summary.edges[3]) + " non-manifold");
+    if (summary.edges_in_band > 0)
+        lines.push_back("edges: " + std::to_string(summary.edges_in_band) + " of them at " +
+                        angle.str() + " degrees but for rounding, taken as unconnected");
+    lines.push_back(counted(summary.maps.size(), "shared map") +
+                    (summary.maps.empty() ? "" : "; " + describe_largest(summary)));
+    lines.push_back("local maps: " + counted(summary.candidates, "candidate") + " among " +
+                    counted(summary.faces, "face"));
+    return lines;
+}
+
+std::vector<std::string> describe_defects(const MeshDefects& defects)
+{
+    std::vector<std::string> lines;
+    if (defects.degenerate_faces > 0)
+        lines.push_back(counted(defects.degenerate_faces, "face") +
+                        " without area: kept, but without a map");
+    if (defects.flipped_faces > 0)
+        lines.push_back(counted(defects.flipped_faces, "face") +
+                        " wound against the rest of their surface: taken as turned");
+    if (defects.non_manifold_edges > 0)
+        lines.push_back(counted(defects.non_manifold_edges, "edge") +
+                        " of three or more faces: no photons are shared across them");
+    if (defects.cut_edges > 0)
+        lines.push_back(counted(defects.cut_edges, "edge") +
+                        " of surfaces with one side (like a Moebius strip): cut open there");
+    if (defects.refused_faces > 0)
+        lines.push_back(counted(defects.refused_faces, "face") +
+                        " that no half-edge mesh can hold: kept, without neighbours");
+    return lines;
+}
+
+std::string summary_json(const PreprocessArguments& arguments, const SceneFrame& frame,
+                         const PartitionSummary& summary)
+{
+    nlohmann::ordered_json json;
+    json["scene"] = arguments.scene.string();
+    json["partition"] = arguments.output.string();
+    json["angle_deg"] = arguments.angle_deg;
+    json["faces"] = summary.faces;
+    json["vertices"] = summary.vertices;
+    json["welded_vertices"] = summary.welded_vertices;
+    json["closed_faces"] = summary.closed_faces;
+    for (std::size_t i = 0; i < kClassNames.size(); ++i)
+        json["edges"][kClassNames[i]] = summary.edges[i];
+    json["edges"]["in_tolerance_band"] = summary.edges_in_band;
+    json["defects"] = {{"degenerate_faces", summary.defects.degenerate_faces},
+                       {"flipped_faces", summary.defects.flipped_faces},
+                       {"non_manifold_edges", summary.defects.non_manifold_edges},
+                       {"cut_edges", summary.defects.cut_edges},
+                       {"refused_faces", summary.defects.refused_faces}};
+    json["candidates"] = summary.candidates;
+    json["shared_maps"] = summary.maps.size();
+    json["maps"] = nlohmann::ordered_json::array();
+    const double square_metres = frame.metres_per_unit * frame.metres_per_unit;
+    for (const PartitionSummary::Map& map : summary.maps)
+        json["maps"].push_back(
+            {{"id", map.id}, {"faces", map.faces}, {"area_m2", map.area * square_metres}});
+    for (const PartitionSummary::Pass& pass : summary.passes)
+        json["seconds"][std::string(pass.name)] = pass.seconds;
+    return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+} // namespace hipmap

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "common/scene/scene.h"
+#include "preprocess/options.h"
+#include "preprocess/partition/build_partition.h"
+
+#include <string>
+#include <vector>
+
+namespace hipmap {
+
+/// What a partition holds, as plain sentences for the user.
+std::vector<std::string> describe(const PartitionSummary& summary, double angle_deg);
+
+/// What was wrong with the mesh and what was done about it, as sentences; empty if nothing was.
+std::vector<std::string> describe_defects(const MeshDefects& defects);
+
+/// The same and more as JSON text; docs/partition_file.md.  Lengths in metres, areas in m2.
+std::string summary_json(const PreprocessArguments& arguments, const SceneFrame& frame,
+                         const PartitionSummary& summary);
+
+} // namespace hipmap
