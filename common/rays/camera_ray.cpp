@@ -1,5 +1,7 @@
 #include "common/rays/camera_ray.h"
 
+#include <algorithm>
+
 namespace hipmap {
 
 Ray camera_ray(const Camera& camera, const glm::vec2& picture, float aspect)
@@ -26,7 +28,7 @@ Ray camera_ray(const Camera& camera, const glm::vec2& picture, float aspect)
         ray.origin = camera.position + across;
         ray.direction = camera.forward;
     }
-    ray.near = camera.near_clip * per_forward;
+    ray.near = std::max(ray.near, camera.near_clip * per_forward);
     if (camera.far_clip > 0)
         ray.far = camera.far_clip * per_forward;
     return ray;

@@ -12,7 +12,8 @@ namespace hipmap {
 struct Ray {
     glm::vec3 origin{0.0f};
     glm::vec3 direction{0, 0, 1};
-    float near = 0.0f;
+    /// Above zero: a ray that starts exactly on a face does not meet that face.
+    float near = std::numeric_limits<float>::min();
     float far = std::numeric_limits<float>::infinity();
 };
 

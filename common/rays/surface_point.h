@@ -18,7 +18,8 @@ struct SurfacePoint {
 SurfacePoint surface_point(const TriangleMesh& mesh, FaceId face, const glm::vec2& barycentric);
 
 /// Origin of a ray that leaves `point` along `direction`, moved off the face by the position's own
-/// rounding bound.  Source: Pharr, Jakob and Humphreys 2023, section 6.8.6.
+/// rounding bound (by nothing where the position is exact; a ray does not meet the face it starts
+/// on).  Source: Pharr, Jakob and Humphreys 2023, section 6.8.6.
 glm::vec3 offset_origin(const SurfacePoint& point, const glm::vec3& direction);
 
 /// A ray from one point towards another that stops short of it.

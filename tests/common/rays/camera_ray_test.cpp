@@ -1,0 +1,56 @@
+#include "common/rays/camera_ray.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+using namespace hipmap;
+
+TEST_CASE("camera ray: the top edge of the picture is half the angle of view up", "[rays]")
+{
+    Camera camera;
+    camera.tan_half_height = std::tan(0.3f);
+    camera.aspect = 2;
+    const Ray top = camera_ray(camera, {0.5f, 0}, 2);
+    CHECK(std::atan2(top.direction.y, -top.direction.z) == Approx(0.3));
+    CHECK(top.direction.x == 0);
+    const Ray right = camera_ray(camera, {1, 0.5f}, 2);
+    CHECK(right.direction.x / -right.direction.z == Approx(2 * std::tan(0.3)));
+    const Ray centre = camera_ray(camera, {0.5f, 0.5f}, 2);
+    CHECK(centre.direction == glm::vec3(0, 0, -1));
+}
+
+TEST_CASE("camera ray: a picture of another shape still shows all of the camera's view", "[rays]")
+{
+    Camera camera;
+    camera.tan_half_height = 0.5f;
+    camera.aspect = 2;
+    const Ray narrow = camera_ray(camera, {1, 0.5f}, 1);
+    CHECK(narrow.direction.x / -narrow.direction.z == Approx(1.0));
+    const Ray wide = camera_ray(camera, {0.5f, 0}, 4);
+    CHECK(wide.direction.y / -wide.direction.z == Approx(0.5));
+}
+
+TEST_CASE("camera ray: orthographic rays are parallel and half_height apart from the middle",
+          "[rays]")
+{
+    Camera camera;
+    camera.projection = Projection::orthographic;
+    camera.half_height = 3;
+    const Ray top = camera_ray(camera, {0.5f, 0}, 1);
+    CHECK(top.origin == glm::vec3(0, 3, 0));
+    CHECK(top.direction == glm::vec3(0, 0, -1));
+}
+
+TEST_CASE("camera ray: clipping planes are measured along the view", "[rays]")
+{
+    Camera camera;
+    camera.tan_half_height = 1;
+    camera.near_clip = 2;
+    camera.far_clip = 10;
+    const Ray corner = camera_ray(camera, {0, 0}, 1);
+    CHECK(corner.near == Approx(2 * std::sqrt(3.0)));
+    CHECK(corner.far == Approx(10 * std::sqrt(3.0)));
+    camera.far_clip = 0;
+    CHECK(std::isinf(camera_ray(camera, {0, 0}, 1).far));
+}

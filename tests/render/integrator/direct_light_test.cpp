@@ -1,0 +1,147 @@
+#include "common/math/sampling.h"
+#include "render/integrator/direct_light.h"
+#include "tests/support/statistics.h"
+#include "tests/support/tiny_scenes.h"
+
+#include <catch2/catch.hpp>
+
+using namespace hipmap;
+
+namespace {
+
+Scene matt_floor()
+{
+    Scene scene = tiny::make_scene(tiny::floor_at(0, 1));
+    scene.materials[0] = tiny::matt(Rgb(0.5f));
+    return scene;
+}
+
+/// Irradiance at (x, 0, z) of the floor seen from above, over many samples.
+RunningMean irradiance_at(const tiny::ReadyScene& ready, float x, float z, int samples)
+{
+    Ray down;
+    down.origin = {x, 0.05f, z};
+    down.direction = {0, -1, 0};
+    const std::optional<RayHit> hit = ready.render->rays.nearest(down);
+    REQUIRE(hit);
+    const Interaction at = interact(*ready.render, down, *hit);
+    RunningMean mean;
+    for (int i = 0; i < samples; ++i) {
+        RandomSequence random(17, RandomStream::eye_paths, 0, static_cast<std::uint64_t>(i));
+        mean.add(direct_irradiance(*ready.render, at, random).y);
+    }
+    return mean;
+}
+
+/// Irradiance under a parallel rectangle of radiance 1 at height h whose corner lies straight above
+/// the point; sides a, b.  Source: the configuration factor of Howell's catalogue, C-11, times pi.
+double corner_rectangle(double a, double b, double h)
+{
+    const double p = a / h, q = b / h;
+    const double u = std::sqrt(1 + p * p), v = std::sqrt(1 + q * q);
+    return 0.5 * (p / u * std::atan(q / u) + q / v * std::atan(p / v));
+}
+
+} // namespace
+
+TEST_CASE("direct light: a point light by the inverse square and the cosine", "[integrator]")
+{
+    Scene scene = matt_floor();
+    PunctualLight light;
+    light.position = {0.1f, 0.4f, -0.2f};
+    light.intensity = Rgb(3);
+    scene.lights = {light};
+    const auto ready = tiny::ready(scene);
+    for (const float x : {-0.4f, 0.0f, 0.3f}) {
+        const double distance2 = (x - 0.1) * (x - 0.1) + 0.4 * 0.4 + 0.2 * 0.2;
+        const double truth = 3 * 0.4 / std::pow(distance2, 1.5);
+        CHECK(irradiance_at(*ready, x, 0, 2).mean() == Approx(truth).epsilon(1e-5));
+    }
+}
+
+TEST_CASE("direct light: a sun by the cosine, a spot by its cone", "[integrator]")
+{
+    Scene scene = matt_floor();
+    PunctualLight sun;
+    sun.kind = LightKind::directional;
+    sun.direction = glm::normalize(glm::vec3(1, -2, 0));
+    sun.intensity = Rgb(5);
+    scene.lights = {sun};
+    CHECK(irradiance_at(*tiny::ready(scene), 0.2f, 0.1f, 2).mean() ==
+          Approx(5 * 2 / std::sqrt(5.0)));
+
+    PunctualLight spot;
+    spot.kind = LightKind::spot;
+    spot.position = {0, 0.5f, 0};
+    spot.direction = {0, -1, 0};
+    spot.intensity = Rgb(2);
+    spot.cos_inner = std::cos(0.2f);
+    spot.cos_outer = std::cos(0.5f);
+    scene.lights = {spot};
+    const auto ready = tiny::ready(scene);
+    CHECK(irradiance_at(*ready, 0.05f, 0, 2).mean() ==
+          Approx(2 * 0.5 / std::pow(0.05 * 0.05 + 0.25, 1.5)).epsilon(1e-5));
+    CHECK(irradiance_at(*ready, 0.45f, 0, 2).mean() == 0);
+}
+
+TEST_CASE("direct light: a square light by its form factor", "[integrator]")
+{
+    Scene scene = matt_floor();
+    tiny::add(scene, tiny::floor_at(0.3f, -0.4f), tiny::lamp(Rgb(2)));
+    const auto ready = tiny::ready(scene);
+    // Straight below the middle: four rectangles of half the side.
+    const RunningMean middle = irradiance_at(*ready, 0, 0, 20000);
+    CHECK(std::abs(middle.z_score(2 * 4 * corner_rectangle(0.2, 0.2, 0.3))) < kMostZ);
+    // Below a point 0.1 beyond the side: differences of rectangles.
+    const RunningMean beyond = irradiance_at(*ready, 0.3f, 0, 20000);
+    const double truth =
+        2 * 2 * (corner_rectangle(0.5, 0.2, 0.3) - corner_rectangle(0.1, 0.2, 0.3));
+    CHECK(std::abs(beyond.z_score(truth)) < kMostZ);
+}
+
+TEST_CASE("direct light: a light that nearly touches the surface stays steady", "[integrator]")
+{
+    Scene scene = matt_floor();
+    tiny::add(scene, tiny::floor_at(0.001f, -0.4f), tiny::lamp(Rgb(1)));
+    const auto ready = tiny::ready(scene);
+    Ray down;
+    down.origin = {0.03f, 0.0005f, 0.02f};
+    down.direction = {0, -1, 0};
+    const Interaction at = interact(*ready->render, down, *ready->render->rays.nearest(down));
+    RunningMean mean;
+    double largest = 0;
+    for (std::uint64_t i = 0; i < 20000; ++i) {
+        RandomSequence random(17, RandomStream::eye_paths, 0, i);
+        const double value = direct_irradiance(*ready->render, at, random).x;
+        largest = std::max(largest, value);
+        mean.add(value);
+    }
+    CHECK(std::abs(mean.z_score(kPi * (1 - 1e-4))) < kMostZ);
+    CHECK(largest <
+          3 * kPi); // both techniques together are bounded by twice the truth and a little
+}
+
+TEST_CASE("direct light: under a uniform sky an open floor receives pi L", "[integrator]")
+{
+    Scene scene = matt_floor();
+    scene.environment = Rgb(0.25f);
+    const auto ready = tiny::ready(scene);
+    const RunningMean mean = irradiance_at(*ready, 0, 0, 100);
+    CHECK(mean.mean() == Approx(kPi * 0.25).epsilon(1e-4));
+}
+
+TEST_CASE("direct light: many lights are sampled without bias", "[integrator]")
+{
+    Scene scene = matt_floor();
+    double truth = 0;
+    for (int i = 0; i < 100; ++i) {
+        PunctualLight light;
+        light.position = {0.01f * static_cast<float>(i) - 0.5f, 0.3f, 0.1f};
+        light.intensity = Rgb(static_cast<float>(i % 7));
+        const double distance2 = glm::dot(glm::dvec3(light.position), glm::dvec3(light.position));
+        truth += (i % 7) * 0.3 / std::pow(distance2, 1.5);
+        scene.lights.push_back(light);
+    }
+    const RunningMean mean = irradiance_at(*tiny::ready(scene), 0, 0, 5000);
+    CHECK(std::abs(mean.z_score(truth)) < kMostZ);
+}

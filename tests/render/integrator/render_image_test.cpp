@@ -1,0 +1,199 @@
+#include "common/math/sampling.h"
+#include "render/integrator/render_image.h"
+#include "tests/support/statistics.h"
+#include "tests/support/tiny_scenes.h"
+
+#include <catch2/catch.hpp>
+#include <tbb/global_control.h>
+
+using namespace hipmap;
+
+namespace {
+
+/// The inside of a closed diffuse sphere, albedo 1/2, radiance emitted 1/2: 1 everywhere.
+Scene furnace()
+{
+    TriangleMesh sphere = tiny::uv_sphere(48, 24);
+    tiny::turn_inside_out(sphere);
+    tiny::scale(sphere, 0.5f);
+    Scene scene = tiny::make_scene(sphere);
+    scene.materials[0] = tiny::matt(Rgb(0.5f));
+    scene.materials[0].emission = Rgb(0.5f);
+    scene.cameras[0].position = {0.1f, 0.05f, 0};
+    scene.cameras[0].tan_half_height = 1;
+    return scene;
+}
+
+/// A matt box, inside, with a glass ball, a mirror ball and a lamp.
+Scene room()
+{
+    TriangleMesh walls = tiny::cube();
+    tiny::turn_inside_out(walls);
+    Scene scene = tiny::make_scene(walls);
+    scene.materials[0] = tiny::matt({0.7f, 0.6f, 0.5f});
+    TriangleMesh ball = tiny::uv_sphere(16, 8);
+    tiny::scale(ball, 0.15f);
+    tiny::move(ball, {-0.2f, -0.3f, 0});
+    tiny::add(scene, ball, tiny::glass(1.5f));
+    tiny::move(ball, {0.4f, 0, 0});
+    tiny::add(scene, ball, tiny::mirror(Rgb(0.9f)));
+    tiny::add(scene, tiny::floor_at(0.45f, -0.3f), tiny::lamp(Rgb(5)));
+    scene.cameras[0].position = {0, 0, 0.48f};
+    scene.cameras[0].tan_half_height = 0.8f;
+    return scene;
+}
+
+RenderOptions small_options()
+{
+    RenderOptions options;
+    options.width = 24;
+    options.height = 16;
+    options.photons = 20000;
+    options.passes = 2;
+    return options;
+}
+
+double mean_luminance(const Image& image)
+{
+    double sum = 0;
+    for (const Rgb& pixel : image.pixels)
+        sum += luminance(pixel);
+    return sum / static_cast<double>(image.pixels.size());
+}
+
+} // namespace
+
+TEST_CASE("render: a closed diffuse sphere has radiance one in every mode with photons",
+          "[integrator]")
+{
+    const auto ready = tiny::ready(furnace());
+    for (const MapMode mode : {MapMode::global, MapMode::shared, MapMode::thesis})
+        for (const DirectLight direct : {DirectLight::shadow_rays, DirectLight::photons}) {
+            RenderOptions options = small_options();
+            options.width = options.height = 16;
+            options.maps.mode = mode;
+            options.maps.local_min = 20;
+            options.direct = direct;
+            options.passes = 1;
+            RunningMean mean;
+            for (options.seed = 0; options.seed < 24; ++options.seed)
+                mean.add(mean_luminance(render_image(*ready->render, options, {}).image));
+            INFO("mode " << static_cast<int>(mode) << ", direct " << static_cast<int>(direct));
+            // The facets of the sphere are chords: a disc around a point has a little more area on
+            // the sphere than in the plane.  That bias is below 1 part in 200 here.
+            CHECK(std::abs(mean.mean() - 1) < 0.005 + kMostZ * mean.standard_error());
+            CHECK(mean.standard_error() < 0.005);
+        }
+}
+
+TEST_CASE("render: without photons the sphere shows emission and one bounce", "[integrator]")
+{
+    const auto ready = tiny::ready(furnace());
+    RenderOptions options = small_options();
+    options.maps.mode = MapMode::none;
+    options.samples = 16;
+    RunningMean mean;
+    for (options.seed = 0; options.seed < 16; ++options.seed)
+        mean.add(mean_luminance(render_image(*ready->render, options, {}).image));
+    CHECK(std::abs(mean.z_score(0.75)) < kMostZ);
+}
+
+TEST_CASE("render: 1, 2 and 7 threads make the same image, bit for bit", "[integrator]")
+{
+    const auto ready = tiny::ready(room());
+    for (const MapMode mode : {MapMode::none, MapMode::global, MapMode::shared, MapMode::thesis}) {
+        RenderOptions options = small_options();
+        options.maps.mode = mode;
+        options.maps.local_min = 100;
+        const auto render_with = [&](std::size_t threads) {
+            const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+            return render_image(*ready->render, options, {});
+        };
+        const RenderedImage one = render_with(1);
+        CHECK(mean_luminance(one.image) > 0.1);
+        for (const std::size_t threads : {2, 7}) {
+            const RenderedImage many = render_with(threads);
+            CHECK(one.image.pixels == many.image.pixels);
+            CHECK(one.statistics.global.searches.photons_found ==
+                  many.statistics.global.searches.photons_found);
+            CHECK(one.statistics.global.searches.abandoned ==
+                  many.statistics.global.searches.abandoned);
+        }
+    }
+}
+
+TEST_CASE("render: thesis and shared maps make the same image of a room of flat walls",
+          "[integrator]")
+{
+    const auto ready = tiny::ready(room());
+    RenderOptions options = small_options();
+    options.maps.mode = MapMode::shared;
+    const Image shared = render_image(*ready->render, options, {}).image;
+    options.maps.mode = MapMode::thesis;
+    options.maps.local_min = 100;
+    const RenderedImage thesis = render_image(*ready->render, options, {});
+    CHECK(thesis.statistics.global.local_maps > 0);
+    CHECK(thesis.statistics.global.searches.local_searches > 0);
+    CHECK(thesis.image.pixels == shared.pixels);
+}
+
+TEST_CASE("render: a mirror shows the sky by its reflectance, clear glass passes it whole",
+          "[integrator]")
+{
+    for (const Material& material : {tiny::mirror(Rgb(0.8f)), tiny::glass(1.5f)}) {
+        TriangleMesh ball = tiny::uv_sphere(32, 16);
+        Scene scene = tiny::make_scene(ball);
+        scene.materials[0] = material;
+        scene.environment = Rgb(2);
+        scene.cameras[0].position = {0, 0, 5};
+        scene.cameras[0].tan_half_height = 0.1f;
+        const auto ready = tiny::ready(scene);
+        RenderOptions options = small_options();
+        options.samples = 64;
+        const Image image = render_image(*ready->render, options, {}).image;
+        const bool clear = material.transmission > 0;
+        for (const Rgb& pixel : image.pixels) {
+            if (clear)
+                CHECK(pixel.y == Approx(2.0).epsilon(0.05)); // light paths that bounce on are noise
+            else
+                CHECK(pixel.y == Approx(1.6).epsilon(0.02));
+        }
+    }
+}
+
+TEST_CASE("render: photons and shadow rays agree on direct light", "[integrator]")
+{
+    const auto ready = tiny::ready(room());
+    RenderOptions options = small_options();
+    options.width = options.height = 12;
+    options.samples = 8;
+    options.maps.neighbours = 30;
+    RunningMean difference;
+    for (options.seed = 0; options.seed < 24; ++options.seed) {
+        options.direct = DirectLight::shadow_rays;
+        const double rays = mean_luminance(render_image(*ready->render, options, {}).image);
+        options.direct = DirectLight::photons;
+        const double photons = mean_luminance(render_image(*ready->render, options, {}).image);
+        difference.add(photons / rays);
+    }
+    // Photons blur shadows, which moves light about but hardly changes its amount.
+    CHECK(std::abs(difference.mean() - 1) < 0.02 + kMostZ * difference.standard_error());
+}
+
+TEST_CASE("render: a stop keeps whole passes", "[integrator]")
+{
+    const auto ready = tiny::ready(room());
+    RenderOptions options = small_options();
+    options.passes = 1;
+    const Image one = render_image(*ready->render, options, {}).image;
+    options.passes = 5;
+    std::atomic<bool> stop{false};
+    RenderControl control;
+    control.stop = &stop;
+    control.progress = [&stop](double done) { stop = stop || done > 0.3; }; // in the second pass
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 1);
+    const RenderedImage stopped = render_image(*ready->render, options, control);
+    CHECK(stopped.stopped);
+    CHECK(stopped.statistics.passes == 1);
+    CHECK(stopped.image.pixels == one.pixels);
+}

@@ -1,0 +1,156 @@
+#include "common/math/sampling.h"
+#include "render/photons/trace_photons.h"
+#include "tests/support/statistics.h"
+#include "tests/support/tiny_scenes.h"
+
+#include <catch2/catch.hpp>
+#include <tbb/global_control.h>
+
+#include <cstring>
+
+using namespace hipmap;
+
+namespace {
+
+/// A box with its front open: matt walls, a glass and a mirror ball, a lamp and a point light.
+Scene open_room()
+{
+    TriangleMesh room = tiny::open_box();
+    tiny::turn_inside_out(room);
+    Scene scene = tiny::make_scene(room);
+    scene.materials[0] = tiny::matt({0.7f, 0.5f, 0.3f});
+    TriangleMesh ball = tiny::uv_sphere(24, 12);
+    tiny::scale(ball, 0.15f);
+    tiny::move(ball, {-0.2f, -0.2f, 0});
+    Material tinted = tiny::glass(1.5f);
+    tinted.absorption = {0.5f, 1.0f, 2.0f};
+    tiny::add(scene, ball, tinted);
+    tiny::move(ball, {0.4f, 0, 0});
+    tiny::add(scene, ball, tiny::mirror({0.9f, 0.8f, 0.7f}));
+    TriangleMesh lamp = tiny::floor_at(0.4f, -0.3f);
+    tiny::add(scene, lamp, tiny::lamp({3, 4, 5}));
+    PunctualLight point;
+    point.position = {0.1f, 0.1f, 0.2f};
+    point.intensity = {1, 2, 1};
+    scene.lights = {point};
+    return scene;
+}
+
+bool same_bytes(const std::vector<Photon>& a, const std::vector<Photon>& b)
+{
+    if (a.size() != b.size())
+        return false;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        if (a[i].position != b[i].position || a[i].power != b[i].power ||
+            a[i].direction != b[i].direction || a[i].face != b[i].face || a[i].side != b[i].side)
+            return false;
+    return true;
+}
+
+} // namespace
+
+TEST_CASE("trace photons: emitted power is absorbed or escapes", "[photons]")
+{
+    const auto ready = tiny::ready(open_room());
+    for (int channel = 0; channel < 3; ++channel) {
+        RunningMean lost;
+        double emitted = 0;
+        for (std::uint64_t pass = 0; pass < 64; ++pass) {
+            const TracedPhotons traced = trace_photons(*ready->render, {4096, 1, pass, true});
+            emitted = traced.power.emitted[channel];
+            lost.add(traced.power.absorbed[channel] + traced.power.escaped[channel]);
+            CHECK(traced.dropped == 0);
+            CHECK(traced.cut == 0);
+        }
+        CHECK(std::abs(lost.z_score(emitted)) < kMostZ);
+        CHECK(lost.standard_error() < 0.01 * emitted);
+    }
+}
+
+TEST_CASE("trace photons: 1, 2 and 7 threads trace the same photons", "[photons]")
+{
+    const auto ready = tiny::ready(open_room());
+    const PhotonOptions options{20000, 3, 0, true};
+    const auto trace_with = [&](std::size_t threads) {
+        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+        return trace_photons(*ready->render, options);
+    };
+    const TracedPhotons one = trace_with(1);
+    REQUIRE(one.global.size() > 10000);
+    REQUIRE(one.caustic.size() > 100);
+    for (const std::size_t threads : {2, 7}) {
+        const TracedPhotons many = trace_with(threads);
+        CHECK(same_bytes(one.global, many.global));
+        CHECK(same_bytes(one.caustic, many.caustic));
+        CHECK(one.power.absorbed == many.power.absorbed);
+    }
+}
+
+TEST_CASE("trace photons: direct photons carry the irradiance of a point light", "[photons]")
+{
+    // A point light at height h over the middle of a square: flux through it in closed form.
+    Scene scene = tiny::make_scene(tiny::floor_at(0, 1));
+    scene.materials[0] = tiny::matt(Rgb(0.5f));
+    PunctualLight light;
+    light.position = {0, 0.25f, 0};
+    light.intensity = Rgb(1);
+    scene.lights = {light};
+    const auto ready = tiny::ready(scene);
+    // Solid angle of a square of half side a seen from height h.
+    const double a = 0.5, h = 0.25;
+    const double truth = 4 * std::asin(a * a / (a * a + h * h));
+    RunningMean flux;
+    for (std::uint64_t pass = 0; pass < 50; ++pass) {
+        const TracedPhotons traced = trace_photons(*ready->render, {2000, 1, pass, true});
+        double sum = 0;
+        for (const Photon& photon : traced.global)
+            sum += photon.power.x;
+        flux.add(sum);
+        CHECK(traced.caustic.empty());
+    }
+    CHECK(std::abs(flux.z_score(truth)) < kMostZ);
+}
+
+TEST_CASE("trace photons: classes go to their maps, sides are told apart", "[photons]")
+{
+    const auto ready = tiny::ready(open_room());
+    const TracedPhotons with = trace_photons(*ready->render, {20000, 1, 0, true});
+    const TracedPhotons without = trace_photons(*ready->render, {20000, 1, 0, false});
+    CHECK(with.global.size() > without.global.size());
+    CHECK(with.caustic.size() == without.caustic.size());
+    const std::vector<Bsdf>& bsdfs = ready->render->bsdfs;
+    for (const Photon& photon : with.global) {
+        CHECK(bsdfs[ready->scene.mesh.material_of_face[photon.face]].has_diffuse());
+        const glm::dvec3 normal = scaled_normal(ready->scene.mesh, photon.face);
+        const bool front = glm::dot(glm::dvec3(photon.direction), normal) > 0;
+        const bool flipped = ready->partition.flipped[photon.face] != 0;
+        CHECK(photon.side == (front == flipped ? 1 : 0));
+    }
+    CHECK(trace_photons(*ready->render, {0, 1, 0, true}).global.empty());
+}
+
+TEST_CASE("trace photons: a closed glass ball absorbs by Beer and Lambert", "[photons]")
+{
+    // One narrow beam straight through the middle of a slab: two crossings, one thickness.
+    TriangleMesh slab = tiny::cube();
+    for (glm::vec3& p : slab.positions)
+        p.y *= 0.5f;
+    Scene scene = tiny::make_scene(slab);
+    scene.materials[0] = tiny::glass(1.0f); // no reflection: only absorption is left
+    scene.materials[0].absorption = {1, 2, 4};
+    PunctualLight sun;
+    sun.kind = LightKind::directional;
+    sun.direction = {0, -1, 0};
+    sun.intensity = Rgb(1);
+    scene.lights = {sun};
+    const auto ready = tiny::ready(scene);
+    const TracedPhotons traced = trace_photons(*ready->render, {100000, 1, 0, true});
+    const double radius2 = std::pow(ready->render->lights.radius, 2);
+    for (int c = 0; c < 3; ++c) {
+        // The sun's disc is larger than the slab: what misses it escapes whole.
+        const double absorbed = 1 - std::exp(-0.5 * scene.materials[0].absorption[c]);
+        const double share = 1 / (kPi * radius2); // of the disc, by the slab of area one
+        CHECK(traced.power.absorbed[c] / traced.power.emitted[c] ==
+              Approx(share * absorbed).epsilon(0.02));
+    }
+}
