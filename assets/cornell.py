@@ -111,7 +111,7 @@ def add_lamp():
 def add_camera():
     camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
     camera.data.lens = 50.0
-    camera.location = (0, -3.8, 1.0)
+    camera.location = (0, -3.7, 1.0)
     camera.rotation_euler = (math.radians(90), 0, 0)
     bpy.context.collection.objects.link(camera)
     scene = bpy.context.scene

@@ -7,7 +7,6 @@ import os
 import signal
 import subprocess
 import sys
-import time
 
 import tools
 from pictures import read_pfm
@@ -101,9 +100,11 @@ class Errors(ToolsTestCase):
                    self.path("a.pfm"), "--size", "16x16", "--photons", "2000", "--passes",
                    "1000000"]
         with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as render:
-            time.sleep(2)
+            said = ""
+            while " %" not in said and render.poll() is None:
+                said = render.stderr.readline()  # until progress is reported
             render.send_signal(signal.SIGTERM)
-            said = render.communicate(timeout=120)[1]
+            said += render.communicate(timeout=120)[1]
         self.assertEqual(render.returncode, 3, said)
         image = read_pfm(self.path("a.pfm"))
         self.assertGreater(min(image.mean()), 0)
