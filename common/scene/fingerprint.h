@@ -5,8 +5,7 @@
 #include <array>
 #include <cstdint>
 
-namespace hipmap
-{
+namespace hipmap {
 
 /// 128-bit hash of what a partition depends on: the frame, the positions and the corners.
 /// Not of materials, lights or cameras.  Cost: linear in the mesh.

@@ -7,8 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace hipmap
-{
+namespace hipmap {
 
 /// What the numbers of punctual lights mean (Blender's exporter calls the modes Standard, Unitless
 /// and Raw): lumen-based as the specification has it, W/sr and W/m2, or lamp watts.

@@ -6,8 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace hipmap
-{
+namespace hipmap {
 
 /// Index of a face (a world-space triangle) in load order; the same in both tools.
 using FaceId = std::uint32_t;

@@ -7,8 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace hipmap
-{
+namespace hipmap {
 
 /// Where the scene lies in the world.  Inside hipmap all lengths are scene units: the world is
 /// moved so that the bounding box of its faces is centred on the origin and divided by a power of

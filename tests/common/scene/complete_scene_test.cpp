@@ -1,0 +1,161 @@
+#include "common/input_error.h"
+#include "common/scene/fingerprint.h"
+#include "common/scene/print_audit.h"
+#include "tests/common/scene/tiny_gltf_file.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+namespace hipmap::tiny {
+
+namespace {
+
+GltfFile glowing()
+{
+    GltfFile file = tetrahedron();
+    file.root["materials"][0]["emissiveFactor"] = {1, 1, 1};
+    return file;
+}
+
+GltfFile two_cameras()
+{
+    GltfFile file = tetrahedron();
+    file.root["cameras"] = {
+        {{"type", "perspective"}, {"perspective", {{"yfov", 0.8}, {"znear", 0.1}}}}};
+    file.root["nodes"].push_back({{"name", "front"}, {"camera", 0}});
+    file.root["nodes"].push_back({{"name", "top"}, {"camera", 0}});
+    file.root["scenes"][0]["nodes"] = {0, 1, 2};
+    return file;
+}
+
+} // namespace
+
+TEST_CASE("without a camera one is supplied that sees every vertex", "[scene][camera]")
+{
+    for (const auto& scale :
+         {json{1, 1, 1}, json{100, 0.01, 1}, json{1e-5, 1e-5, 1e5}, json{0, 0, 0}}) {
+        GltfFile file = tetrahedron();
+        file.root["nodes"][0]["scale"] = scale;
+        const LoadedScene loaded = load(file);
+        REQUIRE(loaded.scene.cameras.size() == 1);
+        CHECK(says(loaded.audit.assumed, "no camera in the file"));
+        const Camera& camera = loaded.scene.cameras[0];
+        for (const glm::vec3& position : loaded.scene.mesh.positions) {
+            const glm::vec3 to = position - camera.position;
+            const float depth = glm::dot(to, camera.forward);
+            CHECK(depth > 0);
+            CHECK(std::abs(glm::dot(to, camera.up)) <= camera.tan_half_height * depth);
+            CHECK(std::abs(glm::dot(to, camera.right)) <= camera.tan_half_height * depth);
+        }
+        CHECK(camera.forward.z < 0); // from the front,
+        CHECK(camera.forward.y < 0); // slightly above
+    }
+}
+
+TEST_CASE("of several cameras the named one is taken", "[scene][camera]")
+{
+    const LoadedScene first = load(two_cameras());
+    CHECK(first.scene.camera == 0);
+    CHECK(says(first.audit.found, "2 cameras: 'front' and 'top'; taking 'front' (--camera"));
+    SceneOptions options;
+    options.camera = "top";
+    CHECK(load(two_cameras(), options).scene.camera == 1);
+    options.camera = "back";
+    CHECK_THROWS_WITH(load(two_cameras(), options),
+                      Catch::Contains("'back'") && Catch::Contains("'front' and 'top'"));
+    CHECK_THROWS_WITH(load(tetrahedron(), options), Catch::Contains("no cameras"));
+}
+
+TEST_CASE("only a scene without light gets a grey sky", "[scene][lights]")
+{
+    const LoadedScene dark = load(tetrahedron());
+    CHECK(dark.scene.environment == Rgb(1.0f));
+    CHECK(says(dark.audit.assumed, "Punctual Lights"));
+    CHECK(load(glowing()).scene.environment == Rgb(0.0f));
+
+    GltfFile unworn = tetrahedron(); // an emissive material that no face wears lights nothing
+    unworn.root["materials"].push_back({{"emissiveFactor", {1, 1, 1}}});
+    CHECK(load(unworn).scene.environment == Rgb(1.0f));
+
+    SceneOptions options;
+    options.environment = Rgb(0.0f, 0.5f, 2.0f);
+    CHECK(load(glowing(), options).scene.environment == Rgb(0.0f, 0.5f, 2.0f));
+    options.environment = Rgb(0.0f);
+    CHECK(says(load(tetrahedron(), options).audit.warnings, "black"));
+}
+
+TEST_CASE("a lamp without power does not count as light", "[scene][lights]")
+{
+    GltfFile file = tetrahedron();
+    file.root["extensions"] = {
+        {"KHR_lights_punctual", {{"lights", {{{"type", "point"}, {"intensity", 0}}}}}}};
+    file.root["nodes"][0]["extensions"] = {{"KHR_lights_punctual", {{"light", 0}}}};
+    const LoadedScene loaded = load(file);
+    CHECK(loaded.scene.environment == Rgb(1.0f));
+    CHECK(says(loaded.audit.warnings, "no power in light 'thing'"));
+}
+
+TEST_CASE("excluded objects leave no trace in faces, vertices or the box", "[scene]")
+{
+    GltfFile file = glowing();
+    file.root["nodes"].push_back({{"name", "cutter"}, {"mesh", 0}, {"translation", {100, 0, 0}}});
+    file.root["scenes"][0]["nodes"] = {0, 1};
+    SceneOptions options;
+    options.exclude = {"cutter"};
+    const LoadedScene left = load(file, options);
+    const LoadedScene plain = load(glowing());
+    CHECK(fingerprint(left.scene) == fingerprint(plain.scene));
+    CHECK(left.scene.mesh.positions.size() == 4);
+    CHECK(says(left.audit.found, "excluded: 'cutter', 4 faces"));
+
+    options.exclude = {"tetrahedron"}; // the mesh that both share
+    CHECK_THROWS_WITH(load(file, options), Catch::Contains("no faces"));
+    options.exclude = {"cuter"};
+    CHECK_THROWS_WITH(load(file, options),
+                      Catch::Contains("--exclude 'cuter'") && Catch::Contains("'cutter'"));
+}
+
+TEST_CASE("transmissive materials and what glows are spoken of", "[scene]")
+{
+    GltfFile file = glowing();
+    file.root["materials"][0]["extensions"] = {
+        {"KHR_materials_transmission", {{"transmissionFactor", 1}}}};
+    const LoadedScene loaded = load(file);
+    CHECK(says(loaded.audit.assumed, "'paint': solid glass where its mesh is closed"));
+    CHECK(says(loaded.audit.found, "glowing material 'paint' on 4 faces"));
+    CHECK(says(loaded.audit.found, "4 faces in 1 object, 1 material"));
+}
+
+TEST_CASE("a fingerprint follows geometry and frame and nothing else", "[scene][fingerprint]")
+{
+    const Scene scene = load(tetrahedron()).scene;
+    Scene other = scene;
+    other.materials[0].base_color = Rgb(0.5f);
+    other.cameras[0].position.x += 1;
+    other.environment = Rgb(3.0f);
+    other.mesh.object_names = {"renamed"};
+    CHECK(fingerprint(other) == fingerprint(scene));
+
+    other = scene;
+    other.mesh.positions[2].y = std::nextafter(other.mesh.positions[2].y, 9.0f);
+    CHECK_FALSE(fingerprint(other) == fingerprint(scene));
+    other = scene;
+    std::swap(other.mesh.corners[0], other.mesh.corners[1]);
+    CHECK_FALSE(fingerprint(other) == fingerprint(scene));
+    other = scene;
+    other.frame.metres_per_unit *= 2;
+    CHECK_FALSE(fingerprint(other) == fingerprint(scene));
+    other = scene;
+    other.mesh.corners.pop_back();
+    CHECK_FALSE(fingerprint(other) == fingerprint(scene));
+}
+
+TEST_CASE("printing an audit counts what is lost as warnings", "[scene]")
+{
+    Report report;
+    print_audit(report, {{"4 faces"}, {"a camera"}, {"no texture", "no fog"}});
+    CHECK(report.warnings() == 2);
+}
+
+} // namespace hipmap::tiny

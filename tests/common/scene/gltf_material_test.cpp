@@ -1,0 +1,179 @@
+#include "common/input_error.h"
+#include "tests/common/scene/tiny_gltf_file.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+namespace hipmap::tiny {
+
+namespace {
+
+/// The one material of a tetrahedron whose longest side is `size` metres.
+LoadedScene load_material(const json& material, double size = 1.0)
+{
+    GltfFile file = tetrahedron();
+    file.root["nodes"][0]["scale"] = {size, size, size};
+    file.root["materials"] = json::array({material});
+    return load(file);
+}
+
+void check_colour(const Rgb& colour, double r, double g, double b)
+{
+    CHECK(colour.x == Approx(r));
+    CHECK(colour.y == Approx(g));
+    CHECK(colour.z == Approx(b));
+}
+
+} // namespace
+
+TEST_CASE("a material's factors and extensions are read as glTF defines them", "[scene][gltf]")
+{
+    const Material m =
+        load_material({{"name", "all"},
+                       {"doubleSided", true},
+                       {"emissiveFactor", {1.0, 0.5, 0.25}},
+                       {"pbrMetallicRoughness",
+                        {{"baseColorFactor", {0.1, 0.2, 0.3, 0.4}},
+                         {"metallicFactor", 0.25},
+                         {"roughnessFactor", 0.75}}},
+                       {"extensions",
+                        {{"KHR_materials_emissive_strength", {{"emissiveStrength", 8}}},
+                         {"KHR_materials_transmission", {{"transmissionFactor", 0.9}}},
+                         {"KHR_materials_ior", {{"ior", 1.33}}},
+                         {"KHR_materials_specular",
+                          {{"specularFactor", 0.5}, {"specularColorFactor", {0.6, 0.7, 0.8}}}}}}})
+            .scene.materials.at(0);
+    CHECK(m.name == "all");
+    CHECK(m.double_sided);
+    check_colour(m.base_color, 0.1, 0.2, 0.3);
+    CHECK(m.metallic == 0.25f);
+    CHECK(m.roughness == 0.75f);
+    check_colour(m.emission, 8, 4, 2);
+    CHECK(m.transmission == 0.9f);
+    CHECK(m.ior == 1.33f);
+    CHECK(m.specular == 0.5f);
+    check_colour(m.specular_color, 0.6, 0.7, 0.8);
+    check_colour(m.absorption, 0, 0, 0);
+}
+
+TEST_CASE("what a material leaves out has glTF's default", "[scene][gltf]")
+{
+    const Material m = load_material(json::object()).scene.materials.at(0);
+    check_colour(m.base_color, 1, 1, 1);
+    CHECK(m.metallic == 1.0f);
+    CHECK(m.roughness == 1.0f);
+    check_colour(m.emission, 0, 0, 0);
+    CHECK_FALSE(m.double_sided);
+    CHECK(m.transmission == 0.0f);
+    CHECK(m.ior == 1.5f);
+    CHECK(m.specular == 1.0f);
+    check_colour(m.specular_color, 1, 1, 1);
+}
+
+TEST_CASE("absorption is per scene unit and finite for a black attenuation colour", "[scene][gltf]")
+{
+    // After attenuationDistance the attenuation colour is left: exp(-a d) = c.
+    const LoadedScene loaded = load_material(
+        {{"extensions",
+          {{"KHR_materials_volume",
+            {{"attenuationDistance", 0.25}, {"attenuationColor", {0.25, 1.0, 0.0}}}}}}},
+        3.0);
+    const double unit = loaded.scene.frame.metres_per_unit;
+    REQUIRE(unit == 4.0);
+    const Rgb absorption = loaded.scene.materials.at(0).absorption;
+    CHECK(std::exp(-absorption.x * 0.25 / unit) == Approx(0.25));
+    CHECK(absorption.y == 0.0f);
+    CHECK(std::isfinite(absorption.z));
+    CHECK(std::exp(-absorption.z * 0.25 / unit) < 1e-5);
+}
+
+TEST_CASE("factors beyond their range are clamped and warned of", "[scene][gltf]")
+{
+    const LoadedScene loaded =
+        load_material({{"name", "odd"},
+                       {"pbrMetallicRoughness", {{"roughnessFactor", 7}, {"metallicFactor", -1}}}});
+    CHECK(loaded.scene.materials.at(0).roughness == 1.0f);
+    CHECK(loaded.scene.materials.at(0).metallic == 0.0f);
+    CHECK(says(loaded.audit.warnings, "'odd': 'metallicFactor' and 'roughnessFactor'"));
+}
+
+TEST_CASE("negative emission, a too small index of refraction and a huge number are refused",
+          "[scene][gltf]")
+{
+    CHECK_THROWS_WITH(load_material({{"name", "m"}, {"emissiveFactor", {0, -1, 0}}}),
+                      Catch::Contains("material 'm'") && Catch::Contains("emission"));
+    CHECK_THROWS_AS(load_material({{"extensions", {{"KHR_materials_ior", {{"ior", 0.5}}}}}}),
+                    InputError);
+    CHECK_THROWS_AS(
+        load_material({{"extensions", {{"KHR_materials_volume", {{"attenuationDistance", 0}}}}}}),
+        InputError);
+    CHECK_THROWS_WITH(load_material({{"name", "m"}, {"emissiveFactor", {1e300, 0, 0}}}),
+                      Catch::Contains("material 'm'"));
+}
+
+TEST_CASE("an unlit material glows in its base colour and reflects nothing", "[scene][gltf]")
+{
+    const LoadedScene loaded =
+        load_material({{"name", "sign"},
+                       {"pbrMetallicRoughness", {{"baseColorFactor", {0.2, 0.4, 0.6, 1}}}},
+                       {"extensions", {{"KHR_materials_unlit", json::object()}}}});
+    check_colour(loaded.scene.materials.at(0).emission, 0.2, 0.4, 0.6);
+    check_colour(loaded.scene.materials.at(0).base_color, 0, 0, 0);
+    CHECK(says(loaded.audit.assumed, "'sign'"));
+}
+
+TEST_CASE("a lost node material and a missing material are spoken of", "[scene][gltf]")
+{
+    const LoadedScene lost =
+        load_material({{"name", "glass"}, {"pbrMetallicRoughness", json::object()}});
+    CHECK(says(lost.audit.warnings, "'glass' looks like a lost node material"));
+    const LoadedScene kept =
+        load_material({{"name", "steel"}, {"pbrMetallicRoughness", {{"roughnessFactor", 0.5}}}});
+    CHECK_FALSE(says(kept.audit.warnings, "lost"));
+
+    GltfFile bare = tetrahedron();
+    bare.root["meshes"][0]["primitives"][0].erase("material");
+    bare.root.erase("materials");
+    const LoadedScene loaded = load(bare);
+    CHECK(says(loaded.audit.assumed, "no material on 'thing'"));
+    CHECK(loaded.scene.materials.size() == 1);
+    CHECK(loaded.scene.mesh.material_of_face[0] == 0);
+}
+
+TEST_CASE("what is in a file but not read gets one warning by name", "[scene][gltf]")
+{
+    GltfFile file = tetrahedron();
+    json& root = file.root;
+    root["images"] = {{{"uri", "nowhere.png"}}};
+    root["textures"] = {{{"source", 0}}};
+    root["materials"] = json::array();
+    for (int i = 0; i < 7; ++i)
+        root["materials"].push_back(
+            {{"name", std::string("m").append(std::to_string(i))},
+             {"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}});
+    root["materials"][0]["normalTexture"] = {{"index", 0}};
+    root["materials"][1]["alphaMode"] = "BLEND";
+    root["materials"][2]["extensions"] = {{"KHR_materials_clearcoat", {{"clearcoatFactor", 1}}}};
+    root["materials"][3]["extras"] = {{"hipmap", {{"medium", "fog"}}}};
+    json& primitive = root["meshes"][0]["primitives"][0];
+    primitive["attributes"]["COLOR_0"] = primitive["attributes"]["POSITION"];
+    primitive["targets"] = {{{"POSITION", primitive["attributes"]["POSITION"]}}};
+    root["animations"] = {{{"channels", json::array()}, {"samplers", json::array()}}};
+    root["extensionsUsed"] = {"KHR_materials_clearcoat", "ACME_rounded_edges"};
+    root["nodes"][0]["extensions"] = {{"EXT_mesh_gpu_instancing", json::object()}};
+
+    const std::vector<std::string> warnings = load(file).audit.warnings;
+    for (const char* wanted :
+         {"baseColorTexture of materials ('m0', 'm1', 'm2', 'm3', 'm4' and 2 more)",
+          "normalTexture of materials ('m0')", "alphaMode BLEND", "KHR_materials_clearcoat",
+          "'hipmap' of materials ('m3')", "COLOR_0 (vertex colours) of meshes ('tetrahedron')",
+          "shape keys", "animations", "ACME_rounded_edges",
+          "EXT_mesh_gpu_instancing of objects ('thing')"}) {
+        INFO(wanted);
+        CHECK(says(warnings, wanted));
+    }
+    CHECK(warnings.size() == 10);
+}
+
+} // namespace hipmap::tiny
