@@ -1,15 +1,14 @@
 /// Compares a picture with a reference of the same scene.
 
 #include "bench/image_difference.h"
+#include "common/command_line/command_line.h"
 #include "common/image/exposure.h"
 #include "common/image/read_image.h"
 #include "common/image/write_image.h"
 #include "common/input_error.h"
 
-#include <CLI/CLI.hpp>
-
 #include <cstdio>
-#include <exception>
+#include <optional>
 #include <string>
 
 namespace {
@@ -46,23 +45,18 @@ void compare(const std::string& image_path, const std::string& reference_path,
 
 int main(int argc, char** argv)
 {
-    CLI::App app{"Compares the linear pictures A and B (.exr, .pfm or .hdr); B is the reference."};
-    std::string image_path, reference_path, picture_path;
-    app.add_option("A", image_path, "picture to judge")->required();
-    app.add_option("B", reference_path, "reference of the same size")->required();
-    app.add_option("--side-by-side", picture_path,
-                   "write A beside B, both exposed as suits the reference");
-    try {
-        app.parse(argc, argv);
+    return hipmap::run_tool([&] {
+        CLI::App app("Compares linear pictures (.exr, .pfm or .hdr) of one scene.",
+                     "compare_images");
+        std::string image_path, reference_path, picture_path;
+        app.add_option("A", image_path, "Picture to judge")->required();
+        app.add_option("B", reference_path, "Reference of the same size")->required();
+        app.add_option("--side-by-side", picture_path,
+                       "Write A beside B, both exposed as suits the reference")
+            ->type_name("FILE");
+        if (const std::optional<int> code = hipmap::parse_arguments(app, argc, argv))
+            return *code;
         compare(image_path, reference_path, picture_path);
-    } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : 2;
-    } catch (const hipmap::InputError& error) {
-        std::fprintf(stderr, "error: %s\n", error.what());
-        return 2;
-    } catch (const std::exception& error) {
-        std::fprintf(stderr, "error: %s\n", error.what());
-        return 1;
-    }
-    return 0;
+        return hipmap::kExitDone;
+    });
 }
