@@ -94,7 +94,7 @@ HalfEdges find_half_edges(const TriangleMesh& mesh, const VertexWeld& weld)
     out.opposite = std::move(pairs.opposite);
     out.edge_class.assign(3 * mesh.face_count(), EdgeClass::degenerate);
     set_classes(out, groups, orientation.partner);
-    out.closed = find_closed_surfaces(mesh, out);
+    out.closed = find_closed_surfaces(mesh, faces, groups, out);
     return out;
 }
 

@@ -20,8 +20,9 @@ std::vector<std::uint32_t> pair_edges(std::size_t edge_count, const EdgeGroups& 
     return partner;
 }
 
-/// Walks one component breadth first.  `flipped` becomes whether a face is wound against the first
-/// one.  Appends the faces to `order`.
+/// Walks one component; `flipped` becomes whether a face is wound against the first one.
+/// Edges that the winding as authored suits are crossed first, so that a surface with one side is
+/// cut where its author let the winding change.
 class ComponentWalk {
   public:
     ComponentWalk(const WeldedFaces& faces, Orientation& out)
@@ -33,24 +34,43 @@ class ComponentWalk {
     std::span<const FaceId> walk(FaceId seed)
     {
         order_.clear();
+        against_.clear();
         if (seen_[seed])
             return {};
         seen_[seed] = 1;
         order_.push_back(seed);
-        for (std::size_t next = 0; next < order_.size(); ++next)
-            for (std::uint32_t c = 0; c < 3; ++c)
-                cross(3 * order_[next] + c);
-        return order_;
+        std::size_t next_face = 0;
+        std::size_t next_edge = 0;
+        for (;;) {
+            while (next_face < order_.size())
+                leave(order_[next_face++]);
+            if (next_edge == against_.size())
+                return order_;
+            cross(against_[next_edge++]);
+        }
     }
 
   private:
+    void leave(FaceId face)
+    {
+        for (std::uint32_t edge = 3 * face; edge < 3 * face + 3; ++edge) {
+            const std::uint32_t twin = out_.partner[edge];
+            if (twin == kNone)
+                continue;
+            if (same_direction(edge, twin))
+                against_.push_back(edge);
+            else
+                cross(edge);
+        }
+    }
+
     void cross(std::uint32_t edge)
     {
         const std::uint32_t twin = out_.partner[edge];
-        if (twin == kNone)
+        if (twin == kNone) // cut from its other side
             return;
-        const bool same_direction = faces_.start(edge) == faces_.start(twin);
-        const std::uint8_t wanted = out_.flipped[edge / 3] ^ std::uint8_t{same_direction};
+        const std::uint8_t wanted =
+            out_.flipped[edge / 3] ^ std::uint8_t{same_direction(edge, twin)};
         if (!seen_[twin / 3]) {
             seen_[twin / 3] = 1;
             out_.flipped[twin / 3] = wanted;
@@ -61,10 +81,16 @@ class ComponentWalk {
         }
     }
 
+    bool same_direction(std::uint32_t edge, std::uint32_t twin) const
+    {
+        return faces_.start(edge) == faces_.start(twin);
+    }
+
     const WeldedFaces& faces_;
     Orientation& out_;
     std::vector<std::uint8_t> seen_;
     std::vector<FaceId> order_;
+    std::vector<std::uint32_t> against_; ///< edges met on the way that the winding does not suit
 };
 
 } // namespace

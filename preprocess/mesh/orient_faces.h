@@ -15,7 +15,8 @@ struct Orientation {
 /// Neighbours across an edge of exactly two faces are wound alike where they run along it in
 /// opposite directions.  Of each component the part with the larger area (as it was authored; ties
 /// go to its lowest face) is kept and the rest marked, so that no component is turned as a whole.
-/// Where a component cannot be oriented, the edges that contradict are cut.
+/// Where a component cannot be oriented, edges that contradict are cut, along a change of the
+/// authored winding.
 /// Linear, one thread; degenerate faces are left out.
 Orientation orient_faces(const TriangleMesh& mesh, const WeldedFaces& faces,
                          const EdgeGroups& groups);

@@ -114,6 +114,32 @@ TEST_CASE("half edges: closed is told for each surface by itself", "[mesh]")
     CHECK(half_edges(mesh).closed == std::vector<std::uint8_t>{1, 1, 1, 1, 0, 0});
 }
 
+TEST_CASE("half edges: two boxes that share an edge are closed if they are two objects", "[mesh]")
+{
+    TriangleMesh other = tiny::cube();
+    for (glm::vec3& p : other.positions)
+        p += glm::vec3(1, 1, 0);
+    TriangleMesh both = tiny::together(tiny::cube(), other);
+    CHECK_FALSE(any_closed(half_edges(both)));
+    std::fill(both.object_of_face.begin() + 12, both.object_of_face.end(), 1);
+    const HalfEdges edges = half_edges(both);
+    CHECK(edges.defects.non_manifold_edges == 1);
+    CHECK(all_closed(edges));
+}
+
+TEST_CASE("half edges: a sliver without area does not open a closed surface", "[mesh]")
+{
+    // The edge from 0 to 1 of a tetrahedron is split by vertex 4 in one of its faces only, and the
+    // gap is filled with a face without area.
+    TriangleMesh mesh = tiny::tetrahedron();
+    mesh.positions.emplace_back(0.5f, 0, 0);
+    mesh.corners = {{0, 2, 4}, {4, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}, {0, 4, 1}};
+    mesh = tiny::make_mesh(mesh.positions, mesh.corners);
+    const HalfEdges edges = half_edges(mesh);
+    require_sound(mesh, edges);
+    CHECK(edges.closed == std::vector<std::uint8_t>{1, 1, 1, 1, 1, 0});
+}
+
 TEST_CASE("half edges: two cones that touch at their tips are two closed surfaces", "[mesh]")
 {
     TriangleMesh other = tiny::tetrahedron();
@@ -204,6 +230,7 @@ TEST_CASE("half edges: a Moebius strip is cut across once", "[mesh]")
     CHECK(edges.defects.cut_edges == 1);
     CHECK(count_class(edges, EdgeClass::non_manifold) == 2);
     CHECK(count_class(edges, EdgeClass::border) == 24);
+    CHECK(edges.defects.flipped_faces == 0);
     CHECK_FALSE(any_closed(edges));
 }
 
