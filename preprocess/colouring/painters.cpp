@@ -10,17 +10,18 @@ namespace hipmap {
 
 namespace {
 
-/// Half the width of a line, in pixels.  A line between two visible faces is drawn half on each; a
-/// border has one face for all of it.
-float half_width(EdgeClass edge_class)
+/// Half the width of a line, scene units.  A line between two visible faces is drawn half on each;
+/// a border has one face for all of it.  Lines within a map are thinner, and thinner still on faces
+/// that they would hide.
+float half_width(EdgeClass edge_class, float reach, float pixel)
 {
     switch (edge_class) {
     case EdgeClass::connected:
-        return 0.5f;
+        return std::min(0.5f * pixel, 0.15f * reach);
     case EdgeClass::unconnected:
-        return 0.75f;
+        return 0.75f * pixel;
     default:
-        return 1.5f;
+        return 1.5f * pixel;
     }
 }
 
@@ -47,7 +48,8 @@ std::optional<EdgeClass> line_at(const TriangleMesh& mesh, const Partition& part
         const glm::uvec3& corners = mesh.corners[point.face];
         const glm::vec3& from = mesh.positions[corners[static_cast<int>(c)]];
         const glm::vec3& to = mesh.positions[corners[static_cast<int>((c + 1) % 3)]];
-        if (seen_distance(point, from, to) < half_width(edge_class) * point.pixel)
+        const float width = half_width(edge_class, partition.reach[point.face], point.pixel);
+        if (seen_distance(point, from, to) < width)
             line = line ? std::max(*line, edge_class) : edge_class;
     }
     return line;

@@ -27,6 +27,8 @@ void count_edges(PartitionSummary& summary, const Partition& partition)
     for (std::uint32_t edge = 0; edge < partition.edge_class.size(); ++edge)
         if (partition.opposite[edge] == kNone || edge < partition.opposite[edge])
             ++summary.edges[static_cast<std::size_t>(partition.edge_class[edge])];
+    summary.edges[static_cast<std::size_t>(EdgeClass::non_manifold)] =
+        summary.defects.non_manifold_edges + summary.defects.cut_edges;
 }
 
 void measure_maps(PartitionSummary& summary, const Partition& partition, const TriangleMesh& mesh)

@@ -28,7 +28,7 @@ struct PartitionSummary {
     std::size_t faces = 0;
     std::size_t vertices = 0;
     std::size_t welded_vertices = 0;
-    std::array<std::size_t, 5> edges{}; ///< by EdgeClass; an edge of two faces counts once
+    std::array<std::size_t, 5> edges{}; ///< by EdgeClass; shared edges count once
     std::size_t edges_in_band = 0;      ///< within the tolerance of the angle threshold
     std::size_t candidates = 0;
     std::size_t closed_faces = 0;
