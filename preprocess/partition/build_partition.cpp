@@ -1,11 +1,11 @@
 #include "preprocess/partition/build_partition.h"
 
 #include "common/input_error.h"
+#include "common/stopwatch.h"
 #include "preprocess/partition/connected_edges.h"
 #include "preprocess/partition/local_candidates.h"
 
 #include <algorithm>
-#include <chrono>
 #include <string>
 
 namespace hipmap {
@@ -15,10 +15,9 @@ namespace {
 template <typename Work>
 auto timed(PartitionSummary& summary, std::string_view name, const Work& work)
 {
-    const auto begun = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     auto result = work();
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begun;
-    summary.passes.push_back({name, seconds.count()});
+    summary.passes.push_back({name, watch.seconds()});
     return result;
 }
 
