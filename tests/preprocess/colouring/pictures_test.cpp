@@ -1,0 +1,137 @@
+#include "common/file/output_file.h"
+#include "common/image/srgb.h"
+#include "preprocess/colouring/legend.h"
+#include "preprocess/colouring/painters.h"
+#include "preprocess/colouring/palette.h"
+#include "preprocess/colouring/partition_pictures.h"
+#include "preprocess/partition/build_partition.h"
+#include "tests/support/tiny_meshes.h"
+
+#include <catch2/catch.hpp>
+#include <tbb/global_control.h>
+#include <unistd.h>
+
+using namespace hipmap;
+
+namespace {
+
+/// A quad that fills the middle half of a square picture, both ways, seen head-on.
+Scene quad_scene()
+{
+    Scene scene = tiny::make_scene(tiny::quad());
+    scene.cameras[0].projection = Projection::orthographic;
+    scene.cameras[0].position = {0.5f, 0.5f, 1};
+    scene.cameras[0].half_height = 1;
+    return scene;
+}
+
+Rgb display(const Rgb& linear)
+{
+    return {srgb_from_linear(linear.x), srgb_from_linear(linear.y), srgb_from_linear(linear.z)};
+}
+
+bool near(const Rgb& a, const Rgb& b)
+{
+    return glm::length(a - b) < 1e-3f;
+}
+
+std::vector<Image> paint(const Scene& scene, int size, const std::vector<Painter>& painters)
+{
+    const EmbreeScene rays(scene.mesh);
+    return colour_images({scene.mesh, rays, scene.cameras[0], size, size}, painters);
+}
+
+} // namespace
+
+TEST_CASE("colour_images: a face seen head-on has its painter's colour", "[colouring]")
+{
+    const Rgb colour(0.1f, 0.5f, 0.9f);
+    const std::vector<Image> images =
+        paint(quad_scene(), 16, {[&](const SeenPoint&) { return colour; }});
+    REQUIRE(images.size() == 1);
+    for (int y = 0; y < 16; ++y)
+        for (int x = 0; x < 16; ++x) {
+            const bool inside = x >= 4 && x < 12 && y >= 4 && y < 12;
+            CHECK(near(images[0].at(x, y), display(colour)) == inside);
+            CHECK(near(images[0].at(x, y), images[0].at(0, 0)) != inside);
+        }
+}
+
+TEST_CASE("colour_images: the same with one and four threads", "[colouring]")
+{
+    Scene scene = tiny::make_scene(tiny::uv_sphere(20, 12));
+    scene.cameras[0].position = {0.3f, 0.2f, 4};
+    const Partition partition = build_partition(scene, {.angle_threshold = 0.4}).partition;
+    const auto run = [&](std::size_t threads) {
+        const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+        return paint(scene, 40, {paint_maps(partition), paint_edges(scene.mesh, partition)});
+    };
+    const std::vector<Image> one = run(1);
+    const std::vector<Image> four = run(4);
+    for (std::size_t i = 0; i < one.size(); ++i)
+        CHECK(one[i].pixels == four[i].pixels);
+}
+
+TEST_CASE("paint_edges: lines lie on the edges, in the colour of their class", "[colouring]")
+{
+    const Scene scene = quad_scene();
+    const Partition partition = build_partition(scene, {}).partition;
+    const Image image = paint(scene, 200, {paint_edges(scene.mesh, partition)})[0];
+    CHECK(near(image.at(100, 149), display(edge_colour(EdgeClass::border)))); // lower edge
+    CHECK(near(image.at(50, 100), display(edge_colour(EdgeClass::border))));  // left edge
+    CHECK(near(image.at(120, 100), image.at(80, 100)));                       // plain face
+    const Rgb diagonal = image.at(100, 99); // from lower left to upper right
+    CHECK(diagonal.z > diagonal.x + 0.1f);
+    CHECK(near(image.at(80, 80), image.at(120, 100))); // the other diagonal has no edge
+}
+
+TEST_CASE("paint_candidates: candidates by reach, the rest grey", "[colouring]")
+{
+    Scene scene = quad_scene();
+    Partition partition = build_partition(scene, {}).partition;
+    const SeenPoint first{0, {}, {}, 1};
+    const SeenPoint second{1, {}, {}, 1};
+    partition.reach = {0.1f, 0.4f};
+    partition.candidate = {1, 1};
+    CHECK(paint_candidates(partition)(first) == scale_colour(0));
+    CHECK(paint_candidates(partition)(second) == scale_colour(1));
+    partition.candidate = {0, 1};
+    CHECK(paint_candidates(partition)(first) == kPlainFace);
+    CHECK(reach_of_candidates(partition).least == 0.4f);
+}
+
+TEST_CASE("write_partition_pictures: three pictures of the size asked for, legend below",
+          "[colouring]")
+{
+    const auto folder = std::filesystem::temp_directory_path() /
+                        ("hipmap_pictures_test_" + std::to_string(::getpid()));
+    const Scene scene = quad_scene();
+    const Partition partition = build_partition(scene, {}).partition;
+    const auto paths = write_partition_pictures(folder, scene, partition, 120, 80);
+    REQUIRE(paths.size() == 3);
+    for (const std::filesystem::path& path : paths) {
+        // Width and height are the first words of a PNG's header, big-endian.
+        const std::vector<std::byte> png = read_file(path);
+        REQUIRE(png.size() > 24);
+        CHECK(std::to_integer<int>(png[19]) == 120);
+        CHECK(std::to_integer<int>(png[23]) > 80);
+    }
+    std::filesystem::remove_all(folder);
+}
+
+TEST_CASE("add_legend: rows are added until every entry has its place", "[colouring]")
+{
+    const Image picture(100, 10);
+    const LegendEntry entry{{Rgb(1, 0, 0)}, "connected"};
+    const Image one = add_legend(picture, {entry});
+    const Image three = add_legend(picture, {entry, entry, entry});
+    CHECK(one.width == 100);
+    CHECK(three.height > one.height);
+    const auto red = [](const Image& image) {
+        return std::ranges::count_if(image.pixels,
+                                     [](const Rgb& c) { return near(c, Rgb(1, 0, 0)); });
+    };
+    CHECK(red(one) > 50);
+    CHECK(red(three) == 3 * red(one));
+    CHECK(add_legend(Image(1, 1), {entry}).width == 1); // too narrow for any of it
+}
