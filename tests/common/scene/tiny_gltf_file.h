@@ -88,9 +88,11 @@ inline GltfFile tetrahedron()
     return file;
 }
 
-/// Not synced to the disk, as write_file would: tests write thousands.
+/// Not synced to the disk, as write_file would, nor written over, which some file systems sync
+/// too: tests write thousands.
 inline void write_text(const std::filesystem::path& path, const std::string& content)
 {
+    std::filesystem::remove(path);
     std::ofstream(path, std::ios::binary) << content;
 }
 
