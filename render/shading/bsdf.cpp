@@ -26,13 +26,17 @@ Rgb schlick_average(const Rgb& f0, const Rgb& f90)
     return f0 + (f90 - f0) * (1.0f / 21);
 }
 
+/// No real interface reflects less than this at normal incidence: where the file asks for less, the
+/// reflection is being turned off, and its grazing part goes with it (Blender's Specular 0 is matt).
+constexpr float kLeastReflectance = 0.02f;
+
 Bsdf make_bsdf(const Material& material)
 {
     const bool smooth = is_specular(material.roughness);
     const float index_step = (material.ior - 1) / (material.ior + 1);
     const Rgb f0 =
         glm::min(index_step * index_step * material.specular_color, Rgb(1)) * material.specular;
-    const Rgb f90(material.specular);
+    const Rgb f90(material.specular * std::min(1.0f, max_channel(f0) / kLeastReflectance));
     const float opaque = (1 - material.metallic) * (1 - material.transmission);
 
     Bsdf out;
