@@ -17,9 +17,12 @@ constexpr double kLumensPerWatt = 683.0;
 /// Lights and cameras may lie this many units away: squares and their inverses fit into float.
 constexpr double kFarthest = 0x1p50;
 
-bool finite(const glm::dvec3& v)
+/// Metres from the origin; the box of what lies within has a size that is a number, too.
+constexpr double kLargest = 1e150;
+
+bool is_near(const glm::dvec3& v)
 {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+    return std::abs(v.x) < kLargest && std::abs(v.y) < kLargest && std::abs(v.z) < kLargest;
 }
 
 double longest(const glm::dvec3& v)
@@ -162,12 +165,12 @@ void check_positions(const RawScene& raw)
 {
     for (std::size_t face = 0; face < raw.corners.size(); ++face)
         for (int c = 0; c < 3; ++c)
-            if (!finite(raw.positions[raw.corners[face][c]]))
+            if (!is_near(raw.positions[raw.corners[face][c]]))
                 throw scene_error(raw.path,
                                   "object " +
                                       quote_name(raw.objects[raw.object_of_face[face]].name) +
                                       ", face " + std::to_string(face),
-                                  "a corner is not finite; apply or correct its transform");
+                                  "a corner is not finite or too far away; correct its transform");
 }
 
 } // namespace

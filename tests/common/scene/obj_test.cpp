@@ -137,6 +137,34 @@ TEST_CASE("bad lines of an OBJ file are refused by number", "[scene][obj][damage
     CHECK_THROWS_AS(load_obj(""), InputError);
 }
 
+TEST_CASE("an OBJ file with any bytes changed is loaded or refused", "[scene][obj][damaged]")
+{
+    const std::string whole =
+        kSquare + "vn 0 0 1\nvt 0 0\no a\nf 1/1/1 2//1 -2 4\ng b c\nf 1 2 3\n";
+    const std::string alphabet = "0123456789-+.e/ \n\\#vfntogul\xff";
+    RandomSequence random(11, RandomStream::pictures, 0, 0);
+    const auto below = [&](std::size_t n) {
+        return std::min(n - 1, static_cast<std::size_t>(random.next() * static_cast<float>(n)));
+    };
+    std::size_t loaded = 0, refused = 0;
+    for (int round = 0; round < 3000; ++round) {
+        std::string damaged = whole;
+        for (std::size_t change = 0; change < 1 + below(3); ++change)
+            damaged[below(damaged.size())] = alphabet[below(alphabet.size())];
+        INFO(damaged);
+        try {
+            const Scene scene = load_obj(damaged).scene;
+            for (const glm::uvec3& face : scene.mesh.corners)
+                REQUIRE(std::max(face.x, std::max(face.y, face.z)) < scene.mesh.positions.size());
+            ++loaded;
+        } catch (const InputError&) {
+            ++refused;
+        }
+    }
+    CHECK(loaded > 100);
+    CHECK(refused > 100);
+}
+
 TEST_CASE("numbers that are finite in any spelling are read", "[scene][obj]")
 {
     const Scene scene =
