@@ -119,14 +119,6 @@ BufferFiles find_buffer_files(const GltfDocument& document)
     return files;
 }
 
-/// One line out of tinygltf's messages.
-std::string one_line(const std::string& text)
-{
-    const std::size_t end = text.find('\n');
-    const std::string line = quote_name(text.substr(0, end));
-    return line;
-}
-
 } // namespace
 
 tinygltf::Model parse_gltf(const GltfDocument& document)
@@ -156,7 +148,8 @@ tinygltf::Model parse_gltf(const GltfDocument& document)
     }
     if (!good)
         throw scene_error(document.path, "glTF",
-                          "cannot be read (" + one_line(error) + "); export it again");
+                          "cannot be read (" + quote_name(error.substr(0, error.find('\n'))) +
+                              "); export it again");
     return model;
 }
 
