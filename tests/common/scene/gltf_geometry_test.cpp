@@ -84,7 +84,8 @@ TEST_CASE("a chain of nodes places vertices as the product of its transforms", "
     }
 }
 
-TEST_CASE("the frame centres the box and brings its longest side into (1/2, 1]", "[scene]")
+TEST_CASE("the frame centres the box and makes its longest side at most 1 and more than half",
+          "[scene]")
 {
     for (const double size : {1e-100, 1e-6, 0.3, 1.0, 1.0000001, 2.0, 1e6, 1e100}) {
         GltfFile file = tetrahedron();
@@ -243,7 +244,7 @@ TEST_CASE("instances bear their nodes' names and primitives their materials", "[
     }
 }
 
-TEST_CASE("vertices that no face uses are left out of the box; degenerate faces stay",
+TEST_CASE("vertices that no face uses are left out of the box, degenerate faces stay",
           "[scene][gltf]")
 {
     GltfFile file = tetrahedron();
@@ -258,7 +259,7 @@ TEST_CASE("vertices that no face uses are left out of the box; degenerate faces 
     CHECK(scene.frame.centre == glm::dvec3(0.5));
 }
 
-TEST_CASE("the default scene is taken; without scenes, all root nodes", "[scene][gltf]")
+TEST_CASE("the default scene is taken and, without scenes, all root nodes", "[scene][gltf]")
 {
     GltfFile file = tetrahedron();
     file.root["nodes"].push_back({{"name", "second"}, {"mesh", 0}});
