@@ -121,6 +121,8 @@ class Scripts(unittest.TestCase):
         self.assertEqual(code, 0, errors)
         self.assertEqual(output.splitlines()[-1], summary)
         self.assertTrue(any("HIPMAP_WERROR=ON" in line for line in log), log)
+        _, _, _, log = self.run_script(".ci/run", "--sanitize")
+        self.assertTrue(any("HIPMAP_WERROR=OFF" in line for line in log), log)
         code, output, _, _ = self.run_script(".ci/run", CTEST_RESULT="8")
         self.assertEqual(code, 8)
         self.assertIn(summary, output)
