@@ -62,6 +62,7 @@ void add_method(CLI::App& app, RenderArguments& arguments)
     RenderOptions& render = arguments.render;
     render.photons = 200'000;
     render.passes = 16;
+    render.samples = 2;
     add_choice(
         app, "--maps", render.maps.mode, kMapModes,
         "Photon maps: none (direct light and reflections only), global (one map), shared (one "
@@ -81,7 +82,7 @@ void add_method(CLI::App& app, RenderArguments& arguments)
               "Fewest photons of a local map, M [10 k]");
     add_count(app, "--passes", render.passes, 1, 1e6,
               "Independent passes, whose images are averaged [16]");
-    add_count(app, "--samples", render.samples, 1, 65536, "Samples of each pixel in a pass [1]");
+    add_count(app, "--samples", render.samples, 1, 65536, "Samples of each pixel in a pass [2]");
     app.add_option("--seed", render.seed, "Seed; the same seed gives the same image [0]")
         ->type_name("N");
 }

@@ -8,7 +8,7 @@ namespace hipmap {
 
 float auto_exposure(const Image& image)
 {
-    constexpr float kDisplayed = 0.8f;
+    constexpr float kDisplayed = 0.5f;
     std::vector<float> luminances;
     luminances.reserve(image.pixels.size());
     for (const Rgb& pixel : image.pixels) {

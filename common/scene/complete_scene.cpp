@@ -1,5 +1,6 @@
 #include "common/scene/complete_scene.h"
 
+#include "common/scene/framing_camera.h"
 #include "common/scene/raw_scene.h"
 #include "common/scene/scene_names.h"
 
@@ -11,36 +12,7 @@ namespace hipmap {
 
 namespace {
 
-constexpr double kFramedDegrees = 40.0; ///< vertical angle of view of the auto-framed camera
-constexpr double kFramedMargin = 1.05;
 constexpr float kSkyRadiance = 1.0f; ///< W/(m2 sr), of a scene without light
-
-/// A three-quarter view from the front (+Z) and slightly above that has every vertex in view.
-Camera framing_camera(const TriangleMesh& mesh)
-{
-    const glm::dvec3 towards_eye = glm::normalize(glm::dvec3(0.55, 0.4, 1.0));
-    const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), towards_eye));
-    const glm::dvec3 up = glm::cross(towards_eye, right);
-    const double tangent = std::tan(kFramedDegrees / 2 * std::numbers::pi / 180);
-    double distance = 0.0;
-    for (const glm::vec3& position : mesh.positions) {
-        const glm::dvec3 p(position);
-        const double off_axis = std::max(std::abs(glm::dot(p, right)), std::abs(glm::dot(p, up)));
-        distance =
-            std::max(distance, kFramedMargin * off_axis / tangent + glm::dot(p, towards_eye));
-    }
-    if (!(distance > 0))
-        distance = 1.0; // every vertex in one point: any view is as good
-    Camera camera;
-    camera.name = "(auto-framed)";
-    camera.position = glm::vec3(towards_eye * distance);
-    camera.right = glm::vec3(right);
-    camera.up = glm::vec3(up);
-    camera.forward = glm::vec3(-towards_eye);
-    camera.tan_half_height = static_cast<float>(tangent);
-    camera.aspect = 1.0f;
-    return camera;
-}
 
 void choose_camera(LoadedScene& loaded, const SceneOptions& options,
                    const std::filesystem::path& path)
@@ -61,9 +33,9 @@ void choose_camera(LoadedScene& loaded, const SceneOptions& options,
     }
     if (names.empty()) {
         scene.cameras.push_back(framing_camera(scene.mesh));
-        loaded.audit.assumed.push_back(
-            "no camera in the file: one that frames everything, seen from the front (+Z); export "
-            "as glTF with Include > Cameras ticked");
+        loaded.audit.assumed.push_back("no camera in the file: one that frames everything, from " +
+                                       scene.cameras[0].name +
+                                       "; export as glTF with Include > Cameras ticked");
     } else if (names.size() == 1) {
         loaded.audit.found.push_back("camera " + quote_name(names[0]));
     } else {

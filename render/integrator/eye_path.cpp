@@ -43,11 +43,10 @@ struct BranchStack {
 Rgb diffuse_radiance(const PassMaps& maps, const Interaction& at, RandomSequence& random,
                      EyeScratch& scratch)
 {
-    const MapSurfaces surfaces{maps.scene.mesh(), maps.scene.partition, maps.boundaries};
     PhotonQuery query{at.point.position, at.normal, at.point.face, at.side};
-    Rgb irradiance = estimate_irradiance(maps.global, surfaces, query, scratch.global);
+    Rgb irradiance = estimate_irradiance(maps.global, maps.surfaces, query, scratch.global);
     query.radius = even_radius(maps.caustic, maps.scene.partition, query);
-    irradiance += estimate_irradiance(maps.caustic, surfaces, query, scratch.caustic);
+    irradiance += estimate_irradiance(maps.caustic, maps.surfaces, query, scratch.caustic);
     if (maps.direct == DirectLight::shadow_rays)
         irradiance += direct_irradiance(maps.scene, at, random);
     return at.bsdf->diffuse * coat_half(*at.bsdf, at.cosine) * irradiance / kPi;

@@ -15,7 +15,7 @@ enum class DirectLight : std::uint8_t {
 /// What one pass gathers from.  Borrows everything.
 struct PassMaps {
     const RenderScene& scene;
-    const MapBoundaries& boundaries;
+    const MapSurfaces& surfaces;
     const PhotonMaps& caustic;
     const PhotonMaps& global;
     DirectLight direct = DirectLight::shadow_rays;

@@ -151,7 +151,7 @@ RenderedImage render_image(const RenderScene& scene, const RenderOptions& option
 {
     RenderedImage out;
     out.image = Image(options.width, options.height);
-    const MapBoundaries boundaries(scene.mesh(), scene.partition);
+    const MapSurfaces surfaces(scene.mesh(), scene.partition);
     for (std::uint32_t pass = 0; pass < options.passes && !out.stopped; ++pass) {
         const auto progress = [&](double part) {
             if (control.progress)
@@ -161,7 +161,7 @@ RenderedImage render_image(const RenderScene& scene, const RenderOptions& option
         progress(kPhotonShare);
 
         const Stopwatch watch;
-        const PassMaps pass_maps{scene, boundaries, maps.caustic, maps.global, options.direct};
+        const PassMaps pass_maps{scene, surfaces, maps.caustic, maps.global, options.direct};
         const TileRenderer renderer(pass_maps, options, pass);
         Image image(options.width, options.height);
         const auto tile_progress = [&](double part) {

@@ -13,20 +13,35 @@ using Found = std::span<const Neighbour>;
 /// corner a quarter of the disc is left, so that twice the radius holds as many.
 constexpr float kWiden = 2;
 
-Rgb total_power(const PhotonMaps& maps, Found photons)
+Rgb per_area(const Rgb& power, double area)
 {
-    Rgb sum(0.0f);
-    for (const Neighbour& neighbour : photons)
-        sum += maps.photons[neighbour.photon].power;
-    return sum;
+    if (!(area > 0))
+        return Rgb(0);
+    const Rgb out = power / static_cast<float>(area);
+    return is_finite(out) ? out : Rgb(0);
 }
 
 Rgb density(const PhotonMaps& maps, Found photons, double area)
 {
-    if (photons.empty() || !(area > 0))
-        return Rgb(0);
-    const Rgb out = total_power(maps, photons) / static_cast<float>(area);
-    return is_finite(out) ? out : Rgb(0);
+    Rgb sum(0.0f);
+    for (const Neighbour& neighbour : photons)
+        sum += maps.photons[neighbour.photon].power;
+    return per_area(sum, area);
+}
+
+/// docs/photon_maps.md (4): of an area measured in the plane of the query's face.
+Rgb projected_density(const PhotonMaps& maps, const MapSurfaces& surfaces, const PhotonQuery& query,
+                      Found photons, double area)
+{
+    const glm::vec3& up = surfaces.normals[query.face];
+    Rgb sum(0.0f);
+    for (const Neighbour& neighbour : photons) {
+        const Photon& photon = maps.photons[neighbour.photon];
+        const float cosine =
+            photon.face == query.face ? 1.0f : glm::dot(surfaces.normals[photon.face], up);
+        sum += photon.power * std::max(0.0f, cosine);
+    }
+    return per_area(sum, area);
 }
 
 double disc_area(float radius)
@@ -40,9 +55,9 @@ float farthest(Found found)
 }
 
 /// docs/photon_maps.md (2): the k-th photon gives the radius and is left out of the sum.
-Rgb density_within_last(const PhotonMaps& maps, Found found, double area)
+Found all_but_last(Found found)
 {
-    return density(maps, found.first(found.size() - 1), area);
+    return found.first(found.size() - 1);
 }
 
 void look_around(const MapSurfaces& surfaces, const PhotonQuery& query, float radius,
@@ -73,8 +88,11 @@ Rgb estimate_visible(const PhotonMaps& maps, const MapSurfaces& surfaces, Photon
     const auto seen = [&](std::uint32_t i) { return scratch.disc.sees(maps.photons[i].position); };
     const Found found = find_in_shared(maps, surfaces.partition, query, scratch.search, seen);
     if (found.size() == maps.options.neighbours)
-        return density_within_last(maps, found, scratch.disc.area(farthest(found)));
-    return density(maps, found, scratch.disc.area(radius));
+        return projected_density(maps, surfaces, query, all_but_last(found),
+                                 scratch.disc.area(farthest(found)));
+    if (scratch.segments.empty())
+        return density(maps, found, disc_area(radius));
+    return projected_density(maps, surfaces, query, found, scratch.disc.area(radius));
 }
 
 /// docs/photon_maps.md (3): too few photons for (2).
@@ -87,12 +105,24 @@ Rgb estimate_sparse(const PhotonMaps& maps, const MapSurfaces& surfaces, const P
         return estimate_visible(maps, surfaces, query, query.radius, scratch);
     }
     if (maps.options.mode == MapMode::global)
-        return density_within_last(maps, found, disc_area(farthest(found)));
+        return density(maps, all_but_last(found), disc_area(farthest(found)));
     const MapId map = surfaces.partition.map_of_face[query.face];
     return density(maps, found, maps.map_area[maps.map_index(map, query.side)]);
 }
 
 } // namespace
+
+MapSurfaces::MapSurfaces(const TriangleMesh& of_mesh, const Partition& of_partition)
+    : mesh(of_mesh), partition(of_partition), boundaries(of_mesh, of_partition)
+{
+    normals.reserve(mesh.face_count());
+    for (FaceId face = 0; face < mesh.face_count(); ++face) {
+        const glm::dvec3 normal = scaled_normal(mesh, face);
+        const double length = glm::length(normal);
+        const double sign = partition.flipped[face] != 0 ? -1 : 1;
+        normals.push_back(length > 0 ? glm::vec3(normal * (sign / length)) : glm::vec3(0));
+    }
+}
 
 Rgb estimate_irradiance(const PhotonMaps& maps, const MapSurfaces& surfaces,
                         const PhotonQuery& query, EstimateScratch& scratch)
@@ -106,14 +136,15 @@ Rgb estimate_irradiance(const PhotonMaps& maps, const MapSurfaces& surfaces,
 
     const float radius = farthest(found);
     if (maps.options.mode == MapMode::global)
-        return density_within_last(maps, found, disc_area(radius));
+        return density(maps, all_but_last(found), disc_area(radius));
     if (!(radius > 0))
         return Rgb(0);
     look_around(surfaces, query, radius, scratch);
     if (scratch.segments.empty())
-        return density_within_last(maps, found, disc_area(radius));
+        return density(maps, all_but_last(found), disc_area(radius));
     if (sees_all(maps, found, scratch.disc))
-        return density_within_last(maps, found, scratch.disc.area(radius));
+        return projected_density(maps, surfaces, query, all_but_last(found),
+                                 scratch.disc.area(radius));
     return estimate_visible(maps, surfaces, query, std::min(kWiden * radius, query.radius),
                             scratch);
 }

@@ -15,11 +15,15 @@ struct EstimateScratch {
     explicit EstimateScratch(const MapOptions& options) : search(options) {}
 };
 
-/// The surfaces that photons lie on and where their maps end.  Borrows all of it.
+/// The surfaces that photons lie on and where their maps end.  Borrows mesh and partition.
+/// Read-only: any number of threads may use it.
 struct MapSurfaces {
     const TriangleMesh& mesh;
     const Partition& partition;
-    const MapBoundaries& boundaries;
+    MapBoundaries boundaries;
+    std::vector<glm::vec3> normals; ///< [F] unit, towards side 0; zero for a face without area
+
+    MapSurfaces(const TriangleMesh& of_mesh, const Partition& of_partition);
 };
 
 /// Density of photon power at a point, W/m2 (power and area are both in scene units): the

@@ -37,12 +37,12 @@ struct SearchScratch {
 };
 
 /// Distance from a point of `face` to the nearest edge across which its shared map goes on;
-/// infinite if there is none.  Algorithm 4 of the thesis, docs/photon_maps.md (5).
+/// infinite if there is none.  Algorithm 4 of the thesis, docs/photon_maps.md (6).
 float limiting_radius(const TriangleMesh& mesh, const Partition& partition, FaceId face,
                       const glm::vec3& point);
 
 /// The radius within which k photons would lie were those of the query's map spread evenly over it,
-/// docs/photon_maps.md (4); infinite for an empty map or a face without one.
+/// docs/photon_maps.md (5); infinite for an empty map or a face without one.
 float even_radius(const PhotonMaps& maps, const Partition& partition, const PhotonQuery& query);
 
 /// The k nearest photons of the query's map (fewer if there are no more within the radius), nearest

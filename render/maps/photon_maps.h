@@ -27,7 +27,7 @@ struct MapOptions {
 /// The photons of a face and side that has many of them, by reference into the photons of the set.
 struct LocalMap {
     PhotonTree tree;
-    float filter_radius = 0.0f; ///< docs/photon_maps.md (4), scene units
+    float filter_radius = 0.0f; ///< docs/photon_maps.md (5), scene units
 };
 
 /// All maps of one kind of photon (caustic or global).  Read-only once built: any number of threads
@@ -64,7 +64,7 @@ struct PhotonMaps {
     std::size_t filled_maps() const;
 };
 
-/// sqrt(A k / (pi N)), docs/photon_maps.md (4); infinite without photons.
+/// sqrt(A k / (pi N)), docs/photon_maps.md (5); infinite without photons.
 float filter_radius(double area, std::uint32_t neighbours, std::uint64_t photons);
 
 /// Splits `photons` into maps and orders their trees, in parallel.  O(n log n).

@@ -27,7 +27,8 @@ Rgb schlick_average(const Rgb& f0, const Rgb& f90)
 }
 
 /// No real interface reflects less than this at normal incidence: where the file asks for less, the
-/// reflection is being turned off, and its grazing part goes with it (Blender's Specular 0 is matt).
+/// reflection is being turned off, and its grazing part goes with it (Blender's Specular 0 is
+/// matt).
 constexpr float kLeastReflectance = 0.02f;
 
 Bsdf make_bsdf(const Material& material)

@@ -30,8 +30,7 @@ RunningMean estimates_at(const glm::vec2& at, const MapOptions& options, std::si
                          float radius)
 {
     const auto ready = tiny::ready(tiny::make_scene(tiny::quad()));
-    const MapBoundaries boundaries(ready->scene.mesh, ready->partition);
-    const MapSurfaces surfaces{ready->scene.mesh, ready->partition, boundaries};
+    const MapSurfaces surfaces(ready->scene.mesh, ready->partition);
     EstimateScratch scratch(options);
     RunningMean mean;
     for (std::uint64_t seed = 0; seed < 400; ++seed) {
@@ -85,15 +84,14 @@ TEST_CASE("estimate: a map with fewer than k photons is spread over its area", "
 TEST_CASE("estimate: coincident photons give a finite number", "[maps]")
 {
     const auto ready = tiny::ready(tiny::make_scene(tiny::quad()));
-    const MapBoundaries boundaries(ready->scene.mesh, ready->partition);
+    const MapSurfaces surfaces(ready->scene.mesh, ready->partition);
     std::vector<Photon> photons(100, Photon{{0.5f, 0.25f, 0}, Rgb(1), {0, 0, 1}, 0, 0});
     for (const MapMode mode : {MapMode::global, MapMode::shared, MapMode::thesis}) {
         const PhotonMaps maps =
             build_photon_maps(photons, ready->scene.mesh, ready->partition, {mode, 50, 10});
         EstimateScratch scratch(maps.options);
         const Rgb value =
-            estimate_irradiance(maps, {ready->scene.mesh, ready->partition, boundaries},
-                                {{0.5f, 0.25f, 0}, {0, 0, 1}, 0, 0}, scratch);
+            estimate_irradiance(maps, surfaces, {{0.5f, 0.25f, 0}, {0, 0, 1}, 0, 0}, scratch);
         CHECK(is_finite(value));
     }
 }

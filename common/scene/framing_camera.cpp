@@ -1,0 +1,74 @@
+#include "common/scene/framing_camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace hipmap {
+
+namespace {
+
+constexpr double kAngleOfView = 40.0 * std::numbers::pi / 180; ///< vertical
+constexpr double kMargin = 1.05;
+
+/// The share of the whole area that must face one way before the view leaves the front.  Closed
+/// surfaces face every way alike, and their sum is zero.
+constexpr double kOneSided = 0.05;
+
+struct View {
+    const char* name;
+    glm::dvec3 towards_eye;
+};
+
+const View kViews[] = {{"the front (+Z)", {0.55, 0.4, 1.0}},
+                       {"behind (-Z)", {-0.55, 0.4, -1.0}},
+                       {"the right (+X)", {1.0, 0.4, -0.55}},
+                       {"the left (-X)", {-1.0, 0.4, 0.55}}};
+
+const View& choose_view(const TriangleMesh& mesh)
+{
+    glm::dvec3 facing(0.0);
+    double area = 0;
+    for (FaceId face = 0; face < mesh.face_count(); ++face) {
+        const glm::dvec3 normal = scaled_normal(mesh, face);
+        facing += normal;
+        area += glm::length(normal);
+    }
+    facing.y = 0; // the view is from above in any case
+    if (!(glm::length(facing) > kOneSided * area))
+        return kViews[0];
+    return *std::max_element(
+        std::begin(kViews), std::end(kViews), [&](const View& a, const View& b) {
+            return glm::dot(facing, a.towards_eye) < glm::dot(facing, b.towards_eye);
+        });
+}
+
+} // namespace
+
+Camera framing_camera(const TriangleMesh& mesh)
+{
+    const View& view = choose_view(mesh);
+    const glm::dvec3 towards_eye = glm::normalize(view.towards_eye);
+    const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), towards_eye));
+    const glm::dvec3 up = glm::cross(towards_eye, right);
+    const double tangent = std::tan(kAngleOfView / 2);
+    double distance = 0.0;
+    for (const glm::vec3& position : mesh.positions) {
+        const glm::dvec3 p(position);
+        const double off_axis = std::max(std::abs(glm::dot(p, right)), std::abs(glm::dot(p, up)));
+        distance = std::max(distance, kMargin * off_axis / tangent + glm::dot(p, towards_eye));
+    }
+    if (!(distance > 0))
+        distance = 1.0; // every vertex in one point: any view is as good
+    Camera camera;
+    camera.name = view.name;
+    camera.position = glm::vec3(towards_eye * distance);
+    camera.right = glm::vec3(right);
+    camera.up = glm::vec3(up);
+    camera.forward = glm::vec3(-towards_eye);
+    camera.tan_half_height = static_cast<float>(tangent);
+    camera.aspect = 1.0f;
+    return camera;
+}
+
+} // namespace hipmap
