@@ -110,7 +110,7 @@ int render(RenderArguments& arguments)
     arguments.render.height = size.height;
 
     const Stopwatch building;
-    const RenderScene render_scene(scene, partition);
+    const RenderScene render_scene(scene, partition, arguments.diffuse);
     run.seconds_rays = building.seconds();
     const RenderedImage rendered = render_with_progress(render_scene, arguments.render, report);
     print_photons(rendered.statistics, report);

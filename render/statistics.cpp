@@ -25,12 +25,14 @@ Json rgb_json(const glm::dvec3& value)
     return {value.x, value.y, value.z};
 }
 
-Json options_json(const RenderOptions& options)
+Json options_json(const RenderArguments& arguments)
 {
+    const RenderOptions& options = arguments.render;
     static const char* const kModes[] = {"none", "global", "shared", "thesis"};
     return {{"maps", kModes[static_cast<int>(options.maps.mode)]},
             {"integrator", "direct"},
             {"direct", options.direct == DirectLight::photons ? "photons" : "shadow-rays"},
+            {"diffuse", arguments.diffuse == DiffuseModel::burley ? "burley" : "lambert"},
             {"photons", options.photons},
             {"neighbours", options.maps.neighbours},
             {"local_min", options.maps.local_min},
@@ -65,7 +67,7 @@ std::string statistics_json(const RenderArguments& arguments, const Scene& scene
                          {"shared_maps", partition.map_count}};
     json["image"] = {
         {"width", options.width}, {"height", options.height}, {"exposure_ev", run.exposure_ev}};
-    json["options"] = options_json(options);
+    json["options"] = options_json(arguments);
     json["passes_done"] = render.passes;
     json["seconds"] = seconds_json(render, run);
     json["photons"] = {{"emitted", render.emitted},

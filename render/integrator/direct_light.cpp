@@ -13,13 +13,14 @@ namespace {
 /// Most shadow rays towards punctual lights; more lights than that are taken in strata.
 constexpr std::size_t kMostPunctual = 16;
 
-/// cos(wi) coat_half(wi) of a direction; zero if it is not above the surface.
+/// cos(wi) coat_half(wi) of a direction, and the lobe's shape; zero if it is not above the surface.
 Rgb receive(const Interaction& at, const glm::vec3& direction)
 {
     const float cosine = glm::dot(direction, at.shading_normal);
     if (!(cosine > 0) || !(glm::dot(direction, at.normal) > 0))
         return Rgb(0);
-    return coat_half(*at.bsdf, cosine) * cosine;
+    return coat_half(*at.bsdf, cosine) *
+           (cosine * diffuse_shape(*at.bsdf, at.shading_normal, direction, at.back));
 }
 
 Rgb from_punctual(const RenderScene& scene, const Interaction& at, const PunctualLight& light)

@@ -44,6 +44,10 @@ Rgb diffuse_radiance(const PassMaps& maps, const Interaction& at, RandomSequence
                      EyeScratch& scratch)
 {
     PhotonQuery query{at.point.position, at.normal, at.point.face, at.side};
+    if (at.bsdf->burley_roughness >= 0)
+        query.bsdf = at.bsdf;
+    query.shading_normal = at.shading_normal;
+    query.toward_eye = at.back;
     Rgb irradiance = estimate_irradiance(maps.global, maps.surfaces, query, scratch.global);
     query.radius = even_radius(maps.caustic, maps.scene.partition, query);
     irradiance += estimate_irradiance(maps.caustic, maps.surfaces, query, scratch.caustic);

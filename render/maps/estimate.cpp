@@ -21,11 +21,20 @@ Rgb per_area(const Rgb& power, double area)
     return is_finite(out) ? out : Rgb(0);
 }
 
-Rgb density(const PhotonMaps& maps, Found photons, double area)
+/// What a photon adds to the sum.
+Rgb gathered_power(const Photon& photon, const PhotonQuery& query)
+{
+    if (query.bsdf == nullptr)
+        return photon.power;
+    return photon.power *
+           diffuse_shape(*query.bsdf, query.shading_normal, photon.direction, query.toward_eye);
+}
+
+Rgb density(const PhotonMaps& maps, const PhotonQuery& query, Found photons, double area)
 {
     Rgb sum(0.0f);
     for (const Neighbour& neighbour : photons)
-        sum += maps.photons[neighbour.photon].power;
+        sum += gathered_power(maps.photons[neighbour.photon], query);
     return per_area(sum, area);
 }
 
@@ -39,7 +48,7 @@ Rgb projected_density(const PhotonMaps& maps, const MapSurfaces& surfaces, const
         const Photon& photon = maps.photons[neighbour.photon];
         const float cosine =
             photon.face == query.face ? 1.0f : glm::dot(surfaces.normals[photon.face], up);
-        sum += photon.power * std::max(0.0f, cosine);
+        sum += gathered_power(photon, query) * std::max(0.0f, cosine);
     }
     return per_area(sum, area);
 }
@@ -91,7 +100,7 @@ Rgb estimate_visible(const PhotonMaps& maps, const MapSurfaces& surfaces, Photon
         return projected_density(maps, surfaces, query, all_but_last(found),
                                  scratch.disc.area(farthest(found)));
     if (scratch.segments.empty())
-        return density(maps, found, disc_area(radius));
+        return density(maps, query, found, disc_area(radius));
     return projected_density(maps, surfaces, query, found, scratch.disc.area(radius));
 }
 
@@ -101,13 +110,13 @@ Rgb estimate_sparse(const PhotonMaps& maps, const MapSurfaces& surfaces, const P
 {
     if (std::isfinite(query.radius)) {
         if (maps.options.mode == MapMode::global)
-            return density(maps, found, disc_area(query.radius));
+            return density(maps, query, found, disc_area(query.radius));
         return estimate_visible(maps, surfaces, query, query.radius, scratch);
     }
     if (maps.options.mode == MapMode::global)
-        return density(maps, all_but_last(found), disc_area(farthest(found)));
+        return density(maps, query, all_but_last(found), disc_area(farthest(found)));
     const MapId map = surfaces.partition.map_of_face[query.face];
-    return density(maps, found, maps.map_area[maps.map_index(map, query.side)]);
+    return density(maps, query, found, maps.map_area[maps.map_index(map, query.side)]);
 }
 
 } // namespace
@@ -136,12 +145,12 @@ Rgb estimate_irradiance(const PhotonMaps& maps, const MapSurfaces& surfaces,
 
     const float radius = farthest(found);
     if (maps.options.mode == MapMode::global)
-        return density(maps, all_but_last(found), disc_area(radius));
+        return density(maps, query, all_but_last(found), disc_area(radius));
     if (!(radius > 0))
         return Rgb(0);
     look_around(surfaces, query, radius, scratch);
     if (scratch.segments.empty())
-        return density(maps, all_but_last(found), disc_area(radius));
+        return density(maps, query, all_but_last(found), disc_area(radius));
     if (sees_all(maps, found, scratch.disc))
         return projected_density(maps, surfaces, query, all_but_last(found),
                                  scratch.disc.area(radius));

@@ -32,8 +32,9 @@ struct MapSurfaces {
 /// or, where fewer than k lie within the query's radius, all of them over the area within it (over
 /// the whole map if the radius is infinite), (3).  A(r) is the part of the disc that is visible
 /// from the query without crossing a boundary of its map, docs/visible_area.md; photons beyond one
-/// do not count.  Mode global has no boundaries. No photon: zero, never NaN.  Thread-safe.  Blurs
-/// detail finer than r_k.
+/// do not count.  Where a boundary is near, photons of tilted faces count by the cosine, (4).  Mode
+/// global has no boundaries.  A diffuse lobe that is not Lambert's (query.bsdf) weighs each photon
+/// by its shape. No photon: zero, never NaN.  Thread-safe.  Blurs detail finer than r_k.
 Rgb estimate_irradiance(const PhotonMaps& maps, const MapSurfaces& surfaces,
                         const PhotonQuery& query, EstimateScratch& scratch);
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/maps/photon_maps.h"
+#include "render/shading/bsdf.h"
 
 #include <limits>
 #include <vector>
@@ -14,6 +15,9 @@ struct PhotonQuery {
     FaceId face = kNone;
     std::uint8_t side = 0;
     float radius = std::numeric_limits<float>::infinity(); ///< nothing farther counts
+    const Bsdf* bsdf = nullptr;     ///< whose diffuse lobe gathers; none: Lambert
+    glm::vec3 shading_normal{0.0f}; ///< the two that its shape depends on, unit
+    glm::vec3 toward_eye{0.0f};
 };
 
 /// What the searches of one thread did; sums are independent of the order of queries.

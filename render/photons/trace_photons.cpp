@@ -84,6 +84,9 @@ bool scatter(const Interaction& at, LightPath& path, RandomSequence& random, Pow
         path.ray.direction = Frame(at.shading_normal).to_world(local);
         path.ray.origin = offset_origin(at.point, at.normal);
         path.power *= coat_half(*at.bsdf, local.z) / (1.0f - at.bsdf->coat_average);
+        const float shape = diffuse_shape(*at.bsdf, at.shading_normal, at.back, path.ray.direction);
+        balance.absorbed += glm::dvec3(path.power * (1 - shape));
+        path.power *= shape;
         path.diffuse = true;
         if (!(glm::dot(path.ray.direction, at.normal) > 0)) {
             balance.absorbed += glm::dvec3(path.power);

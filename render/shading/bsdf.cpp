@@ -31,7 +31,7 @@ Rgb schlick_average(const Rgb& f0, const Rgb& f90)
 /// matt).
 constexpr float kLeastReflectance = 0.02f;
 
-Bsdf make_bsdf(const Material& material)
+Bsdf make_bsdf(const Material& material, DiffuseModel model)
 {
     const bool smooth = is_specular(material.roughness);
     const float index_step = (material.ior - 1) / (material.ior + 1);
@@ -42,6 +42,8 @@ Bsdf make_bsdf(const Material& material)
 
     Bsdf out;
     out.ior = material.ior;
+    if (model == DiffuseModel::burley)
+        out.burley_roughness = material.roughness;
     out.absorption = material.absorption;
     out.emission = material.emission;
     out.emits_behind = material.double_sided;
@@ -71,13 +73,25 @@ Bsdf make_bsdf(const Material& material)
 
 } // namespace
 
-std::vector<Bsdf> make_bsdfs(const std::vector<Material>& materials)
+std::vector<Bsdf> make_bsdfs(const std::vector<Material>& materials, DiffuseModel model)
 {
     std::vector<Bsdf> out;
     out.reserve(materials.size());
     for (const Material& material : materials)
-        out.push_back(make_bsdf(material));
+        out.push_back(make_bsdf(material, model));
     return out;
+}
+
+float diffuse_shape(const Bsdf& bsdf, const glm::vec3& normal, const glm::vec3& wi,
+                    const glm::vec3& wo)
+{
+    if (bsdf.burley_roughness < 0)
+        return 1;
+    // The cosine of the half angle between the directions, squared.
+    const float cos2_half = 0.5f * (1 + glm::dot(wi, wo));
+    const float grazing = 2 * bsdf.burley_roughness * cos2_half - 0.5f;
+    return (1 + grazing * grazing_weight(glm::dot(wi, normal))) *
+           (1 + grazing * grazing_weight(glm::dot(wo, normal)));
 }
 
 Rgb coat_half(const Bsdf& bsdf, float cosine)

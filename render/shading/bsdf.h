@@ -3,6 +3,7 @@
 #include "common/math/rgb.h"
 #include "common/scene/scene.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace hipmap {
@@ -15,6 +16,13 @@ inline bool is_specular(float roughness)
 {
     return roughness <= kSpecularRoughness;
 }
+
+/// The shape of the diffuse lobe.
+enum class DiffuseModel : std::uint8_t {
+    lambert, ///< glTF's
+    burley,  ///< of Blender's Principled BSDF up to version 3, rough surfaces brighter towards
+             ///< grazing
+};
 
 /// A material, ready for shading.  docs/light_transport.md (1)-(4).
 /// The diffuse lobe is separable: f(wi, wo) = diffuse / pi * coat_half(wi) * coat_half(wo).
@@ -30,15 +38,21 @@ struct Bsdf {
     Rgb glass_tint{1.0f};       ///< transmitted at each crossing
     Rgb glass_reflection{1.0f}; ///< scale of its Fresnel reflection (KHR_materials_specular)
     float ior = 1.5f;
-    Rgb absorption{0.0f}; ///< inside, per scene unit
-    Rgb emission{0.0f};   ///< radiance, W/(m2 sr)
+    float burley_roughness = -1; ///< of the diffuse lobe; below zero: Lambert
+    Rgb absorption{0.0f};        ///< inside, per scene unit
+    Rgb emission{0.0f};          ///< radiance, W/(m2 sr)
     bool emits_behind = false;
 
     bool has_diffuse() const { return !is_black(diffuse); }
 };
 
 /// One for each material of the scene.
-std::vector<Bsdf> make_bsdfs(const std::vector<Material>& materials);
+std::vector<Bsdf> make_bsdfs(const std::vector<Material>& materials, DiffuseModel model);
+
+/// What the diffuse lobe is multiplied by for a pair of directions, docs/light_transport.md (13); 1
+/// for Lambert.  normal: shading; all unit, the directions away from the surface.
+float diffuse_shape(const Bsdf& bsdf, const glm::vec3& normal, const glm::vec3& wi,
+                    const glm::vec3& wo);
 
 /// 1 - F(wi): what of the light from (or to) a direction gets through the coat; 1 without a coat.
 /// cosine: of the angle to the shading normal, [0, 1].

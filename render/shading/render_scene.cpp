@@ -2,9 +2,10 @@
 
 namespace hipmap {
 
-RenderScene::RenderScene(const Scene& from_scene, const Partition& from_partition)
+RenderScene::RenderScene(const Scene& from_scene, const Partition& from_partition,
+                         DiffuseModel model)
     : scene(from_scene), partition(from_partition), rays(from_scene.mesh),
-      bsdfs(make_bsdfs(from_scene.materials)),
+      bsdfs(make_bsdfs(from_scene.materials, model)),
       lights(collect_lights(from_scene.mesh, from_scene, bsdfs))
 {
 }

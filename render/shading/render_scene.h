@@ -19,7 +19,8 @@ struct RenderScene {
     std::vector<Bsdf> bsdfs; ///< [M]
     LightSet lights;
 
-    RenderScene(const Scene& from_scene, const Partition& from_partition);
+    RenderScene(const Scene& from_scene, const Partition& from_partition,
+                DiffuseModel model = DiffuseModel::lambert);
 
     const TriangleMesh& mesh() const { return scene.mesh; }
 };

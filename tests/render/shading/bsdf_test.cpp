@@ -11,7 +11,7 @@ namespace {
 
 Bsdf bsdf_of(const Material& material)
 {
-    return make_bsdfs({material})[0];
+    return make_bsdfs({material}, DiffuseModel::lambert)[0];
 }
 
 /// Share of light from a direction that the surface sends on, all lobes together.
@@ -115,4 +115,25 @@ TEST_CASE("bsdf: a thin wall lets light through straight", "[shading]")
     // Total reflection exists only inside a solid.
     CHECK(is_black(specular_lobes(bsdf, 0.1f, false, true).transmit));
     CHECK(specular_lobes(bsdf, 0.1f, false, false).transmit.x > 0);
+}
+
+TEST_CASE("diffuse shape: reciprocal, one for Lambert, closed values for Burley", "[shading]")
+{
+    const glm::vec3 normal(0, 0, 1);
+    const Bsdf lambert = bsdf_of(tiny::matt(Rgb(0.8f)));
+    const Bsdf burley = make_bsdfs({tiny::matt(Rgb(0.8f))}, DiffuseModel::burley)[0];
+    for (std::uint64_t i = 0; i < 1000; ++i) {
+        RandomSequence random(2, RandomStream::pictures, 0, i);
+        const glm::vec3 wi = sample_cosine_hemisphere(random.next2());
+        const glm::vec3 wo = sample_cosine_hemisphere(random.next2());
+        CHECK(diffuse_shape(lambert, normal, wi, wo) == 1);
+        CHECK(diffuse_shape(burley, normal, wi, wo) ==
+              Approx(diffuse_shape(burley, normal, wo, wi)));
+        CHECK(diffuse_shape(burley, normal, wi, wo) > 0);
+    }
+    // Roughness 1: straight down nothing changes; grazing and back again 2.5 times 2.5.
+    CHECK(diffuse_shape(burley, normal, normal, normal) == 1);
+    const glm::vec3 grazing(1, 0, 0);
+    CHECK(diffuse_shape(burley, normal, grazing, grazing) == Approx(2.5 * 2.5));
+    CHECK(diffuse_shape(burley, normal, grazing, -grazing) == Approx(0.5 * 0.5));
 }
