@@ -45,15 +45,14 @@ partition=$out/$name.hpm
 "$bin/render" "$scene" "$partition" -o "$out/$name.png" -o "$out/$name.exr" \
     --stats "$out/stats.json"
 
-cat <<TEXT
+describe() { printf '  %-20s %s\n' "$1" "$2"; }
 
-$out/
-  $name.png         the picture, exposed for a screen
-  $name.exr         the same in absolute radiance, linear
-  shared_maps.png   which faces share photons, a colour for each map
-  edges.png         edges by class
-  candidates.png    faces that may get a map of their own
-  $name.hpm         the partition that render reads
-  partition.json    what preprocess found
-  stats.json        what render did, and how long it took
-TEXT
+printf '\n%s/\n' "$out"
+describe "$name.png" "the picture, exposed for a screen"
+describe "$name.exr" "the same in absolute radiance, linear"
+describe shared_maps.png "which faces share photons, a colour for each map"
+describe edges.png "edges by class"
+describe candidates.png "faces that may get a map of their own"
+describe "$name.hpm" "the partition that render reads"
+describe partition.json "what preprocess found"
+describe stats.json "what render did, and how long it took"

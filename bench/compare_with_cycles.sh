@@ -1,0 +1,30 @@
+#!/usr/bin/env bash
+# Compares the bundled scene with Blender's Cycles, once as glTF means matt surfaces and once as
+# Blender does.  Needs blender on the PATH and both tools built (./pipeline.sh).
+#
+#   bench/compare_with_cycles.sh [OUTDIR [SAMPLES]]
+set -euo pipefail
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+out=${1:-out/cycles}
+samples=${2:-256}
+bin=$root/build/release/bin
+scene=$root/assets/cornell.glb
+
+command -v blender > /dev/null || {
+    echo "error: blender is not installed; apt-get install blender" >&2
+    exit 2
+}
+mkdir -p "$out"
+cmake --build "$root/build/release" --target preprocess render compare_images > /dev/null
+"$bin/preprocess" "$scene" -o "$out/cornell.hpm" 2> /dev/null
+for model in lambert burley; do
+    # Debian's Blender takes the first python3 on the PATH, which must be Debian's too.
+    PATH=/usr/bin:$PATH blender -b --factory-startup --python "$root/bench/cycles_reference.py" \
+        -- "$model" "$out/cycles_$model.exr" "$samples" > "$out/blender_$model.log"
+    "$bin/render" "$scene" "$out/cornell.hpm" -o "$out/hipmap_$model.exr" --size 256 \
+        --diffuse "$model" 2> /dev/null
+    printf '\n%s: A is hipmap, B is Cycles\n' "$model"
+    "$bin/compare_images" "$out/hipmap_$model.exr" "$out/cycles_$model.exr" \
+        --side-by-side "$out/side_by_side_$model.png"
+done

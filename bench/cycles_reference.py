@@ -1,0 +1,78 @@
+"""Renders the bundled scene by Cycles, as glTF means it or as Blender does.
+
+    blender -b --factory-startup --python bench/cycles_reference.py -- lambert|burley OUT.exr SAMPLES
+
+lambert: matt surfaces are Diffuse BSDFs, which is glTF's diffuse reflection; burley: they stay
+Principled BSDFs, as a Blender user has them.  256x256, no clamping, 32 bounces.
+"""
+
+import os
+import runpy
+import sys
+import tempfile
+
+import bpy
+
+
+def build_scene():
+    script = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "assets", "cornell.py")
+    arguments = sys.argv[:]
+    with tempfile.TemporaryDirectory() as folder:
+        sys.argv = ["blender", "--", os.path.join(folder, "cornell.glb")]
+        runpy.run_path(script)
+    sys.argv = arguments
+
+
+def make_lambert(material):
+    tree = material.node_tree
+    principled = tree.nodes["Principled BSDF"]
+    diffuse = tree.nodes.new("ShaderNodeBsdfDiffuse")
+    diffuse.inputs["Color"].default_value = principled.inputs["Base Color"].default_value
+    tree.links.new(diffuse.outputs[0], tree.nodes["Material Output"].inputs["Surface"])
+
+
+def shine_forwards_only(material):
+    """Cycles lets both sides shine; glTF only the front of a single-sided material."""
+    tree = material.node_tree
+    strength = tree.nodes["Principled BSDF"].inputs["Emission Strength"]
+    front = tree.nodes.new("ShaderNodeMath")
+    front.operation = "SUBTRACT"
+    front.inputs[0].default_value = 1.0
+    tree.links.new(tree.nodes.new("ShaderNodeNewGeometry").outputs["Backfacing"], front.inputs[1])
+    scaled = tree.nodes.new("ShaderNodeMath")
+    scaled.operation = "MULTIPLY"
+    scaled.inputs[0].default_value = strength.default_value
+    tree.links.new(front.outputs[0], scaled.inputs[1])
+    tree.links.new(scaled.outputs[0], strength)
+
+
+def set_up_cycles(samples, output):
+    scene = bpy.context.scene
+    scene.render.engine = "CYCLES"
+    scene.render.resolution_x = scene.render.resolution_y = 256
+    scene.render.filepath = output
+    scene.render.image_settings.file_format = "OPEN_EXR"
+    scene.render.image_settings.color_depth = "32"
+    cycles = scene.cycles
+    cycles.samples = samples
+    cycles.use_adaptive_sampling = cycles.use_denoising = False
+    cycles.sample_clamp_direct = cycles.sample_clamp_indirect = 0
+    cycles.blur_glossy = 0
+    cycles.pixel_filter_type = "BOX"
+    cycles.max_bounces = cycles.diffuse_bounces = 32
+    cycles.glossy_bounces = cycles.transmission_bounces = 32
+
+
+def main():
+    model, output, samples = sys.argv[sys.argv.index("--") + 1:][:3]
+    build_scene()
+    for material in bpy.data.materials:
+        if material.name == "Lamp":
+            shine_forwards_only(material)
+        elif model == "lambert" and material.name not in ("Glass", "Mirror"):
+            make_lambert(material)
+    set_up_cycles(int(samples), os.path.abspath(output))
+    bpy.ops.render.render(write_still=True)
+
+
+main()
