@@ -1,0 +1,66 @@
+#include "common/math/sampling.h"
+#include "render/maps/estimate.h"
+#include "render/photons/trace_photons.h"
+#include "tests/support/statistics.h"
+#include "tests/support/tiny_scenes.h"
+
+#include <catch2/catch.hpp>
+
+using namespace hipmap;
+
+namespace {
+
+/// Mean of the estimates at the middle of the floor from direct photons, over independent passes.
+RunningMean estimated_irradiance(const tiny::ReadyScene& ready, MapMode mode)
+{
+    const MapOptions options{mode, 50, 100};
+    const MapSurfaces surfaces(ready.scene.mesh, ready.partition);
+    EstimateScratch scratch(options);
+    RunningMean mean;
+    for (std::uint64_t pass = 0; pass < 100; ++pass) {
+        TracedPhotons traced = trace_photons(*ready.render, {20000, 3, pass, true});
+        const PhotonMaps maps =
+            build_photon_maps(std::move(traced.global), ready.scene.mesh, ready.partition, options);
+        mean.add(estimate_irradiance(maps, surfaces, {{0, 0, 0}, {0, 1, 0}, 0, 0}, scratch).y);
+    }
+    return mean;
+}
+
+/// The disc of the estimate is small against the light's height, but not nothing: second order in
+/// radius over height, below 1 part in 100 here.
+void check_against(const tiny::ReadyScene& ready, double truth)
+{
+    for (const MapMode mode : {MapMode::global, MapMode::shared, MapMode::thesis}) {
+        const RunningMean mean = estimated_irradiance(ready, mode);
+        CHECK(std::abs(mean.mean() - truth) < 0.01 * truth + kMostZ * mean.standard_error());
+        CHECK(mean.standard_error() < 0.02 * truth);
+    }
+}
+
+Scene matt_floor()
+{
+    Scene scene = tiny::make_scene(tiny::floor_at(0, 1));
+    scene.materials[0] = tiny::matt(Rgb(0.5f));
+    return scene;
+}
+
+} // namespace
+
+TEST_CASE("photon irradiance: under a point light by the inverse square", "[integrator]")
+{
+    Scene scene = matt_floor();
+    PunctualLight light;
+    light.position = {0, 0.5f, 0};
+    light.intensity = Rgb(3);
+    scene.lights = {light};
+    check_against(*tiny::ready(scene), 3 / 0.25);
+}
+
+TEST_CASE("photon irradiance: under a square light by its form factor", "[integrator]")
+{
+    Scene scene = matt_floor();
+    tiny::add(scene, tiny::floor_at(0.5f, -0.4f), tiny::lamp(Rgb(2)));
+    // Four rectangles of half the side whose corners lie straight above the point; Howell's C-11.
+    const double p = 0.2 / 0.5, u = std::sqrt(1 + p * p);
+    check_against(*tiny::ready(scene), 2 * 4 * p / u * std::atan(p / u));
+}
