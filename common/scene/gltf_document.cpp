@@ -17,7 +17,9 @@ using nlohmann::json;
 /// glTF itself nests about ten levels; the rest is for extras.  Libraries recurse over them.
 constexpr int kDeepestJson = 200;
 constexpr std::size_t kGlbHeader = 20; // file header and the header of the JSON chunk
+constexpr std::size_t kGlbChunkHeader = 8;
 constexpr std::uint32_t kJsonChunk = 0x4e4f534a;
+constexpr std::uint32_t kBinChunk = 0x004e4942;
 
 std::uint32_t little_endian_at(const std::vector<std::byte>& bytes, std::size_t offset)
 {
@@ -48,6 +50,20 @@ std::string_view glb_json(const GltfDocument& document)
     if (length > bytes.size() - kGlbHeader)
         throw fail("the JSON chunk runs past the end of the file; export it again");
     return {reinterpret_cast<const char*>(bytes.data()) + kGlbHeader, length};
+}
+
+/// Finds the BIN chunk, which comes right after that of JSON or not at all.
+void find_glb_bin(GltfDocument& document, std::size_t json_size)
+{
+    const std::vector<std::byte>& bytes = document.bytes;
+    const std::size_t at = kGlbHeader + json_size;
+    if (bytes.size() - at < kGlbChunkHeader || little_endian_at(bytes, at + 4) != kBinChunk)
+        return;
+    document.bin_offset = at + kGlbChunkHeader;
+    document.bin_size = little_endian_at(bytes, at);
+    if (document.bin_size > bytes.size() - document.bin_offset)
+        throw scene_error(document.path, "GLB container",
+                          "the BIN chunk runs past the end of the file; export it again");
 }
 
 json parse_json(const std::filesystem::path& path, std::string_view text)
@@ -99,6 +115,8 @@ GltfDocument read_gltf_document(const std::filesystem::path& path)
         document.binary ? glb_json(document)
                         : std::string_view(reinterpret_cast<const char*>(document.bytes.data()),
                                            document.bytes.size());
+    if (document.binary)
+        find_glb_bin(document, text.size());
     document.json = parse_json(path, text);
     check_version(document);
     check_gltf_schema(document);

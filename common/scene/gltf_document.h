@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -14,11 +15,19 @@ struct GltfDocument {
     std::filesystem::path path;
     std::vector<std::byte> bytes; ///< the whole file
     bool binary = false;          ///< GLB container
+    std::size_t bin_offset = 0;   ///< the BIN chunk of a container, if it has one
+    std::size_t bin_size = 0;
     nlohmann::json json;
+
+    std::span<const std::byte> bin() const
+    {
+        return std::span(bytes).subspan(bin_offset, bin_size);
+    }
 };
 
 /// Reads the file and parses its JSON, at most kDeepestJson levels deep.
-/// Throws InputError: cannot be read, damaged container, not JSON, not glTF 2.x.
+/// Throws InputError: cannot be read, damaged container, not JSON, not glTF 2.x, or as
+/// check_gltf_schema.
 GltfDocument read_gltf_document(const std::filesystem::path& path);
 
 /// Checks the type of every property that is read, every reference between parts of the file and

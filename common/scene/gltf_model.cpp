@@ -1,122 +1,59 @@
 #include "common/scene/gltf_model.h"
 
-#include "common/file/output_file.h"
+#include "common/scene/gltf_buffers.h"
+#include "common/scene/gltf_draco.h"
+#include "common/scene/gltf_meshopt.h"
 #include "common/scene/gltf_unread.h"
 #include "common/scene/raw_scene.h"
-#include "common/scene/scene_file.h"
 #include "common/scene/scene_names.h"
 
-#include <cstring>
-#include <map>
-#include <optional>
+#include <set>
 
 namespace hipmap {
 
 namespace {
 
-/// Files that may be opened, by the name tinygltf asks for: the buffers' and no others.
-struct BufferFiles {
-    struct File {
-        std::filesystem::path path;
-        std::size_t length = 0;
-    };
-    std::map<std::string, File> by_name;
-};
-
-bool is_buffer_file(const std::string& name, void* files)
+/// The JSON that tinygltf gets to see.  It would fail a load whose indices or buffers exist in
+/// compressed form only, so these are left to us, as are materials and pictures.
+std::string text_for_tinygltf(const GltfDocument& document)
 {
-    return static_cast<const BufferFiles*>(files)->by_name.contains(name);
+    const std::set<std::string> ours = {"buffers",  "images",    "textures",
+                                        "samplers", "materials", "animations"};
+    nlohmann::json root;
+    for (const auto& [key, value] : document.json.items())
+        if (!ours.contains(key))
+            root[key] = value;
+    if (root.contains("meshes"))
+        for (nlohmann::json& mesh : root["meshes"])
+            for (nlohmann::json& primitive : mesh["primitives"]) {
+                primitive.erase("indices");
+                primitive.erase("material");
+            }
+    return root.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
-std::string same_path(const std::string& name, void*)
+void restore_references(const GltfDocument& document, tinygltf::Model& model)
 {
-    return name;
-}
-
-bool read_buffer_file(std::vector<unsigned char>* out, std::string*, const std::string& name,
-                      void* files)
-{
-    const BufferFiles::File& file = static_cast<const BufferFiles*>(files)->by_name.at(name);
-    const std::vector<std::byte> bytes = read_file(file.path);
-    // A file may be longer than its buffer; tinygltf wants it exact.
-    out->resize(std::min(bytes.size(), file.length));
-    if (!out->empty())
-        std::memcpy(out->data(), bytes.data(), out->size());
-    return true;
-}
-
-bool write_nothing(std::string*, const std::string&, const std::vector<unsigned char>&, void*)
-{
-    return false;
-}
-
-bool skip_picture(tinygltf::Image*, const int, std::string*, std::string*, int, int,
-                  const unsigned char*, int, void*)
-{
-    return true;
-}
-
-/// The text of a percent-encoded URI; nothing if a code is broken or stands for NUL.
-std::optional<std::string> decode_percent(const std::string& uri)
-{
-    const auto digit = [](char c) {
-        const char* const digits = "0123456789abcdef";
-        const char* const at = c == 0 ? nullptr : std::strchr(digits, c | 0x20);
-        return at ? static_cast<int>(at - digits) : -1;
-    };
-    std::string text;
-    for (std::size_t i = 0; i < uri.size(); ++i) {
-        char c = uri[i];
-        if (c == '%') {
-            const int high = i + 1 < uri.size() ? digit(uri[i + 1]) : -1;
-            const int low = i + 2 < uri.size() ? digit(uri[i + 2]) : -1;
-            if (high < 0 || low < 0)
-                return std::nullopt;
-            c = static_cast<char>(16 * high + low);
-            i += 2;
+    for (std::size_t m = 0; m < model.meshes.size(); ++m) {
+        const nlohmann::json& primitives = document.json["meshes"][m]["primitives"];
+        for (std::size_t p = 0; p < primitives.size(); ++p) {
+            tinygltf::Primitive& primitive = model.meshes[m].primitives[p];
+            primitive.indices = primitives[p].value("indices", -1);
+            primitive.material = primitives[p].value("material", -1);
         }
-        if (c == 0)
-            return std::nullopt;
-        text += c;
     }
-    return text;
 }
 
-/// The name tinygltf will ask for: it also decodes '+'.
-std::string name_asked_for(const std::string& uri)
+/// An uncompressed bufferView must not lie in a buffer that is only a placeholder.
+void check_plain_views(const GltfDocument& document, const tinygltf::Model& model)
 {
-    std::string plus = uri;
-    for (char& c : plus)
-        if (c == '+')
-            c = ' ';
-    return *decode_percent(plus);
-}
-
-BufferFiles find_buffer_files(const GltfDocument& document)
-{
-    BufferFiles files;
-    if (!document.json.contains("buffers"))
-        return files;
-    for (std::size_t i = 0; i < document.json["buffers"].size(); ++i) {
-        const nlohmann::json& buffer = document.json["buffers"][i];
-        const std::string place = "buffers[" + std::to_string(i) + "]";
-        const std::string uri = buffer.value("uri", std::string());
-        const bool embedded = document.binary && uri.empty();
-        if (embedded || tinygltf::IsDataURI(uri))
-            continue;
-        const std::optional<std::string> name = decode_percent(uri);
-        if (!name || uri.starts_with("data:"))
-            throw scene_error(document.path, place,
-                              "its uri cannot be read; export the file again as .glb");
-        const std::filesystem::path path = file_beside(document.path, place, *name);
-        const auto length = buffer["byteLength"].get<std::size_t>();
-        if (std::filesystem::file_size(path) < length)
-            throw scene_error(document.path, place,
-                              quote_name(*name) +
-                                  " is shorter than the scene says; export it again");
-        files.by_name[name_asked_for(uri)] = {path, length};
+    for (std::size_t i = 0; i < model.bufferViews.size(); ++i) {
+        const tinygltf::BufferView& view = model.bufferViews[i];
+        if (model.buffers[static_cast<std::size_t>(view.buffer)].data.empty())
+            throw scene_error(document.path, "bufferViews[" + std::to_string(i) + "]",
+                              "lies in a fallback buffer that is not in the file; export it "
+                              "again");
     }
-    return files;
 }
 
 } // namespace
@@ -124,24 +61,15 @@ BufferFiles find_buffer_files(const GltfDocument& document)
 tinygltf::Model parse_gltf(const GltfDocument& document)
 {
     check_required_extensions(document);
-    BufferFiles files = find_buffer_files(document);
-    tinygltf::TinyGLTF loader;
-    loader.SetImageLoader(skip_picture, nullptr);
-    loader.SetFsCallbacks({is_buffer_file, same_path, read_buffer_file, write_nothing, &files});
-
+    std::vector<std::vector<unsigned char>> buffers = load_gltf_buffers(document);
     tinygltf::Model model;
     std::string error, warning;
-    const auto size = static_cast<unsigned int>(document.bytes.size());
     bool good = false;
     try {
-        if (document.binary) {
-            const auto* bytes = reinterpret_cast<const unsigned char*>(document.bytes.data());
-            good = loader.LoadBinaryFromMemory(&model, &error, &warning, bytes, size);
-        } else {
-            const auto* text = reinterpret_cast<const char*>(document.bytes.data());
-            good = loader.LoadASCIIFromString(&model, &error, &warning, text, size, "");
-        }
-    } catch (const InputError&) {
+        const std::string text = text_for_tinygltf(document);
+        good = tinygltf::TinyGLTF().LoadASCIIFromString(&model, &error, &warning, text.data(),
+                                                        static_cast<unsigned int>(text.size()), "");
+    } catch (const std::bad_alloc&) {
         throw;
     } catch (const std::exception& failure) {
         error = failure.what();
@@ -150,6 +78,12 @@ tinygltf::Model parse_gltf(const GltfDocument& document)
         throw scene_error(document.path, "glTF",
                           "cannot be read (" + quote_name(error.substr(0, error.find('\n'))) +
                               "); export it again");
+    restore_references(document, model);
+    for (std::vector<unsigned char>& bytes : buffers)
+        model.buffers.emplace_back().data = std::move(bytes);
+    decode_meshopt_views(document, model);
+    check_plain_views(document, model);
+    decode_draco_primitives(document, model);
     return model;
 }
 

@@ -15,9 +15,10 @@ using nlohmann::json;
 using std::string_view;
 
 constexpr string_view kRead[] = {
-    "KHR_lights_punctual", "KHR_materials_emissive_strength", "KHR_materials_transmission",
-    "KHR_materials_ior",   "KHR_materials_specular",          "KHR_materials_volume",
-    "KHR_materials_unlit", "KHR_mesh_quantization",
+    "KHR_lights_punctual",     "KHR_materials_emissive_strength", "KHR_materials_transmission",
+    "KHR_materials_ior",       "KHR_materials_specular",          "KHR_materials_volume",
+    "KHR_materials_unlit",     "KHR_mesh_quantization",           "KHR_draco_mesh_compression",
+    "EXT_meshopt_compression",
 };
 
 /// Not read, but a scene without them keeps its shapes and lights: a warning is enough.
@@ -43,8 +44,6 @@ struct Cure {
 };
 
 constexpr Cure kCures[] = {
-    {"KHR_draco_mesh_compression", "export without compression (Blender: Data > Compression off)"},
-    {"EXT_meshopt_compression", "export without compression"},
     {"KHR_meshopt_compression", "export without compression"},
     {"EXT_mesh_gpu_instancing", "export with real instances (nodes that share a mesh)"},
     {"KHR_materials_pbrSpecularGlossiness", "convert the materials to metallic-roughness"},
@@ -189,35 +188,10 @@ const char* cure_for(string_view extension)
     return "export without it";
 }
 
-/// Whether a primitive's vertices exist in compressed form only.
-bool lacks_plain_data(const json& root, const json& primitive)
-{
-    const auto position = primitive["attributes"].find("POSITION");
-    if (position == primitive["attributes"].end())
-        return false;
-    const json& accessor = root["accessors"][position->get<std::size_t>()];
-    return !accessor.contains("bufferView") && !accessor.contains("sparse");
-}
-
-void check_compressed_meshes(const GltfDocument& document)
-{
-    const string_view draco = "KHR_draco_mesh_compression";
-    std::size_t index = 0;
-    for (const json& mesh : members(document.json, "meshes")) {
-        const std::string name = name_of(mesh, "mesh", index++);
-        for (const json& primitive : mesh["primitives"])
-            if (members(primitive, "extensions").contains(draco) &&
-                lacks_plain_data(document.json, primitive))
-                throw scene_error(document.path, "mesh " + quote_name(name),
-                                  std::string(draco) + " is not read; " + cure_for(draco));
-    }
-}
-
 } // namespace
 
 void check_required_extensions(const GltfDocument& document)
 {
-    check_compressed_meshes(document);
     for (const json& required : members(document.json, "extensionsRequired")) {
         const auto& name = required.get_ref<const std::string&>();
         if (is_in(kRead, name) || is_in(kSpared, name))

@@ -177,7 +177,7 @@ TEST_CASE("unknown required extensions and other versions are refused by name",
     GltfFile file = tetrahedron();
     file.root["extensionsRequired"] = {"ACME_rounded_edges"};
     check_refused(file, "'ACME_rounded_edges'");
-    file.root["extensionsRequired"] = {"KHR_draco_mesh_compression"};
+    file.root["extensionsRequired"] = {"KHR_meshopt_compression"};
     check_refused(file, "export without compression");
     file = tetrahedron();
     file.root["asset"]["version"] = "3.0";
