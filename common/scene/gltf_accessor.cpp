@@ -161,9 +161,19 @@ double GltfAccessor::value(std::size_t i, int c) const
     return normalized_ ? std::max(-1.0, number / full_scale(base_.component_type)) : number;
 }
 
+glm::dvec2 GltfAccessor::vec2(std::size_t i) const
+{
+    return {value(i, 0), value(i, 1)};
+}
+
 glm::dvec3 GltfAccessor::vec3(std::size_t i) const
 {
     return {value(i, 0), value(i, 1), value(i, 2)};
+}
+
+glm::dvec4 GltfAccessor::vec4(std::size_t i) const
+{
+    return {value(i, 0), value(i, 1), value(i, 2), value(i, 3)};
 }
 
 std::uint32_t GltfAccessor::index(std::size_t i) const

@@ -34,8 +34,10 @@ class GltfAccessor {
     int component_type() const { return base_.component_type; }
     bool normalized() const { return normalized_; }
 
-    /// Element `i` < size() of a VEC3, normalised integers as their fraction.
+    /// Element `i` < size() of a VEC2, VEC3, VEC4, normalised integers as their fraction.
+    glm::dvec2 vec2(std::size_t i) const;
     glm::dvec3 vec3(std::size_t i) const;
+    glm::dvec4 vec4(std::size_t i) const;
     /// Element `i` < size() of a SCALAR of unsigned integers.
     std::uint32_t index(std::size_t i) const;
 

@@ -15,26 +15,17 @@ std::string place_of(std::size_t node)
     return "nodes[" + std::to_string(node) + "]";
 }
 
-bool all_finite(const glm::dmat4& m)
-{
-    for (int column = 0; column < 4; ++column)
-        for (int row = 0; row < 4; ++row)
-            if (!std::isfinite(m[column][row]))
-                return false;
-    return true;
-}
-
 bool is_affine(const glm::dmat4& m)
 {
     return m[0][3] == 0 && m[1][3] == 0 && m[2][3] == 0 && m[3][3] == 1;
 }
 
-glm::dmat4 rotation_matrix(const std::vector<double>& q)
+glm::dmat4 rotation_matrix(const glm::dvec4& q)
 {
-    const double length = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+    const double length = glm::length(q);
     if (!(length > 0) || !std::isfinite(length))
         return glm::dmat4(1.0); // no rotation can be meant by a quaternion of zeros
-    const double x = q[0] / length, y = q[1] / length, z = q[2] / length, w = q[3] / length;
+    const double x = q.x / length, y = q.y / length, z = q.z / length, w = q.w / length;
     glm::dmat4 m(1.0);
     m[0] = {1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w), 0};
     m[1] = {2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w), 0};
@@ -46,13 +37,14 @@ glm::dmat4 local_transform(const tinygltf::Node& node)
 {
     if (node.matrix.size() == 16)
         return glm::make_mat4(node.matrix.data());
-    glm::dmat4 m = node.rotation.size() == 4 ? rotation_matrix(node.rotation) : glm::dmat4(1.0);
+    NodeTransform parts;
+    if (node.rotation.size() == 4)
+        parts.rotation = glm::make_vec4(node.rotation.data());
     if (node.scale.size() == 3)
-        for (int axis = 0; axis < 3; ++axis)
-            m[axis] *= node.scale[static_cast<std::size_t>(axis)];
+        parts.scale = glm::make_vec3(node.scale.data());
     if (node.translation.size() == 3)
-        m[3] = {node.translation[0], node.translation[1], node.translation[2], 1};
-    return m;
+        parts.translation = glm::make_vec3(node.translation.data());
+    return to_matrix(parts);
 }
 
 /// How many nodes have each node as a child.
@@ -84,6 +76,24 @@ std::vector<std::size_t> root_nodes(const tinygltf::Model& model, const std::vec
 
 } // namespace
 
+glm::dmat4 to_matrix(const NodeTransform& transform)
+{
+    glm::dmat4 m = rotation_matrix(transform.rotation);
+    for (int axis = 0; axis < 3; ++axis)
+        m[axis] *= transform.scale[axis];
+    m[3] = glm::dvec4(transform.translation, 1.0);
+    return m;
+}
+
+bool is_finite_transform(const glm::dmat4& m)
+{
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row)
+            if (!std::isfinite(m[column][row]))
+                return false;
+    return true;
+}
+
 std::vector<PlacedNode> place_nodes(const tinygltf::Model& model, const std::filesystem::path& path)
 {
     const std::vector<int> parents = count_parents(model, path);
@@ -106,7 +116,7 @@ std::vector<PlacedNode> place_nodes(const tinygltf::Model& model, const std::fil
         const tinygltf::Node& node = model.nodes[at.node];
         const glm::dmat4 local = local_transform(node);
         at.to_world = at.to_world * local;
-        if (!is_affine(local) || !all_finite(at.to_world))
+        if (!is_affine(local) || !is_finite_transform(at.to_world))
             throw scene_error(path, place_of(at.node),
                               "its transform is not finite or not affine; apply the transform and "
                               "export again");

@@ -14,6 +14,17 @@ struct PlacedNode {
     glm::dmat4 to_world{1.0};
 };
 
+/// A transform in parts, applied scale first.
+struct NodeTransform {
+    glm::dvec3 translation{0.0};
+    glm::dvec4 rotation{0, 0, 0, 1}; ///< quaternion x, y, z, w of any length; zero: no rotation
+    glm::dvec3 scale{1.0};
+};
+
+glm::dmat4 to_matrix(const NodeTransform& transform);
+
+bool is_finite_transform(const glm::dmat4& m);
+
 /// The nodes of scene `scene` (or the first; or, without scenes, all roots), depth first.
 /// Throws InputError: a node that is its own ancestor or has two parents, a transform that is
 /// not finite or not affine.

@@ -18,7 +18,7 @@ constexpr string_view kRead[] = {
     "KHR_lights_punctual",     "KHR_materials_emissive_strength", "KHR_materials_transmission",
     "KHR_materials_ior",       "KHR_materials_specular",          "KHR_materials_volume",
     "KHR_materials_unlit",     "KHR_mesh_quantization",           "KHR_draco_mesh_compression",
-    "EXT_meshopt_compression",
+    "EXT_meshopt_compression", "EXT_mesh_gpu_instancing",
 };
 
 /// Not read, but a scene without them keeps its shapes and lights: a warning is enough.
@@ -45,7 +45,6 @@ struct Cure {
 
 constexpr Cure kCures[] = {
     {"KHR_meshopt_compression", "export without compression"},
-    {"EXT_mesh_gpu_instancing", "export with real instances (nodes that share a mesh)"},
     {"KHR_materials_pbrSpecularGlossiness", "convert the materials to metallic-roughness"},
 };
 

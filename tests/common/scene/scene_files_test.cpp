@@ -139,6 +139,7 @@ TEST_CASE("third-party models load, and compressed ones equal their plain form",
     };
     CHECK(faces("spot/spot.obj") == 5856);
     CHECK(faces("compressed/spot_plain.glb") == 5856);
+    CHECK(faces("gpu_instancing/24_gpu_instancing.gltf") == 2 + (958 + 941) * 12096 / 3);
     CHECK(faces("box_draco/BoxDraco.gltf") == 12);
     CHECK(faces("box_meshopt/BoxMeshopt.glb") == 12);
     const std::vector<glm::dvec3> plain = face_centres(folder / "compressed/spot_plain.glb");

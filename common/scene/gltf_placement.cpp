@@ -1,0 +1,196 @@
+#include "common/scene/gltf_placement.h"
+
+#include "common/scene/gltf_instances.h"
+#include "common/scene/gltf_material.h"
+#include "common/scene/gltf_mesh.h"
+#include "common/scene/scene_names.h"
+
+#include <unistd.h>
+
+#include <optional>
+
+namespace hipmap {
+
+namespace {
+
+/// What loading takes at its peak, where a scene's doubles and floats are held side by side.
+constexpr double kBytesPerFace = 20;
+constexpr double kBytesPerVertex = 48;
+constexpr double kBytesPerInstance = 128;
+
+double physical_memory()
+{
+    return static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
+           static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
+/// What turns a primitive's vertices into the world's.
+struct Placement {
+    glm::dmat4 points{1.0};
+    glm::dmat3 normals{1.0}; ///< inverse transpose up to a positive factor
+    bool mirrored = false;
+};
+
+/// The matrix of cofactors: the inverse transpose times the determinant, and defined without one.
+glm::dmat3 cofactors(const glm::dmat3& m)
+{
+    return {glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])};
+}
+
+Placement placement_of(const glm::dmat4& to_world)
+{
+    double largest = 0.0;
+    for (int column = 0; column < 3; ++column)
+        for (int row = 0; row < 3; ++row)
+            largest = std::max(largest, std::abs(to_world[column][row]));
+    // Scaled first, so that the products below neither overflow nor vanish.
+    const glm::dmat3 linear = largest > 0 ? glm::dmat3(to_world) / largest : glm::dmat3(0.0);
+    Placement placement;
+    placement.points = to_world;
+    placement.normals = cofactors(linear);
+    placement.mirrored = glm::dot(linear[0], placement.normals[0]) < 0;
+    if (placement.mirrored)
+        placement.normals = -placement.normals;
+    return placement;
+}
+
+glm::vec3 unit_or_zero(const glm::dvec3& v)
+{
+    const double length = glm::length(v);
+    return length > 0 && std::isfinite(length) ? glm::vec3(v / length) : glm::vec3(0.0f);
+}
+
+void append(const GltfPrimitive& primitive, MaterialId material, const Placement& placement,
+            RawScene& scene)
+{
+    const auto first = static_cast<std::uint32_t>(scene.positions.size());
+    for (const glm::dvec3& p : primitive.positions)
+        scene.positions.emplace_back(placement.points * glm::dvec4(p, 1.0));
+    for (const glm::dvec3& n : primitive.normals)
+        scene.normals.push_back(unit_or_zero(placement.normals * n));
+    scene.normals.resize(scene.positions.size(), glm::vec3(0.0f));
+    for (glm::uvec3 face : primitive.corners) {
+        if (placement.mirrored)
+            std::swap(face.y, face.z);
+        scene.corners.push_back(face + first);
+    }
+    scene.material_of_face.resize(scene.corners.size(), material);
+    scene.object_of_face.resize(scene.corners.size(),
+                                static_cast<ObjectId>(scene.objects.size() - 1));
+}
+
+/// Reads each mesh once and places it at every node that uses it.
+class MeshPlacer {
+  public:
+    MeshPlacer(const tinygltf::Model& model, RawScene& scene)
+        : model_(model), scene_(scene), reader_(model, scene), meshes_(model.meshes.size())
+    {
+    }
+
+    void place(const std::vector<PlacedNode>& nodes)
+    {
+        reserve(nodes);
+        for (const PlacedNode& at : nodes)
+            if (model_.nodes[at.node].mesh >= 0)
+                place_mesh(at);
+        if (!without_material_.empty())
+            scene_.audit.assumed.push_back("no material on " + list_names(without_material_) +
+                                           ": white rough metal, as glTF has it; give them a "
+                                           "material with a Principled BSDF");
+    }
+
+  private:
+    const std::vector<GltfPrimitive>& mesh_of(int index)
+    {
+        std::optional<std::vector<GltfPrimitive>>& mesh = meshes_[static_cast<std::size_t>(index)];
+        if (!mesh)
+            mesh = reader_.read(static_cast<std::size_t>(index));
+        return *mesh;
+    }
+
+    void place_mesh(const PlacedNode& at)
+    {
+        const tinygltf::Node& node = model_.nodes[at.node];
+        const std::string mesh_name =
+            clean_name(model_.meshes[static_cast<std::size_t>(node.mesh)].name);
+        std::string name = clean_name(node.name);
+        if (name.empty())
+            name = mesh_name.empty() ? "object " + std::to_string(at.node) : mesh_name;
+        scene_.objects.push_back({name, mesh_name});
+        for (const GltfPrimitive& primitive : mesh_of(node.mesh))
+            if (primitive.material < 0)
+                without_material_.push_back(name);
+        for (const glm::dmat4& to_world : place_instances(model_, at, scene_.path)) {
+            const Placement placement = placement_of(to_world);
+            for (const GltfPrimitive& primitive : mesh_of(node.mesh))
+                append(primitive,
+                       primitive.material < 0 ? default_material()
+                                              : static_cast<MaterialId>(primitive.material),
+                       placement, scene_);
+        }
+    }
+
+    MaterialId default_material()
+    {
+        if (default_material_ == kNone) {
+            default_material_ = static_cast<MaterialId>(scene_.materials.size());
+            scene_.materials.push_back(gltf_default_material());
+        }
+        return default_material_;
+    }
+
+    /// Makes room for all, once it is known to fit.
+    void reserve(const std::vector<PlacedNode>& nodes)
+    {
+        std::uint64_t faces = 0, vertices = 0;
+        for (const PlacedNode& at : nodes) {
+            const int mesh = model_.nodes[at.node].mesh;
+            if (mesh < 0)
+                continue;
+            const std::uint64_t instances = count_instances(model_, at.node, scene_.path);
+            check_amount(instances, faces, vertices);
+            for (const GltfPrimitive& primitive : mesh_of(mesh)) {
+                // Factors below 2^32, so nothing wraps.
+                faces += instances * primitive.corners.size();
+                vertices += instances * primitive.positions.size();
+                check_amount(instances, faces, vertices);
+            }
+        }
+        scene_.positions.reserve(vertices);
+        scene_.normals.reserve(vertices);
+        scene_.corners.reserve(faces);
+        scene_.material_of_face.reserve(faces);
+        scene_.object_of_face.reserve(faces);
+    }
+
+    void check_amount(std::uint64_t instances, std::uint64_t faces, std::uint64_t vertices) const
+    {
+        if (instances >= kNone || faces >= kNone || vertices >= kNone)
+            throw scene_error(scene_.path, "",
+                              "more than 2^32 - 2 faces or vertices; export fewer instances");
+        const double bytes = static_cast<double>(faces) * kBytesPerFace +
+                             static_cast<double>(vertices) * kBytesPerVertex +
+                             static_cast<double>(instances) * kBytesPerInstance;
+        if (bytes > physical_memory())
+            throw scene_error(scene_.path, "",
+                              "its faces and instances need " + short_number(bytes / 1e9) +
+                                  " GB of memory, more than there is; export fewer");
+    }
+
+    const tinygltf::Model& model_;
+    RawScene& scene_;
+    GltfMeshReader reader_;
+    std::vector<std::optional<std::vector<GltfPrimitive>>> meshes_;
+    std::vector<std::string> without_material_;
+    MaterialId default_material_ = kNone;
+};
+
+} // namespace
+
+void place_meshes(const tinygltf::Model& model, const std::vector<PlacedNode>& nodes,
+                  RawScene& scene)
+{
+    MeshPlacer(model, scene).place(nodes);
+}
+
+} // namespace hipmap
