@@ -63,6 +63,17 @@ std::vector<bool> find_excluded(const RawScene& scene, std::span<const std::stri
     return excluded;
 }
 
+/// Keeps the elements whose `place` is not kNone, in order; an empty array stays so.
+template <typename T>
+void keep_placed(std::vector<T>& elements, const std::vector<std::uint32_t>& place)
+{
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < elements.size(); ++i)
+        if (place[i] != kNone)
+            elements[kept++] = elements[i];
+    elements.resize(kept);
+}
+
 /// Drops the vertices that no face uses, keeping the order of the rest.
 void drop_unused_vertices(RawScene& scene)
 {
@@ -71,15 +82,15 @@ void drop_unused_vertices(RawScene& scene)
         for (int c = 0; c < 3; ++c)
             place[face[c]] = 0;
     std::uint32_t kept = 0;
-    for (std::size_t i = 0; i < place.size(); ++i) {
-        if (place[i] == kNone)
-            continue;
-        scene.positions[kept] = scene.positions[i];
-        scene.normals[kept] = scene.normals[i];
-        place[i] = kept++;
-    }
-    scene.positions.resize(kept);
-    scene.normals.resize(kept);
+    for (std::uint32_t& vertex : place)
+        if (vertex != kNone)
+            vertex = kept++;
+    keep_placed(scene.positions, place);
+    keep_placed(scene.normals, place);
+    for (std::vector<glm::vec2>& uv : scene.attributes.uv)
+        keep_placed(uv, place);
+    keep_placed(scene.attributes.colours, place);
+    keep_placed(scene.attributes.tangents, place);
     for (glm::uvec3& face : scene.corners)
         face = {place[face.x], place[face.y], place[face.z]};
 }

@@ -131,6 +131,8 @@ GltfPrimitive GltfMeshReader::read_primitive(const tinygltf::Primitive& primitiv
                               "a position or normal is not finite; repair the mesh and export it "
                               "again");
     }
+    out.attributes =
+        read_attributes({model_, primitive, scene_.path, place}, wanted_, positions.size(), used);
     return out;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "common/scene/gltf_attributes.h"
 #include "common/scene/mesh.h"
 #include "common/scene/raw_scene.h"
 
@@ -15,6 +16,7 @@ namespace hipmap {
 struct GltfPrimitive {
     std::vector<glm::dvec3> positions;
     std::vector<glm::dvec3> normals; ///< as authored; empty if there are none
+    VertexAttributes attributes;
     std::vector<glm::uvec3> corners;
     int material = -1; ///< -1: none
 };
@@ -22,7 +24,10 @@ struct GltfPrimitive {
 /// Reads the primitives of meshes; one reader per file, so that its scratch memory is shared.
 class GltfMeshReader {
   public:
-    GltfMeshReader(const tinygltf::Model& model, RawScene& scene) : model_(model), scene_(scene) {}
+    GltfMeshReader(const tinygltf::Model& model, const WantedAttributes& wanted, RawScene& scene)
+        : model_(model), wanted_(wanted), scene_(scene)
+    {
+    }
 
     /// The triangles of mesh `index`: modes triangles, strip and fan, with and without indices.
     /// Points and lines are passed over.  No face is dropped, but an incomplete last one.
@@ -36,6 +41,7 @@ class GltfMeshReader {
                                          std::size_t vertex_count, const std::string& place);
 
     const tinygltf::Model& model_;
+    WantedAttributes wanted_;
     RawScene& scene_;
     std::vector<std::uint32_t> local_; ///< file's vertex -> ours; kNone between calls
 };

@@ -24,6 +24,16 @@ double physical_memory()
            static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
+/// Appends `some` to `all`, of which [count] are there: either may be empty while the other is not.
+template <typename T>
+void append_or_fill(std::vector<T>& all, std::size_t count, const std::vector<T>& some, T filler)
+{
+    if (some.empty() && all.empty())
+        return;
+    all.resize(count, filler);
+    all.insert(all.end(), some.begin(), some.end());
+}
+
 /// What turns a primitive's vertices into the world's.
 struct Placement {
     glm::dmat4 points{1.0};
@@ -60,10 +70,32 @@ glm::vec3 unit_or_zero(const glm::dvec3& v)
     return length > 0 && std::isfinite(length) ? glm::vec3(v / length) : glm::vec3(0.0f);
 }
 
+glm::vec4 place_tangent(const glm::vec4& tangent, const Placement& placement)
+{
+    const glm::vec3 turned = unit_or_zero(glm::dmat3(placement.points) * glm::dvec3(tangent));
+    // A mirror image turns a right-handed frame into a left-handed one.
+    const bool left_handed = (tangent.w < 0) != placement.mirrored;
+    return turned == glm::vec3(0.0f) ? glm::vec4(0.0f) : glm::vec4(turned, left_handed ? -1 : 1);
+}
+
+/// Appends to the attributes of [count] vertices; afterwards each array may be shorter than the
+/// positions, where what was last added lacks it.
+void append_attributes(const VertexAttributes& some, std::size_t count, const Placement& placement,
+                       VertexAttributes& all)
+{
+    for (std::size_t set = 0; set < all.uv.size(); ++set)
+        append_or_fill(all.uv[set], count, some.uv[set], glm::vec2(0.0f));
+    append_or_fill(all.colours, count, some.colours, glm::vec4(1.0f));
+    append_or_fill(all.tangents, count, some.tangents, glm::vec4(0.0f));
+    for (std::size_t i = count; i < all.tangents.size(); ++i)
+        all.tangents[i] = place_tangent(all.tangents[i], placement);
+}
+
 void append(const GltfPrimitive& primitive, MaterialId material, const Placement& placement,
             RawScene& scene)
 {
     const auto first = static_cast<std::uint32_t>(scene.positions.size());
+    append_attributes(primitive.attributes, first, placement, scene.attributes);
     for (const glm::dvec3& p : primitive.positions)
         scene.positions.emplace_back(placement.points * glm::dvec4(p, 1.0));
     for (const glm::dvec3& n : primitive.normals)
@@ -82,8 +114,8 @@ void append(const GltfPrimitive& primitive, MaterialId material, const Placement
 /// Reads each mesh once and places it at every node that uses it.
 class MeshPlacer {
   public:
-    MeshPlacer(const tinygltf::Model& model, RawScene& scene)
-        : model_(model), scene_(scene), reader_(model, scene), meshes_(model.meshes.size())
+    MeshPlacer(const tinygltf::Model& model, const WantedAttributes& wanted, RawScene& scene)
+        : model_(model), scene_(scene), reader_(model, wanted, scene), meshes_(model.meshes.size())
     {
     }
 
@@ -93,6 +125,7 @@ class MeshPlacer {
         for (const PlacedNode& at : nodes)
             if (model_.nodes[at.node].mesh >= 0)
                 place_mesh(at);
+        append_attributes({}, scene_.positions.size(), {}, scene_.attributes);
         if (!without_material_.empty())
             scene_.audit.assumed.push_back("no material on " + list_names(without_material_) +
                                            ": white rough metal, as glTF has it; give them a "
@@ -188,9 +221,9 @@ class MeshPlacer {
 } // namespace
 
 void place_meshes(const tinygltf::Model& model, const std::vector<PlacedNode>& nodes,
-                  RawScene& scene)
+                  const WantedAttributes& wanted, RawScene& scene)
 {
-    MeshPlacer(model, scene).place(nodes);
+    MeshPlacer(model, wanted, scene).place(nodes);
 }
 
 } // namespace hipmap

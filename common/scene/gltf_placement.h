@@ -1,5 +1,6 @@
 #pragma once
 
+#include "common/scene/gltf_attributes.h"
 #include "common/scene/gltf_nodes.h"
 #include "common/scene/raw_scene.h"
 
@@ -14,6 +15,6 @@ namespace hipmap {
 /// Each mesh is read once.  Throws InputError: as GltfMeshReader, damaged instances, more than
 /// 2^32 - 2 faces or vertices, or more than memory holds.
 void place_meshes(const tinygltf::Model& model, const std::vector<PlacedNode>& nodes,
-                  RawScene& scene);
+                  const WantedAttributes& wanted, RawScene& scene);
 
 } // namespace hipmap

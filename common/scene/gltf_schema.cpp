@@ -33,6 +33,16 @@ std::size_t array_size(const json& root, string_view path)
     return at->size();
 }
 
+/// Whether `name` begins and ends as the pattern "begin*end" says; "{}": any name.
+bool is_match(string_view name, string_view pattern)
+{
+    if (pattern == "{}")
+        return true;
+    const std::size_t star = pattern.find('*');
+    return name.size() >= pattern.size() - 1 && name.starts_with(pattern.substr(0, star)) &&
+           name.ends_with(pattern.substr(star + 1));
+}
+
 class SchemaCheck {
   public:
     explicit SchemaCheck(const GltfDocument& document) : document_(document) {}
@@ -53,9 +63,10 @@ class SchemaCheck {
         if (step == "[]") {
             for (std::size_t i = 0; i < value.size(); ++i)
                 walk(rule, value[i], path, place + "[" + std::to_string(i) + "]");
-        } else if (step == "{}") {
+        } else if (step == "{}" || step.find('*') != string_view::npos) {
             for (const auto& [key, member] : value.items())
-                walk(rule, member, path, place + "." + key);
+                if (is_match(key, step))
+                    walk(rule, member, path, place + "." + key);
         } else {
             const auto member = value.find(step);
             const std::string next = (place.empty() ? "" : place + ".") + std::string(step);

@@ -65,12 +65,20 @@ std::string name_of(const json& thing, const char* kind, std::size_t index)
 /// Kinds of unread things, each with the names it was seen on.
 class UnreadThings {
   public:
-    void add(const std::string& kind, const std::string& name) { names_[kind].push_back(name); }
+    void add(const std::string& kind, const std::string& name)
+    {
+        names_["not read yet: " + kind].push_back(name);
+    }
+
+    void add_unrendered(const std::string& kind, const std::string& name)
+    {
+        names_["read but not rendered yet: " + kind].push_back(name);
+    }
 
     void warn(SceneAudit& audit) const
     {
         for (const auto& [kind, names] : names_)
-            audit.warnings.push_back("not read yet: " + kind +
+            audit.warnings.push_back(kind +
                                      (names[0].empty() ? "" : " (" + list_names(names) + ")"));
     }
 
@@ -132,12 +140,11 @@ void collect_meshes(const json& root, UnreadThings& unread)
             if (primitive.contains("targets"))
                 unread.add("shape keys (morph targets) of meshes", name);
             for (const auto& [key, value] : primitive["attributes"].items())
-                if (key != "POSITION" && key != "NORMAL" && key != "TANGENT" &&
-                    !key.starts_with("TEXCOORD_"))
-                    unread.add("attribute " + clean_name(key) +
-                                   (key.starts_with("COLOR_") ? " (vertex colours)" : "") +
-                                   " of meshes",
-                               name);
+                if (key == "COLOR_0")
+                    unread.add_unrendered("vertex colours (COLOR_0) of meshes", name);
+                else if (key != "POSITION" && key != "NORMAL" && key != "TANGENT" &&
+                         !key.starts_with("TEXCOORD_"))
+                    unread.add("attribute " + clean_name(key) + " of meshes", name);
         }
     }
 }

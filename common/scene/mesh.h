@@ -2,6 +2,7 @@
 
 #include <glm/glm.hpp>
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -16,10 +17,20 @@ using ObjectId = std::uint32_t;
 /// No face, no map, no object.
 inline constexpr std::uint32_t kNone = 0xffffffffu;
 
+/// What vertices may have besides position and normal; an array is empty where none has it.
+struct VertexAttributes {
+    std::array<std::vector<glm::vec2>, 2> uv; ///< [V] of two sets, (0, 0) the picture's top left
+    std::vector<glm::vec4> colours;           ///< [V] linear RGBA in [0, 1], multiplies the base
+                                              ///<     colour; white where there is none
+    std::vector<glm::vec4> tangents; ///< [V] unit, along rising u; w = 1 or -1, bitangent =
+                                     ///<     w cross(normal, tangent); zero where there is none
+};
+
 /// The triangles of a scene, in scene units (see SceneFrame).
 struct TriangleMesh {
     std::vector<glm::vec3> positions; ///< [V] as the file splits them; not welded
     std::vector<glm::vec3> normals;   ///< [V] shading normals, unit; zero where there is none
+    VertexAttributes attributes;      ///< those that a material reads
     std::vector<glm::uvec3> corners;  ///< [F] indices into positions, counter-clockwise from
                                       ///<     the front (mirrored transforms undone)
     std::vector<MaterialId> material_of_face; ///< [F]

@@ -44,6 +44,7 @@ struct RawScene {
     std::filesystem::path path;
     std::vector<glm::dvec3> positions;        ///< [V]
     std::vector<glm::vec3> normals;           ///< [V] unit; zero where there is none
+    VertexAttributes attributes;              ///< [V] or empty
     std::vector<glm::uvec3> corners;          ///< [F]
     std::vector<MaterialId> material_of_face; ///< [F]
     std::vector<ObjectId> object_of_face;     ///< [F]

@@ -63,7 +63,7 @@ RawScene read_gltf(const std::filesystem::path& path)
     scene.path = path;
     read_gltf_materials(document, scene);
     const std::vector<PlacedNode> nodes = place_nodes(model, path);
-    place_meshes(model, nodes, scene);
+    place_meshes(model, nodes, find_wanted_attributes(document), scene);
     add_lights_and_cameras(model, nodes, scene);
     note_scenes(model, scene.audit);
     warn_of_unread_gltf(document, scene.audit);

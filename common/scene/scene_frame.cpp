@@ -189,6 +189,7 @@ Scene to_scene_units(RawScene& raw, LightUnits units)
         mesh.positions.push_back(convert.position(p));
     raw.positions = {};
     mesh.normals = std::move(raw.normals);
+    mesh.attributes = std::move(raw.attributes);
     mesh.corners = std::move(raw.corners);
     mesh.material_of_face = std::move(raw.material_of_face);
     mesh.object_of_face = std::move(raw.object_of_face);

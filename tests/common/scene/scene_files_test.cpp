@@ -39,6 +39,10 @@ void check_sound(const Scene& scene)
     REQUIRE(mesh.material_of_face.size() == mesh.face_count());
     REQUIRE(mesh.object_of_face.size() == mesh.face_count());
     REQUIRE(mesh.normals.size() == mesh.positions.size());
+    const VertexAttributes& attributes = mesh.attributes;
+    for (const std::size_t size : {attributes.uv[0].size(), attributes.uv[1].size(),
+                                   attributes.colours.size(), attributes.tangents.size()})
+        REQUIRE((size == 0 || size == mesh.positions.size()));
     REQUIRE(scene.camera < scene.cameras.size());
     bool sound = true;
     for (FaceId face = 0; face < mesh.face_count(); ++face) {

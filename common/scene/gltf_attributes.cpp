@@ -1,0 +1,132 @@
+#include "common/scene/gltf_attributes.h"
+
+#include "common/scene/gltf_accessor.h"
+#include "common/scene/raw_scene.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hipmap {
+
+namespace {
+
+using nlohmann::json;
+
+void note_texture(const std::string& slot, const json& texture, WantedAttributes& wanted)
+{
+    std::size_t set = texture.value("texCoord", std::size_t{0});
+    const auto extensions = texture.find("extensions");
+    if (extensions != texture.end() && extensions->contains("KHR_texture_transform"))
+        set = (*extensions)["KHR_texture_transform"].value("texCoord", set);
+    if (set < wanted.uv.size())
+        wanted.uv[set] = true;
+    const bool has_directions =
+        slot == "normalTexture" || slot == "clearcoatNormalTexture" || slot == "anisotropyTexture";
+    wanted.tangents = wanted.tangents || has_directions;
+}
+
+void note_textures(const json& holder, WantedAttributes& wanted)
+{
+    for (const auto& [key, value] : holder.items())
+        if (key.ends_with("Texture") && value.is_object())
+            note_texture(key, value, wanted);
+}
+
+/// The components of element `i` of 2, 3 or 4; what is missing is 1.
+glm::dvec4 vector_at(const GltfAccessor& values, std::size_t i)
+{
+    switch (values.type()) {
+    case TINYGLTF_TYPE_VEC2:
+        return {values.vec2(i), 1.0, 1.0};
+    case TINYGLTF_TYPE_VEC3:
+        return {values.vec3(i), 1.0};
+    default:
+        return values.vec4(i);
+    }
+}
+
+bool is_finite_vector(const glm::dvec4& v)
+{
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z) && std::isfinite(v.w);
+}
+
+class AttributeReader {
+  public:
+    AttributeReader(const PrimitivePlace& at, std::size_t vertex_count,
+                    std::span<const std::uint32_t> used)
+        : at_(at), vertex_count_(vertex_count), used_(used)
+    {
+    }
+
+    /// Calls `take` with the value of each vertex, if the primitive has the attribute.
+    template <typename Take>
+    void read(const char* name, std::initializer_list<int> types, Take take) const
+    {
+        const auto accessor = at_.primitive.attributes.find(name);
+        if (accessor == at_.primitive.attributes.end())
+            return;
+        const GltfAccessor values(at_.model, accessor->second, at_.path);
+        const std::string place = at_.place + "." + name;
+        if (std::find(types.begin(), types.end(), values.type()) == types.end() ||
+            values.component_type() == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT ||
+            values.size() != vertex_count_)
+            throw scene_error(at_.path, place,
+                              "is of a type or count that glTF does not allow; the file is "
+                              "damaged, export it again");
+        for (const std::uint32_t vertex : used_) {
+            const glm::dvec4 value = vector_at(values, vertex);
+            if (!is_finite_vector(value))
+                throw scene_error(at_.path, place + ", vertex " + std::to_string(vertex),
+                                  "is not finite; repair the mesh and export it again");
+            take(value);
+        }
+    }
+
+  private:
+    const PrimitivePlace& at_;
+    std::size_t vertex_count_;
+    std::span<const std::uint32_t> used_;
+};
+
+} // namespace
+
+WantedAttributes find_wanted_attributes(const GltfDocument& document)
+{
+    WantedAttributes wanted;
+    const auto materials = document.json.find("materials");
+    for (std::size_t i = 0; materials != document.json.end() && i < materials->size(); ++i) {
+        const json& material = (*materials)[i];
+        note_textures(material, wanted);
+        if (material.contains("pbrMetallicRoughness"))
+            note_textures(material["pbrMetallicRoughness"], wanted);
+        if (!material.contains("extensions"))
+            continue;
+        for (const auto& [name, extension] : material["extensions"].items()) {
+            if (name.starts_with("KHR_materials_")) // others are not checked
+                note_textures(extension, wanted);
+            wanted.tangents = wanted.tangents || name == "KHR_materials_anisotropy";
+        }
+    }
+    return wanted;
+}
+
+VertexAttributes read_attributes(const PrimitivePlace& at, const WantedAttributes& wanted,
+                                 std::size_t vertex_count, std::span<const std::uint32_t> used)
+{
+    VertexAttributes out;
+    const AttributeReader reader(at, vertex_count, used);
+    constexpr std::array<const char*, 2> kUvNames = {"TEXCOORD_0", "TEXCOORD_1"};
+    for (std::size_t set = 0; set < kUvNames.size(); ++set)
+        if (wanted.uv[set])
+            reader.read(kUvNames[set], {TINYGLTF_TYPE_VEC2},
+                        [&](const glm::dvec4& uv) { out.uv[set].emplace_back(uv); });
+    if (wanted.tangents)
+        reader.read("TANGENT", {TINYGLTF_TYPE_VEC4},
+                    [&](const glm::dvec4& tangent) { out.tangents.emplace_back(tangent); });
+    reader.read("COLOR_0", {TINYGLTF_TYPE_VEC3, TINYGLTF_TYPE_VEC4}, [&](const glm::dvec4& colour) {
+        out.colours.emplace_back(glm::clamp(colour, 0.0, 1.0));
+    });
+    return out;
+}
+
+} // namespace hipmap
