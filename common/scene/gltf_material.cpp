@@ -1,5 +1,6 @@
 #include "common/scene/gltf_material.h"
 
+#include "common/scene/gltf_texture.h"
 #include "common/scene/scene_names.h"
 
 #include <algorithm>
@@ -32,7 +33,14 @@ class FactorReader {
 
     float fraction(const json& object, const char* key, double otherwise)
     {
-        return clamp(number(object, key, otherwise), key);
+        return fraction_of(number(object, key, otherwise), key);
+    }
+
+    float fraction_of(double value, const char* key)
+    {
+        if (!(value >= 0 && value <= 1))
+            clamped.emplace_back(key);
+        return static_cast<float>(std::clamp(value, 0.0, 1.0));
     }
 
     glm::dvec3 colour(const json& object, const char* key, double otherwise) const
@@ -43,10 +51,18 @@ class FactorReader {
         return {c[0].get<double>(), c[1].get<double>(), c[2].get<double>()};
     }
 
-    Rgb fractions(const json& object, const char* key)
+    float at_least_zero(const json& object, const char* key, double otherwise = 0.0) const
     {
-        const glm::dvec3 c = colour(object, key, 1.0);
-        return {clamp(c.x, key), clamp(c.y, key), clamp(c.z, key)};
+        const double value = number(object, key, otherwise);
+        if (!(value >= 0))
+            fail(std::string(key) + " must not be negative");
+        return static_cast<float>(value);
+    }
+
+    Rgb fractions(const json& object, const char* key, double otherwise = 1.0)
+    {
+        const glm::dvec3 c = colour(object, key, otherwise);
+        return {fraction_of(c.x, key), fraction_of(c.y, key), fraction_of(c.z, key)};
     }
 
     [[noreturn]] void fail(const std::string& what) const
@@ -57,13 +73,6 @@ class FactorReader {
     std::vector<std::string> clamped;
 
   private:
-    float clamp(double value, const char* key)
-    {
-        if (!(value >= 0 && value <= 1))
-            clamped.emplace_back(key);
-        return static_cast<float>(std::clamp(value, 0.0, 1.0));
-    }
-
     const std::filesystem::path& path_;
     std::string place_;
 };
@@ -79,6 +88,7 @@ const json& extension(const json& material, const char* name)
 
 void read_volume(const json& volume, FactorReader& read, Material& out)
 {
+    out.thickness = read.at_least_zero(volume, "thicknessFactor");
     if (!volume.contains("attenuationDistance"))
         return;
     const double distance = read.number(volume, "attenuationDistance", 0.0);
@@ -107,6 +117,35 @@ void read_extensions(const json& material, FactorReader& read, Material& out)
     read_volume(extension(material, "KHR_materials_volume"), read, out);
 }
 
+/// Layers and effects that are read for renderers that know them.
+void read_layers(const json& material, FactorReader& read, Material& out)
+{
+    const json& coat = extension(material, "KHR_materials_clearcoat");
+    out.clearcoat = read.fraction(coat, "clearcoatFactor", 0.0);
+    out.clearcoat_roughness = read.fraction(coat, "clearcoatRoughnessFactor", 0.0);
+    const json& sheen = extension(material, "KHR_materials_sheen");
+    out.sheen_color = read.fractions(sheen, "sheenColorFactor", 0.0);
+    out.sheen_roughness = read.fraction(sheen, "sheenRoughnessFactor", 0.0);
+    const json& anisotropy = extension(material, "KHR_materials_anisotropy");
+    out.anisotropy = read.fraction(anisotropy, "anisotropyStrength", 0.0);
+    out.anisotropy_rotation =
+        static_cast<float>(read.number(anisotropy, "anisotropyRotation", 0.0));
+    out.dispersion =
+        read.at_least_zero(extension(material, "KHR_materials_dispersion"), "dispersion");
+}
+
+void read_alpha(const json& material, const json& base, FactorReader& read, Material& out)
+{
+    if (base.contains("baseColorFactor"))
+        out.alpha = read.fraction_of(base["baseColorFactor"][3].get<double>(), "baseColorFactor");
+    const std::string mode = material.value("alphaMode", std::string("OPAQUE"));
+    if (mode == "MASK")
+        out.alpha_mode = AlphaMode::mask;
+    else if (mode == "BLEND")
+        out.alpha_mode = AlphaMode::blend;
+    out.alpha_cutoff = read.at_least_zero(material, "alphaCutoff", 0.5);
+}
+
 void read_emission(const json& material, FactorReader& read, Material& out)
 {
     const double strength = read.number(extension(material, "KHR_materials_emissive_strength"),
@@ -129,6 +168,8 @@ Material read_material(const json& material, FactorReader& read)
     out.double_sided = material.value("doubleSided", false);
     read_emission(material, read, out);
     read_extensions(material, read, out);
+    read_layers(material, read, out);
+    read_alpha(material, base, read, out);
     return out;
 }
 
@@ -141,6 +182,14 @@ bool is_unlit(const json& material)
 /// An unlit material shows its colour whatever the light: it glows and reflects nothing.
 void make_unlit(Material& material)
 {
+    material.unlit = true;
+    std::erase_if(material.textures, [](const TextureSlot& slot) {
+        return slot.use != TextureUse::base_color; // which stays for its alpha
+    });
+    if (!material.textures.empty()) {
+        material.textures.push_back(material.textures[0]);
+        material.textures[1].use = TextureUse::emission;
+    }
     material.emission = material.base_color;
     material.base_color = Rgb(0.0f);
     material.metallic = 0.0f;
@@ -176,11 +225,13 @@ Material gltf_default_material()
     return material;
 }
 
-void read_gltf_materials(const GltfDocument& document, RawScene& scene)
+void read_gltf_materials(const GltfDocument& document, const tinygltf::Model& model,
+                         RawScene& scene)
 {
     const auto materials = document.json.find("materials");
     if (materials == document.json.end())
         return;
+    GltfTextureReader textures(document, model, scene);
     std::vector<std::string> unlit, lost;
     for (const json& material : *materials) {
         std::string name = clean_name(material.value("name", std::string()));
@@ -189,6 +240,7 @@ void read_gltf_materials(const GltfDocument& document, RawScene& scene)
         FactorReader read(scene, name);
         Material out = read_material(material, read);
         out.name = name;
+        out.textures = textures.read(material, name);
         if (is_unlit(material)) {
             make_unlit(out);
             unlit.push_back(name);

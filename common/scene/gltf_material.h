@@ -3,12 +3,16 @@
 #include "common/scene/gltf_document.h"
 #include "common/scene/raw_scene.h"
 
+#include <tiny_gltf.h>
+
 namespace hipmap {
 
-/// Reads the materials of a checked document into `scene.materials`, absorption per metre, and
-/// notes in its audit what is assumed of them.  Factors beyond their range are clamped and warned
-/// of.  Throws InputError, naming the material: negative emission, an index of refraction below 1.
-void read_gltf_materials(const GltfDocument& document, RawScene& scene);
+/// Reads the materials of a checked document into `scene.materials`, absorption per metre, their
+/// pictures into `scene.images`, and notes in its audit what is assumed of them and what is lost.
+/// Factors beyond their range are clamped and warned of.  Throws InputError, naming the material:
+/// negative emission, an index of refraction below 1.
+void read_gltf_materials(const GltfDocument& document, const tinygltf::Model& model,
+                         RawScene& scene);
 
 /// What glTF 2.0 gives a primitive without material.
 Material gltf_default_material();

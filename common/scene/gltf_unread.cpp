@@ -21,21 +21,17 @@ constexpr string_view kRead[] = {
     "EXT_meshopt_compression", "EXT_mesh_gpu_instancing",
 };
 
+/// Read, but not rendered yet.
+constexpr string_view kUnrendered[] = {
+    "KHR_texture_transform",    "KHR_materials_clearcoat",  "KHR_materials_sheen",
+    "KHR_materials_anisotropy", "KHR_materials_dispersion",
+};
+
 /// Not read, but a scene without them keeps its shapes and lights: a warning is enough.
 constexpr string_view kSpared[] = {
-    "KHR_texture_transform",
-    "KHR_texture_basisu",
-    "EXT_texture_webp",
-    "EXT_texture_avif",
-    "KHR_materials_clearcoat",
-    "KHR_materials_sheen",
-    "KHR_materials_anisotropy",
-    "KHR_materials_iridescence",
-    "KHR_materials_dispersion",
-    "KHR_materials_variants",
-    "KHR_materials_diffuse_transmission",
-    "KHR_xmp_json_ld",
-    "KHR_animation_pointer",
+    "KHR_texture_basisu",        "EXT_texture_webp",       "EXT_texture_avif",
+    "KHR_materials_iridescence", "KHR_materials_variants", "KHR_materials_diffuse_transmission",
+    "KHR_xmp_json_ld",           "KHR_animation_pointer",
 };
 
 struct Cure {
@@ -113,19 +109,21 @@ void collect_materials(const json& root, UnreadThings& unread)
         for (const json* holder : {&material, &members(material, "pbrMetallicRoughness")})
             for (const auto& [key, value] : holder->items())
                 if (is_texture(key))
-                    unread.add("textures: " + key + " of materials", name);
+                    unread.add_unrendered("textures: " + key + " of materials", name);
         for (const auto& [key, value] : members(material, "extensions").items()) {
-            if (!is_in(kRead, key))
-                unread.add(key + " of materials", name);
+            if (is_in(kUnrendered, key))
+                unread.add_unrendered(key + " of materials", name);
+            else if (!is_in(kRead, key))
+                unread.add(clean_name(key) + " of materials", name);
             for (const auto& [slot, texture] : value.items())
                 if (is_in(kRead, key) && is_texture(slot))
-                    unread.add("textures: " + slot + " of materials", name);
+                    unread.add_unrendered("textures: " + slot + " of materials", name);
         }
         const std::string mode = material.value("alphaMode", std::string("OPAQUE"));
         if (mode != "OPAQUE")
-            unread.add("transparency by alphaMode " + clean_name(mode) +
-                           ", shown opaque, of materials",
-                       name);
+            unread.add_unrendered("transparency by alphaMode " + clean_name(mode) +
+                                      ", shown opaque, of materials",
+                                  name);
     }
 }
 
@@ -200,7 +198,7 @@ void check_required_extensions(const GltfDocument& document)
 {
     for (const json& required : members(document.json, "extensionsRequired")) {
         const auto& name = required.get_ref<const std::string&>();
-        if (is_in(kRead, name) || is_in(kSpared, name))
+        if (is_in(kRead, name) || is_in(kUnrendered, name) || is_in(kSpared, name))
             continue;
         throw scene_error(document.path, "extensionsRequired",
                           "extension " + quote_name(name) + " is not read; " + cure_for(name));
@@ -216,7 +214,7 @@ void warn_of_unread_gltf(const GltfDocument& document, SceneAudit& audit)
     collect_extras(document.json, unread);
     for (const json& used : members(document.json, "extensionsUsed")) {
         const auto& name = used.get_ref<const std::string&>();
-        if (!is_in(kRead, name) && !unread.mentions(name))
+        if (!is_in(kRead, name) && !is_in(kUnrendered, name) && !unread.mentions(name))
             unread.add("extension " + clean_name(name), "");
     }
     unread.warn(audit);

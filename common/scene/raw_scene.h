@@ -49,7 +49,8 @@ struct RawScene {
     std::vector<MaterialId> material_of_face; ///< [F]
     std::vector<ObjectId> object_of_face;     ///< [F]
     std::vector<RawObject> objects;
-    std::vector<Material> materials; ///< absorption per metre
+    std::vector<Material> materials; ///< absorption per metre, thickness in metres
+    std::vector<TextureImage> images;
     std::vector<RawLight> lights;
     std::vector<RawCamera> cameras;
     SceneAudit audit;

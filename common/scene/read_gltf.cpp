@@ -61,7 +61,7 @@ RawScene read_gltf(const std::filesystem::path& path)
     const tinygltf::Model model = parse_gltf(document);
     RawScene scene;
     scene.path = path;
-    read_gltf_materials(document, scene);
+    read_gltf_materials(document, model, scene);
     const std::vector<PlacedNode> nodes = place_nodes(model, path);
     place_meshes(model, nodes, find_wanted_attributes(document), scene);
     add_lights_and_cameras(model, nodes, scene);

@@ -2,6 +2,7 @@
 
 #include "common/math/rgb.h"
 #include "common/scene/mesh.h"
+#include "common/scene/texture.h"
 
 #include <cstdint>
 #include <string>
@@ -18,7 +19,10 @@ struct SceneFrame {
     double metres_per_unit = 1.0;
 };
 
-/// glTF metallic-roughness and the extensions read so far.
+/// What a base colour's alpha means: nothing, a cut at alpha_cutoff, or a share let through.
+enum class AlphaMode : std::uint8_t { opaque, mask, blend };
+
+/// glTF metallic-roughness and the extensions read so far.  Textures multiply the factors.
 struct Material {
     std::string name;
     Rgb base_color{1.0f};
@@ -30,7 +34,20 @@ struct Material {
     float ior = 1.5f;
     float specular = 1.0f; ///< KHR_materials_specular
     Rgb specular_color{1.0f};
-    Rgb absorption{0.0f}; ///< of the inside, per scene unit (Beer-Lambert)
+    Rgb absorption{0.0f};    ///< of the inside, per scene unit (Beer-Lambert)
+    float thickness = 0.0f;  ///< KHR_materials_volume, scene units; the mesh has one of its own
+    float dispersion = 0.0f; ///< KHR_materials_dispersion: 20 / Abbe number
+    float clearcoat = 0.0f;  ///< KHR_materials_clearcoat
+    float clearcoat_roughness = 0.0f;
+    Rgb sheen_color{0.0f}; ///< KHR_materials_sheen
+    float sheen_roughness = 0.0f;
+    float anisotropy = 0.0f;          ///< KHR_materials_anisotropy
+    float anisotropy_rotation = 0.0f; ///< radians from the tangent towards the bitangent
+    float alpha = 1.0f;
+    AlphaMode alpha_mode = AlphaMode::opaque;
+    float alpha_cutoff = 0.5f;
+    bool unlit = false;                ///< its colour is in `emission`, whatever the light
+    std::vector<TextureSlot> textures; ///< one of a use at most
 };
 
 enum class LightKind : std::uint8_t { point, spot, directional };
@@ -68,7 +85,8 @@ struct Camera {
 struct Scene {
     SceneFrame frame;
     TriangleMesh mesh;
-    std::vector<Material> materials; ///< [M], at least one
+    std::vector<Material> materials;  ///< [M], at least one
+    std::vector<TextureImage> images; ///< those that materials' textures name
     std::vector<PunctualLight> lights;
     Rgb environment{0.0f};       ///< radiance of a uniform sky, W/(m2 sr)
     std::vector<Camera> cameras; ///< at least one

@@ -75,8 +75,11 @@ class UnitConverter {
     {
         Material out = metres;
         out.absorption = Rgb(glm::dvec3(metres.absorption) * frame_.metres_per_unit);
+        out.thickness = static_cast<float>(metres.thickness / frame_.metres_per_unit);
         demand(is_finite(out.base_color) && is_finite(out.emission) && is_finite(out.absorption) &&
-                   is_finite(out.specular_color) && std::isfinite(out.ior),
+                   is_finite(out.specular_color) && std::isfinite(out.ior) &&
+                   std::isfinite(out.thickness) && std::isfinite(out.dispersion) &&
+                   std::isfinite(out.anisotropy_rotation) && std::isfinite(out.alpha_cutoff),
                "material", out.name);
         return out;
     }
@@ -197,6 +200,7 @@ Scene to_scene_units(RawScene& raw, LightUnits units)
         mesh.object_names.push_back(object.name);
     for (const Material& material : raw.materials)
         scene.materials.push_back(convert.material(material));
+    scene.images = std::move(raw.images);
     for (const RawLight& light : raw.lights)
         scene.lights.push_back(convert.light(light));
     for (const RawCamera& camera : raw.cameras)

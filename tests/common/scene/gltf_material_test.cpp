@@ -57,6 +57,42 @@ TEST_CASE("a material's factors and extensions are read as glTF defines them", "
     check_colour(m.absorption, 0, 0, 0);
 }
 
+TEST_CASE("alpha, coat, sheen, anisotropy, dispersion and thickness are read", "[scene][gltf]")
+{
+    const LoadedScene loaded = load_material(
+        {{"alphaMode", "MASK"},
+         {"alphaCutoff", 0.25},
+         {"pbrMetallicRoughness", {{"baseColorFactor", {1, 1, 1, 0.5}}}},
+         {"extensions",
+          {{"KHR_materials_clearcoat",
+            {{"clearcoatFactor", 0.75}, {"clearcoatRoughnessFactor", 0.125}}},
+           {"KHR_materials_sheen",
+            {{"sheenColorFactor", {0.1, 0.2, 0.3}}, {"sheenRoughnessFactor", 0.375}}},
+           {"KHR_materials_anisotropy", {{"anisotropyStrength", 0.625}, {"anisotropyRotation", 1}}},
+           {"KHR_materials_dispersion", {{"dispersion", 0.1}}},
+           {"KHR_materials_volume", {{"thicknessFactor", 0.5}}}}}},
+        2.0);
+    const Material& m = loaded.scene.materials.at(0);
+    CHECK(m.alpha_mode == AlphaMode::mask);
+    CHECK(m.alpha_cutoff == 0.25f);
+    CHECK(m.alpha == 0.5f);
+    CHECK(m.clearcoat == 0.75f);
+    CHECK(m.clearcoat_roughness == 0.125f);
+    check_colour(m.sheen_color, 0.1, 0.2, 0.3);
+    CHECK(m.sheen_roughness == 0.375f);
+    CHECK(m.anisotropy == 0.625f);
+    CHECK(m.anisotropy_rotation == 1.0f);
+    CHECK(m.dispersion == 0.1f);
+    REQUIRE(loaded.scene.frame.metres_per_unit == 2.0);
+    CHECK(m.thickness == 0.25f);
+    for (const char* wanted : {"alphaMode MASK", "KHR_materials_clearcoat", "KHR_materials_sheen",
+                               "KHR_materials_anisotropy", "KHR_materials_dispersion"}) {
+        INFO(wanted);
+        CHECK(says(loaded.audit.warnings, wanted));
+    }
+    CHECK_THROWS_AS(load_material({{"alphaCutoff", -1}}), InputError);
+}
+
 TEST_CASE("what a material leaves out has glTF's default", "[scene][gltf]")
 {
     const Material m = load_material(json::object()).scene.materials.at(0);
@@ -69,6 +105,10 @@ TEST_CASE("what a material leaves out has glTF's default", "[scene][gltf]")
     CHECK(m.ior == 1.5f);
     CHECK(m.specular == 1.0f);
     check_colour(m.specular_color, 1, 1, 1);
+    CHECK(m.alpha_mode == AlphaMode::opaque);
+    CHECK(m.alpha == 1.0f);
+    CHECK(m.alpha_cutoff == 0.5f);
+    CHECK(m.textures.empty());
 }
 
 TEST_CASE("absorption is per scene unit and finite for a black attenuation colour", "[scene][gltf]")
@@ -173,7 +213,8 @@ TEST_CASE("what is in a file but not read gets one warning by name", "[scene][gl
         INFO(wanted);
         CHECK(says(warnings, wanted));
     }
-    CHECK(warnings.size() == 10);
+    CHECK(says(warnings, "picture 'image 0' cannot be read"));
+    CHECK(warnings.size() == 11);
 }
 
 } // namespace hipmap::tiny

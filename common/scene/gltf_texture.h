@@ -1,0 +1,46 @@
+#pragma once
+
+#include "common/scene/decode_picture.h"
+#include "common/scene/gltf_document.h"
+#include "common/scene/raw_scene.h"
+
+#include <tiny_gltf.h>
+
+#include <optional>
+#include <vector>
+
+namespace hipmap {
+
+/// Reads the textures of materials, and each picture they name once.
+class GltfTextureReader {
+  public:
+    GltfTextureReader(const GltfDocument& document, const tinygltf::Model& model, RawScene& scene)
+        : document_(document), model_(model), scene_(scene)
+    {
+    }
+
+    /// The textures of a checked material.  A picture that is missing, damaged, too large or in a
+    /// format that is not read, and a third set of texture coordinates, are warned of; the texture
+    /// is left out, so that the factor stands alone.
+    std::vector<TextureSlot> read(const nlohmann::json& material, const std::string& name);
+
+  private:
+    struct SlotKind;
+
+    std::optional<TextureSlot> read_slot(const SlotKind& kind, const nlohmann::json& info,
+                                         const std::string& material);
+    Sampler read_sampler(const nlohmann::json& texture) const;
+    std::optional<std::uint32_t> image_of(std::size_t index);
+    std::optional<std::uint32_t> load_image(std::size_t index);
+    std::vector<unsigned char> encoded_bytes(std::size_t index) const;
+
+    static const SlotKind kSlotKinds[];
+
+    const GltfDocument& document_;
+    const tinygltf::Model& model_;
+    RawScene& scene_;
+    std::vector<std::optional<std::optional<std::uint32_t>>> images_; ///< by the file's number
+    std::uint64_t pixels_left_ = kMostPixelsInAll;
+};
+
+} // namespace hipmap

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace hipmap {
+
+/// A picture as its file has it, 8 bits a channel, rows from the top left.
+struct TextureImage {
+    std::string name;
+    int width = 0;
+    int height = 0;
+    std::vector<std::uint8_t> rgba; ///< [4 * width * height]
+};
+
+/// What lies beyond [0, 1]: the picture again, its mirror image, or its edge.
+enum class Wrap : std::uint8_t { repeat, mirror, clamp };
+enum class Filter : std::uint8_t { linear, nearest };
+
+/// How a picture is read.
+struct Sampler {
+    Wrap wrap_u = Wrap::repeat;
+    Wrap wrap_v = Wrap::repeat;
+    Filter magnify = Filter::linear;
+    Filter minify = Filter::linear; ///< without the file's wishes as to mip maps
+    bool srgb = false;              ///< RGB holds sRGB values, as colours do; alpha never does
+};
+
+/// What a texture is multiplied with, or stands for.  Channels are glTF's.
+enum class TextureUse : std::uint8_t {
+    base_color,          ///< RGB; A: alpha
+    metallic_roughness,  ///< G: roughness, B: metallic
+    normal,              ///< RGB: 2 c - 1, in the frame of tangent, bitangent and normal
+    occlusion,           ///< R
+    emission,            ///< RGB
+    transmission,        ///< R
+    thickness,           ///< G
+    specular,            ///< A
+    specular_color,      ///< RGB
+    clearcoat,           ///< R
+    clearcoat_roughness, ///< G
+    clearcoat_normal,    ///< as normal
+    sheen_color,         ///< RGB
+    sheen_roughness,     ///< A
+    anisotropy,          ///< RG: 2 c - 1, the direction; B: strength
+};
+
+/// A texture of a material.
+struct TextureSlot {
+    TextureUse use = TextureUse::base_color;
+    std::uint32_t image = 0;  ///< index in Scene::images
+    std::uint32_t uv_set = 0; ///< index in VertexAttributes::uv
+    Sampler sampler;
+    glm::mat3x2 uv_transform{1, 0, 0, 1, 0, 0}; ///< of (u, v, 1), as KHR_texture_transform has it
+    float strength = 1.0f; ///< normals: factor of x and y; occlusion: how much of it
+};
+
+/// The slot for `use`; null if there is none.
+const TextureSlot* find_texture(const std::vector<TextureSlot>& slots, TextureUse use);
+
+/// The picture's value at `uv`, (0, 0) its top left corner and (1, 1) its bottom right one: linear
+/// RGB and alpha in [0, 1].  Bilinear between the middles of pixels, after sRGB values are made
+/// linear; or the pixel that holds the point, if sampler.magnify says nearest.
+/// A coordinate that is not finite counts as 0; no picture is white.  Thread-safe.
+glm::vec4 sample_texture(const TextureImage& image, const Sampler& sampler, glm::vec2 uv);
+
+} // namespace hipmap
