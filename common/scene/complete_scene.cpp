@@ -104,6 +104,10 @@ void choose_sky(LoadedScene& loaded, bool shines, const SceneOptions& options)
                                             "be black; see --environment");
         return;
     }
+    if (!is_black(loaded.scene.environment)) {
+        loaded.audit.found.push_back("a sky of the scene's own (world_color)");
+        return;
+    }
     if (shines)
         return;
     loaded.scene.environment = Rgb(kSkyRadiance);

@@ -79,7 +79,7 @@ bool read_projection(const tinygltf::Camera& camera, RawCamera& out, const RawSc
 
 } // namespace
 
-void add_gltf_light(const tinygltf::Model& model, std::size_t index, const std::string& name,
+bool add_gltf_light(const tinygltf::Model& model, std::size_t index, const std::string& name,
                     const glm::dmat4& to_world, RawScene& scene)
 {
     const tinygltf::Light& light = model.lights[index];
@@ -96,7 +96,7 @@ void add_gltf_light(const tinygltf::Model& model, std::size_t index, const std::
     } else {
         scene.audit.warnings.push_back(place + " is of the unknown kind " + quote_name(light.type) +
                                        " and is left out");
-        return;
+        return false;
     }
     const glm::dvec3 colour = light.color.size() == 3
                                   ? glm::dvec3(light.color[0], light.color[1], light.color[2])
@@ -111,9 +111,10 @@ void add_gltf_light(const tinygltf::Model& model, std::size_t index, const std::
         throw scene_error(scene.path, place, "its node has scale 0; set the scale to 1");
     out.direction = direction.value_or(out.direction);
     scene.lights.push_back(out);
+    return true;
 }
 
-void add_gltf_camera(const tinygltf::Model& model, std::size_t index, const std::string& name,
+bool add_gltf_camera(const tinygltf::Model& model, std::size_t index, const std::string& name,
                      const glm::dmat4& to_world, RawScene& scene)
 {
     const std::string place = "camera " + quote_name(name);
@@ -122,7 +123,7 @@ void add_gltf_camera(const tinygltf::Model& model, std::size_t index, const std:
     if (!read_projection(model.cameras[index], out, scene, place)) {
         scene.audit.warnings.push_back(place + " is of the unknown kind " +
                                        quote_name(model.cameras[index].type) + " and is left out");
-        return;
+        return false;
     }
     const std::optional<glm::dvec3> forward = look_direction(to_world);
     if (!forward)
@@ -136,6 +137,7 @@ void add_gltf_camera(const tinygltf::Model& model, std::size_t index, const std:
     out.right = glm::cross(out.forward, out.up);
     out.position = glm::dvec3(to_world[3]);
     scene.cameras.push_back(out);
+    return true;
 }
 
 } // namespace hipmap

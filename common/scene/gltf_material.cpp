@@ -1,5 +1,6 @@
 #include "common/scene/gltf_material.h"
 
+#include "common/scene/gltf_extras.h"
 #include "common/scene/gltf_texture.h"
 #include "common/scene/scene_names.h"
 
@@ -241,6 +242,7 @@ void read_gltf_materials(const GltfDocument& document, const tinygltf::Model& mo
         Material out = read_material(material, read);
         out.name = name;
         out.textures = textures.read(material, name);
+        read_medium_extras(material, out, scene);
         if (is_unlit(material)) {
             make_unlit(out);
             unlit.push_back(name);

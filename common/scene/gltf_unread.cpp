@@ -170,20 +170,6 @@ void collect_nodes(const json& root, UnreadThings& unread)
         unread.add("animations", name_of(animation, "animation", index++));
 }
 
-void collect_extras(const json& root, UnreadThings& unread)
-{
-    for (const char* kind : {"scenes", "nodes", "materials", "cameras"}) {
-        std::size_t index = 0;
-        for (const json& thing : members(root, kind)) {
-            const json& extras = members(thing, "extras");
-            if (extras.is_object() && extras.contains("hipmap"))
-                unread.add(std::string("custom property 'hipmap' of ") + kind,
-                           name_of(thing, kind, index));
-            ++index;
-        }
-    }
-}
-
 const char* cure_for(string_view extension)
 {
     for (const Cure& known : kCures)
@@ -211,7 +197,6 @@ void warn_of_unread_gltf(const GltfDocument& document, SceneAudit& audit)
     collect_materials(document.json, unread);
     collect_meshes(document.json, unread);
     collect_nodes(document.json, unread);
-    collect_extras(document.json, unread);
     for (const json& used : members(document.json, "extensionsUsed")) {
         const auto& name = used.get_ref<const std::string&>();
         if (!is_in(kRead, name) && !is_in(kUnrendered, name) && !unread.mentions(name))

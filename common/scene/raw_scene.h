@@ -25,6 +25,18 @@ struct RawLight {
     glm::dvec3 intensity{1.0};      ///< colour times intensity
     double inner_angle = 0.0;       ///< radians from the axis; spot
     double outer_angle = 0.0;
+    double radius = 0.0;     ///< metres; point, spot
+    double half_angle = 0.0; ///< radians; directional
+};
+
+/// A flat light that shines to one side.
+struct RawAreaLight {
+    std::string name;
+    bool is_disc = false;
+    glm::dvec3 centre{0.0}; ///< metres
+    glm::dvec3 half_right{1, 0, 0}, half_up{0, 1, 0};
+    glm::dvec3 direction{0, 0, -1}; ///< unit
+    glm::dvec3 radiance{0.0};       ///< W/(m2 sr)
 };
 
 struct RawCamera {
@@ -33,10 +45,11 @@ struct RawCamera {
     glm::dvec3 position{0.0}; ///< metres
     glm::dvec3 right{1, 0, 0}, up{0, 1, 0}, forward{0, 0, -1};
     double tan_half_height = 0.5;
-    double half_height = 1.0; ///< metres
-    double aspect = 0.0;      ///< 0: as the image
-    double near_clip = 0.0;   ///< metres
-    double far_clip = 0.0;    ///< 0: none
+    double half_height = 1.0;                           ///< metres
+    double aspect = 0.0;                                ///< 0: as the image
+    double near_clip = 0.0;                             ///< metres
+    double far_clip = 0.0;                              ///< 0: none
+    double aperture_radius = 0.0, focus_distance = 0.0; ///< metres
 };
 
 /// A scene as its file has it: metres, world space, doubles.  Every vertex is used by some face.
@@ -49,10 +62,14 @@ struct RawScene {
     std::vector<MaterialId> material_of_face; ///< [F]
     std::vector<ObjectId> object_of_face;     ///< [F]
     std::vector<RawObject> objects;
-    std::vector<Material> materials; ///< absorption per metre, thickness in metres
+    std::vector<Material> materials; ///< absorption and scattering per metre, thickness in metres
     std::vector<TextureImage> images;
     std::vector<RawLight> lights;
+    std::vector<RawAreaLight> area_lights;
     std::vector<RawCamera> cameras;
+    glm::dvec3 world{0.0};               ///< radiance of the sky, W/(m2 sr)
+    std::filesystem::path world_picture; ///< empty: none
+    double world_strength = 1.0;
     SceneAudit audit;
 };
 

@@ -1,5 +1,6 @@
 #include "common/scene/read_gltf.h"
 
+#include "common/scene/gltf_extras.h"
 #include "common/scene/gltf_light_camera.h"
 #include "common/scene/gltf_material.h"
 #include "common/scene/gltf_model.h"
@@ -20,8 +21,8 @@ std::string first_name(std::initializer_list<std::string> names)
     return {};
 }
 
-void add_lights_and_cameras(const tinygltf::Model& model, const std::vector<PlacedNode>& nodes,
-                            RawScene& scene)
+void add_lights_and_cameras(const GltfDocument& document, const tinygltf::Model& model,
+                            const std::vector<PlacedNode>& nodes, RawScene& scene)
 {
     for (const PlacedNode& at : nodes) {
         const tinygltf::Node& node = model.nodes[at.node];
@@ -29,7 +30,8 @@ void add_lights_and_cameras(const tinygltf::Model& model, const std::vector<Plac
             const auto camera = static_cast<std::size_t>(node.camera);
             const std::string name = first_name(
                 {node.name, model.cameras[camera].name, "camera " + std::to_string(camera)});
-            add_gltf_camera(model, camera, name, at.to_world, scene);
+            if (add_gltf_camera(model, camera, name, at.to_world, scene))
+                read_camera_extras(document, at.node, camera, scene);
         }
         const auto punctual = node.extensions.find("KHR_lights_punctual");
         if (punctual != node.extensions.end()) {
@@ -37,8 +39,11 @@ void add_lights_and_cameras(const tinygltf::Model& model, const std::vector<Plac
                 static_cast<std::size_t>(punctual->second.Get("light").GetNumberAsInt());
             const std::string name =
                 first_name({node.name, model.lights[light].name, "light " + std::to_string(light)});
-            add_gltf_light(model, light, name, at.to_world, scene);
+            if (add_gltf_light(model, light, name, at.to_world, scene))
+                read_light_extras(document, at.node, light, scene);
         }
+        if (node.camera < 0 && punctual == node.extensions.end() && node.mesh < 0)
+            read_empty_extras(document, at, scene);
     }
 }
 
@@ -64,7 +69,8 @@ RawScene read_gltf(const std::filesystem::path& path)
     read_gltf_materials(document, model, scene);
     const std::vector<PlacedNode> nodes = place_nodes(model, path);
     place_meshes(model, nodes, find_wanted_attributes(document), scene);
-    add_lights_and_cameras(model, nodes, scene);
+    add_lights_and_cameras(document, model, nodes, scene);
+    read_world_extras(document, scene);
     note_scenes(model, scene.audit);
     warn_of_unread_gltf(document, scene.audit);
     return scene;

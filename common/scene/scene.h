@@ -34,10 +34,12 @@ struct Material {
     float ior = 1.5f;
     float specular = 1.0f; ///< KHR_materials_specular
     Rgb specular_color{1.0f};
-    Rgb absorption{0.0f};    ///< of the inside, per scene unit (Beer-Lambert)
-    float thickness = 0.0f;  ///< KHR_materials_volume, scene units; the mesh has one of its own
-    float dispersion = 0.0f; ///< KHR_materials_dispersion: 20 / Abbe number
-    float clearcoat = 0.0f;  ///< KHR_materials_clearcoat
+    Rgb absorption{0.0f};   ///< of the inside, per scene unit (Beer-Lambert)
+    float thickness = 0.0f; ///< KHR_materials_volume, scene units; the mesh has one of its own
+    Rgb scattering{0.0f};   ///< of the inside, per scene unit
+    float phase_anisotropy = 0.0f; ///< of that, Henyey-Greenstein's g, -1 to 1
+    float dispersion = 0.0f;       ///< KHR_materials_dispersion: 20 / Abbe number
+    float clearcoat = 0.0f;        ///< KHR_materials_clearcoat
     float clearcoat_roughness = 0.0f;
     Rgb sheen_color{0.0f}; ///< KHR_materials_sheen
     float sheen_roughness = 0.0f;
@@ -63,6 +65,19 @@ struct PunctualLight {
                                    ///< directional: W/m2 on a plane across the direction
     float cos_inner = 1.0f;        ///< spot: full intensity within, cos_inner > cos_outer
     float cos_outer = 0.0f;        ///< spot: none beyond
+    float radius = 0.0f;           ///< point, spot: of the sphere that shines, scene units
+    float half_angle = 0.0f;       ///< directional: half the angle it fills, radians
+};
+
+/// A flat light that shines to one side, Lambertian.
+struct AreaLight {
+    std::string name;
+    bool is_disc = false;          ///< an ellipse, not a rectangle
+    glm::vec3 centre{0.0f};        ///< scene units
+    glm::vec3 half_right{1, 0, 0}; ///< from the centre to the middle of a side, scene units
+    glm::vec3 half_up{0, 1, 0};
+    glm::vec3 direction{0, 0, -1}; ///< unit, the side that shines
+    Rgb radiance{0.0f};            ///< W/(m2 sr)
 };
 
 enum class Projection : std::uint8_t { perspective, orthographic };
@@ -79,6 +94,8 @@ struct Camera {
     float aspect = 0.0f;          ///< width over height; 0: as the image
     float near_clip = 0.0f;       ///< along forward, scene units
     float far_clip = 0.0f;        ///< 0: none
+    float aperture_radius = 0.0f; ///< of the lens, scene units; 0: a pinhole
+    float focus_distance = 0.0f;  ///< along forward, scene units; 0: everything is sharp
 };
 
 /// Everything that is rendered, in scene units.  Read-only after loading.
@@ -88,9 +105,12 @@ struct Scene {
     std::vector<Material> materials;  ///< [M], at least one
     std::vector<TextureImage> images; ///< those that materials' textures name
     std::vector<PunctualLight> lights;
-    Rgb environment{0.0f};       ///< radiance of a uniform sky, W/(m2 sr)
-    std::vector<Camera> cameras; ///< at least one
-    std::size_t camera = 0;      ///< the one to render from
+    std::vector<AreaLight> area_lights;
+    Rgb environment{0.0f};             ///< radiance of a uniform sky, W/(m2 sr)
+    std::string environment_picture;   ///< path of an HDR picture of the sky; empty: none
+    float environment_strength = 1.0f; ///< its factor
+    std::vector<Camera> cameras;       ///< at least one
+    std::size_t camera = 0;            ///< the one to render from
 };
 
 } // namespace hipmap

@@ -51,6 +51,8 @@ SceneFrame choose_frame(const RawScene& raw)
     double farthest = 0.0;
     for (const RawLight& light : raw.lights)
         farthest = std::max(farthest, longest(light.position - frame.centre));
+    for (const RawAreaLight& light : raw.area_lights)
+        farthest = std::max(farthest, longest(light.centre - frame.centre));
     for (const RawCamera& camera : raw.cameras)
         farthest = std::max(farthest, longest(camera.position - frame.centre));
     if (farthest > kFarthest * frame.metres_per_unit)
@@ -75,11 +77,13 @@ class UnitConverter {
     {
         Material out = metres;
         out.absorption = Rgb(glm::dvec3(metres.absorption) * frame_.metres_per_unit);
+        out.scattering = Rgb(glm::dvec3(metres.scattering) * frame_.metres_per_unit);
         out.thickness = static_cast<float>(metres.thickness / frame_.metres_per_unit);
         demand(is_finite(out.base_color) && is_finite(out.emission) && is_finite(out.absorption) &&
                    is_finite(out.specular_color) && std::isfinite(out.ior) &&
-                   std::isfinite(out.thickness) && std::isfinite(out.dispersion) &&
-                   std::isfinite(out.anisotropy_rotation) && std::isfinite(out.alpha_cutoff),
+                   is_finite(out.scattering) && std::isfinite(out.thickness) &&
+                   std::isfinite(out.dispersion) && std::isfinite(out.anisotropy_rotation) &&
+                   std::isfinite(out.alpha_cutoff),
                "material", out.name);
         return out;
     }
@@ -100,9 +104,34 @@ class UnitConverter {
         // A sharp edge (Blender's blend of 0) still needs room to fall off in.
         out.cos_inner = std::max(static_cast<float>(std::cos(metres.inner_angle)),
                                  std::nextafter(out.cos_outer, 1.0f));
-        demand(is_finite(out.position) && is_finite(out.direction) && is_finite(out.intensity),
+        out.radius = static_cast<float>(metres.radius / frame_.metres_per_unit);
+        out.half_angle = static_cast<float>(metres.half_angle);
+        demand(is_finite(out.position) && is_finite(out.direction) && is_finite(out.intensity) &&
+                   std::isfinite(out.radius),
                "light", out.name);
         return out;
+    }
+
+    AreaLight area_light(const RawAreaLight& metres) const
+    {
+        AreaLight out;
+        out.name = metres.name;
+        out.is_disc = metres.is_disc;
+        out.centre = position(metres.centre);
+        out.half_right = glm::vec3(metres.half_right / frame_.metres_per_unit);
+        out.half_up = glm::vec3(metres.half_up / frame_.metres_per_unit);
+        out.direction = glm::vec3(metres.direction);
+        out.radiance = Rgb(metres.radiance);
+        demand(is_finite(out.centre) && is_finite(out.half_right) && is_finite(out.half_up) &&
+                   is_finite(out.direction) && is_finite(out.radiance),
+               "area light", out.name);
+        return out;
+    }
+
+    Rgb world(const glm::dvec3& radiance) const
+    {
+        demand(is_finite(Rgb(radiance)), "world of", "the scene");
+        return Rgb(radiance);
     }
 
     Camera camera(const RawCamera& metres) const
@@ -119,12 +148,15 @@ class UnitConverter {
         out.aspect = static_cast<float>(metres.aspect);
         out.near_clip = static_cast<float>(metres.near_clip / frame_.metres_per_unit);
         out.far_clip = static_cast<float>(metres.far_clip / frame_.metres_per_unit);
+        out.aperture_radius = static_cast<float>(metres.aperture_radius / frame_.metres_per_unit);
+        out.focus_distance = static_cast<float>(metres.focus_distance / frame_.metres_per_unit);
         if (!std::isfinite(out.far_clip))
             out.far_clip = 0.0f; // beyond all that can be seen
         demand(is_finite(out.position) && is_finite(out.right) && is_finite(out.up) &&
                    is_finite(out.forward) && std::isfinite(out.tan_half_height) &&
                    std::isfinite(out.half_height) && std::isfinite(out.near_clip) &&
-                   std::isfinite(out.aspect),
+                   std::isfinite(out.aspect) && std::isfinite(out.aperture_radius) &&
+                   std::isfinite(out.focus_distance),
                "camera", out.name);
         return out;
     }
@@ -203,6 +235,11 @@ Scene to_scene_units(RawScene& raw, LightUnits units)
     scene.images = std::move(raw.images);
     for (const RawLight& light : raw.lights)
         scene.lights.push_back(convert.light(light));
+    for (const RawAreaLight& light : raw.area_lights)
+        scene.area_lights.push_back(convert.area_light(light));
+    scene.environment = convert.world(raw.world);
+    scene.environment_picture = raw.world_picture.string();
+    scene.environment_strength = static_cast<float>(raw.world_strength);
     for (const RawCamera& camera : raw.cameras)
         scene.cameras.push_back(convert.camera(camera));
     return scene;

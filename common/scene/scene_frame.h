@@ -5,7 +5,7 @@
 namespace hipmap {
 
 /// Moves a raw scene into scene units: chooses the frame from the faces' bounding box and converts
-/// everything to float.  Materials, lights and cameras come along; the sky is left dark.
+/// everything to float.  Materials, lights, cameras and the world come along.
 /// The unit is larger than the longest side of the box only where a light or camera lies more
 /// than 2^50 sides away, so that all of it fits into float.
 /// Throws InputError, naming the element, if a number is not finite, there is no face at all, or

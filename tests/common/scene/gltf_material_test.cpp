@@ -195,7 +195,7 @@ TEST_CASE("what is in a file but not read gets one warning by name", "[scene][gl
     root["materials"][0]["normalTexture"] = {{"index", 0}};
     root["materials"][1]["alphaMode"] = "BLEND";
     root["materials"][2]["extensions"] = {{"KHR_materials_clearcoat", {{"clearcoatFactor", 1}}}};
-    root["materials"][3]["extras"] = {{"hipmap", {{"medium", "fog"}}}};
+    root["materials"][3]["extras"] = {{"hipmap", {{"fog", 1}}}};
     json& primitive = root["meshes"][0]["primitives"][0];
     primitive["attributes"]["COLOR_0"] = primitive["attributes"]["POSITION"];
     primitive["targets"] = {{{"POSITION", primitive["attributes"]["POSITION"]}}};
@@ -207,7 +207,7 @@ TEST_CASE("what is in a file but not read gets one warning by name", "[scene][gl
     for (const char* wanted :
          {"baseColorTexture of materials ('m0', 'm1', 'm2', 'm3', 'm4' and 2 more)",
           "normalTexture of materials ('m0')", "alphaMode BLEND", "KHR_materials_clearcoat",
-          "'hipmap' of materials ('m3')",
+          "'hipmap' of material 'm3': nothing is known by the name of 'fog'",
           "read but not rendered yet: vertex colours (COLOR_0) of meshes ('tetrahedron')",
           "shape keys", "animations", "ACME_rounded_edges", "ACME_springs of objects ('thing')"}) {
         INFO(wanted);

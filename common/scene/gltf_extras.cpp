@@ -1,0 +1,126 @@
+#include "common/scene/gltf_extras.h"
+
+#include "common/scene/hipmap_extras.h"
+#include "common/scene/scene_file.h"
+#include "common/scene/scene_names.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace hipmap {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr double kWidestAngle = 180.0; ///< degrees
+
+std::string name_of(const json& thing, const char* kind, std::size_t index)
+{
+    const std::string name = clean_name(thing.value("name", std::string()));
+    return std::string(kind) + " " + quote_name(name.empty() ? std::to_string(index) : name);
+}
+
+void read_light_size(HipmapExtras extras, RawLight& light)
+{
+    light.radius = extras.positive("radius").value_or(light.radius);
+    if (const std::optional<double> angle = extras.positive("angle_deg")) {
+        if (*angle > kWidestAngle)
+            extras.fail("angle_deg", "must be 180 or less");
+        light.half_angle = 0.5 * *angle * std::numbers::pi / 180;
+    }
+    extras.finish("the size");
+}
+
+void read_lens(HipmapExtras extras, RawCamera& camera)
+{
+    camera.aperture_radius = extras.positive("aperture_radius").value_or(camera.aperture_radius);
+    camera.focus_distance = extras.positive("focus_distance").value_or(camera.focus_distance);
+    extras.finish("depth of field");
+}
+
+} // namespace
+
+void read_light_extras(const GltfDocument& document, std::size_t node, std::size_t light,
+                       RawScene& scene)
+{
+    const std::string place = "light " + quote_name(scene.lights.back().name);
+    const json& lights = document.json["extensions"]["KHR_lights_punctual"]["lights"];
+    read_light_size({lights[light], place, scene}, scene.lights.back());
+    read_light_size({document.json["nodes"][node], place, scene}, scene.lights.back());
+}
+
+void read_camera_extras(const GltfDocument& document, std::size_t node, std::size_t camera,
+                        RawScene& scene)
+{
+    const std::string place = "camera " + quote_name(scene.cameras.back().name);
+    read_lens({document.json["cameras"][camera], place, scene}, scene.cameras.back());
+    read_lens({document.json["nodes"][node], place, scene}, scene.cameras.back());
+}
+
+void read_empty_extras(const GltfDocument& document, const PlacedNode& at, RawScene& scene)
+{
+    const json& node = document.json["nodes"][at.node];
+    HipmapExtras extras(node, name_of(node, "object", at.node), scene);
+    const std::optional<double> power = extras.positive("area_power");
+    const std::optional<double> width = extras.positive("area_width");
+    const std::optional<double> height = extras.positive("area_height");
+    const std::string shape = extras.text("area_shape").value_or("rectangle");
+    const glm::dvec3 colour = extras.positive_triple("area_color").value_or(glm::dvec3(1.0));
+    extras.finish("the area light");
+    if (!power && !width && !height)
+        return;
+    if (!power || !width || !(*width > 0) || !(height.value_or(*width) > 0))
+        extras.fail("area_power", "and 'area_width' (in metres, above 0) go together");
+    if (shape != "rectangle" && shape != "disc")
+        extras.fail("area_shape", "must be \"rectangle\" or \"disc\"");
+
+    RawAreaLight light;
+    light.name = clean_name(node.value("name", std::string()));
+    light.is_disc = shape == "disc";
+    light.centre = glm::dvec3(at.to_world[3]);
+    light.half_right = 0.5 * *width * glm::dvec3(at.to_world[0]);
+    light.half_up = 0.5 * height.value_or(*width) * glm::dvec3(at.to_world[1]);
+    const double rectangle = 4 * glm::length(glm::cross(light.half_right, light.half_up));
+    const double area = light.is_disc ? rectangle * std::numbers::pi / 4 : rectangle;
+    if (!(area > 0))
+        extras.fail("area_width", "is made 0 by the scale of its object");
+    const glm::dvec3 across = glm::cross(light.half_right, light.half_up);
+    const double side = glm::dot(across, glm::dvec3(at.to_world[2])) > 0 ? -1 : 1;
+    light.direction = side * glm::normalize(across);
+    light.radiance = colour * (*power / (std::numbers::pi * area));
+    scene.area_lights.push_back(light);
+}
+
+void read_world_extras(const GltfDocument& document, RawScene& scene)
+{
+    const auto scenes = document.json.find("scenes");
+    if (scenes == document.json.end() || scenes->empty())
+        return;
+    const json& taken = (*scenes)[document.json.value("scene", std::size_t{0})];
+    HipmapExtras extras(taken, "the scene", scene);
+    const std::optional<glm::dvec3> colour = extras.positive_triple("world_color");
+    const double strength = extras.positive("world_strength").value_or(1.0);
+    if (colour)
+        scene.world = *colour * strength;
+    const std::optional<std::string> picture = extras.text("world_hdri");
+    if (picture) {
+        scene.world_picture = file_beside(scene.path, "scene, custom property 'hipmap'", *picture);
+        scene.world_strength = strength;
+    }
+    extras.finish(picture ? "the world's picture" : "");
+}
+
+void read_medium_extras(const json& from, Material& material, RawScene& scene)
+{
+    HipmapExtras extras(from, "material " + quote_name(material.name), scene);
+    if (const std::optional<glm::dvec3> absorption = extras.positive_triple("absorption"))
+        material.absorption = Rgb(*absorption);
+    if (const std::optional<glm::dvec3> scattering = extras.positive_triple("scattering"))
+        material.scattering = Rgb(*scattering);
+    if (const std::optional<double> g = extras.signed_fraction("phase_anisotropy"))
+        material.phase_anisotropy = static_cast<float>(*g);
+    extras.finish(is_black(material.scattering) ? "" : "the medium");
+}
+
+} // namespace hipmap

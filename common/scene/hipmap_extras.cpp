@@ -1,0 +1,103 @@
+#include "common/scene/hipmap_extras.h"
+
+#include "common/scene/scene_names.h"
+
+#include <cmath>
+
+namespace hipmap {
+
+using nlohmann::json;
+
+HipmapExtras::HipmapExtras(const json& thing, std::string place, RawScene& scene)
+    : place_(std::move(place)), scene_(scene)
+{
+    const auto extras = thing.find("extras");
+    if (extras == thing.end() || !extras->is_object() || !extras->contains("hipmap"))
+        return;
+    values_ = (*extras)["hipmap"];
+    if (values_.is_string()) // parsed without exceptions: a broken text is discarded
+        values_ = json::parse(values_.get_ref<const std::string&>(), nullptr, false);
+    if (!values_.is_object())
+        throw scene_error(scene_.path, place_,
+                          "its custom property 'hipmap' is neither an object nor JSON text of one; "
+                          "write it as {\"radius\": 0.1}");
+}
+
+const json* HipmapExtras::find(const char* key)
+{
+    known_.insert(key);
+    const auto value = values_.find(key);
+    used_ = used_ || value != values_.end();
+    return value == values_.end() ? nullptr : &*value;
+}
+
+std::optional<double> HipmapExtras::positive(const char* key)
+{
+    const json* const value = find(key);
+    if (!value)
+        return std::nullopt;
+    if (!value->is_number() || !(value->get<double>() >= 0) || !std::isfinite(value->get<double>()))
+        fail(key, "must be a number, 0 or more");
+    return value->get<double>();
+}
+
+std::optional<glm::dvec3> HipmapExtras::positive_triple(const char* key)
+{
+    const json* const value = find(key);
+    if (!value)
+        return std::nullopt;
+    glm::dvec3 out(0.0);
+    bool good = value->is_array() && value->size() == 3;
+    for (int c = 0; good && c < 3; ++c) {
+        const json& element = (*value)[static_cast<std::size_t>(c)];
+        good = element.is_number() && element.get<double>() >= 0 &&
+               std::isfinite(element.get<double>());
+        if (good)
+            out[c] = element.get<double>();
+    }
+    if (!good)
+        fail(key, "must be three numbers, 0 or more");
+    return out;
+}
+
+std::optional<std::string> HipmapExtras::text(const char* key)
+{
+    const json* const value = find(key);
+    if (!value)
+        return std::nullopt;
+    if (!value->is_string())
+        fail(key, "must be text");
+    return value->get<std::string>();
+}
+
+std::optional<double> HipmapExtras::signed_fraction(const char* key)
+{
+    const json* const value = find(key);
+    if (!value)
+        return std::nullopt;
+    if (!value->is_number() || !(std::abs(value->get<double>()) <= 1))
+        fail(key, "must be a number from -1 to 1");
+    return value->get<double>();
+}
+
+void HipmapExtras::finish(const std::string& effect) const
+{
+    std::vector<std::string> unknown;
+    for (const auto& [key, value] : values_.items())
+        if (!known_.contains(key))
+            unknown.push_back(clean_name(key));
+    if (!unknown.empty())
+        scene_.audit.warnings.push_back("custom property 'hipmap' of " + place_ +
+                                        ": nothing is known by the name of " + list_names(unknown) +
+                                        "; see docs/scene.md");
+    if (used_ && !effect.empty())
+        scene_.audit.warnings.push_back("read but not rendered yet: " + effect + " of " + place_);
+}
+
+void HipmapExtras::fail(const std::string& key, const std::string& what) const
+{
+    throw scene_error(scene_.path, place_ + ", custom property 'hipmap'",
+                      quote_name(key) + " " + what + "; correct it and export again");
+}
+
+} // namespace hipmap

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "common/scene/raw_scene.h"
+
+#include <nlohmann/json.hpp>
+
+#include <initializer_list>
+#include <optional>
+#include <set>
+#include <string>
+
+namespace hipmap {
+
+/// The values under `extras.hipmap` of one thing in a glTF file: an object, or an object as JSON
+/// text, which is what a custom property in Blender can hold.
+class HipmapExtras {
+  public:
+    /// thing: the JSON that may have extras.  place: what errors call it, as "light 'Lamp'".
+    /// Throws InputError if the extras are neither an object nor the text of one.
+    HipmapExtras(const nlohmann::json& thing, std::string place, RawScene& scene);
+
+    /// The value of a key, which is then known; nothing if it is not there.
+    /// Throws InputError, naming the key, if it is of another type, negative or not finite.
+    std::optional<double> positive(const char* key);
+    std::optional<glm::dvec3> positive_triple(const char* key);
+    std::optional<std::string> text(const char* key);
+
+    /// A number from -1 to 1.
+    std::optional<double> signed_fraction(const char* key);
+
+    /// Warns of the keys that nobody has asked for, and says that `effect` is not rendered yet if
+    /// any other was there.
+    void finish(const std::string& effect) const;
+
+    [[noreturn]] void fail(const std::string& key, const std::string& what) const;
+
+  private:
+    const nlohmann::json* find(const char* key);
+
+    nlohmann::json values_ = nlohmann::json::object();
+    std::string place_;
+    RawScene& scene_;
+    std::set<std::string> known_;
+    bool used_ = false;
+};
+
+} // namespace hipmap

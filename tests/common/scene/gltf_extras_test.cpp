@@ -1,0 +1,143 @@
+#include "common/input_error.h"
+#include "tests/common/scene/tiny_gltf_file.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <numbers>
+
+namespace hipmap::tiny {
+
+namespace {
+
+/// The extras in one of their two forms.
+json extras(const json& values, bool as_text)
+{
+    return {{"hipmap", as_text ? json(values.dump()) : values}};
+}
+
+/// A tetrahedron of 2 m (so that a scene unit is 2 m), a lamp, a sun, a camera and an empty node.
+GltfFile furnished()
+{
+    GltfFile file = tetrahedron();
+    file.root["extensions"]["KHR_lights_punctual"]["lights"] = {
+        {{"type", "point"}, {"intensity", 10}}, {{"type", "directional"}, {"intensity", 10}}};
+    file.root["cameras"] = {
+        {{"type", "perspective"}, {"perspective", {{"yfov", 1}, {"znear", 0.1}}}}};
+    const auto light = [](int index) { return json{{"KHR_lights_punctual", {{"light", index}}}}; };
+    file.root["nodes"][0]["scale"] = {2, 2, 2};
+    file.root["nodes"].push_back({{"name", "Lamp"}, {"extensions", light(0)}});
+    file.root["nodes"].push_back({{"name", "Sun"}, {"extensions", light(1)}});
+    file.root["nodes"].push_back({{"name", "Eye"}, {"camera", 0}, {"translation", {0, 0, 5}}});
+    file.root["nodes"].push_back({{"name", "Area"}, {"translation", {0, 3, 0}}});
+    file.root["scenes"][0]["nodes"] = {0, 1, 2, 3, 4};
+    return file;
+}
+
+} // namespace
+
+TEST_CASE("what glTF lacks is read from extras as an object and as JSON text",
+          "[scene][gltf][extras]")
+{
+    for (const bool as_text : {false, true}) {
+        GltfFile file = furnished();
+        json& nodes = file.root["nodes"];
+        nodes[1]["extras"] = extras({{"radius", 0.5}}, as_text);
+        nodes[2]["extras"] = extras({{"angle_deg", 2}}, as_text);
+        file.root["cameras"][0]["extras"] = extras({{"aperture_radius", 0.02}}, as_text);
+        nodes[3]["extras"] = extras({{"focus_distance", 4}}, as_text);
+        nodes[4]["extras"] =
+            extras({{"area_power", 100}, {"area_width", 2}, {"area_height", 3}}, as_text);
+        file.root["materials"][0]["extras"] = extras(
+            {{"absorption", {1, 2, 3}}, {"scattering", {4, 5, 6}}, {"phase_anisotropy", -0.5}},
+            as_text);
+        file.root["scenes"][0]["extras"] =
+            extras({{"world_color", {0.25, 0.5, 1}}, {"world_strength", 2}}, as_text);
+        const LoadedScene loaded = load(file);
+        const Scene& scene = loaded.scene;
+        REQUIRE(scene.frame.metres_per_unit == 2.0);
+        CHECK(scene.lights.at(0).radius == 0.25f);
+        CHECK(scene.lights.at(1).half_angle == Approx(std::numbers::pi / 180));
+        CHECK(scene.cameras.at(0).aperture_radius == Approx(0.01));
+        CHECK(scene.cameras.at(0).focus_distance == 2.0f);
+        CHECK(scene.materials.at(0).absorption == Rgb(2, 4, 6));
+        CHECK(scene.materials.at(0).scattering == Rgb(8, 10, 12));
+        CHECK(scene.materials.at(0).phase_anisotropy == -0.5f);
+        CHECK(scene.environment == Rgb(0.5f, 1, 2));
+        REQUIRE(scene.area_lights.size() == 1);
+        const AreaLight& area = scene.area_lights[0];
+        CHECK(area.name == "Area");
+        CHECK(area.half_right == glm::vec3(0.5f, 0, 0));
+        CHECK(area.half_up == glm::vec3(0, 0.75f, 0));
+        CHECK(area.direction == glm::vec3(0, 0, -1));
+        // Power = pi times radiance times area.
+        CHECK(area.radiance.x * std::numbers::pi * 6 == Approx(100));
+        for (const char* wanted : {"the size of light 'Lamp'", "the size of light 'Sun'",
+                                   "depth of field of camera 'Eye'", "the area light of object",
+                                   "the medium of material 'paint'"}) {
+            INFO(wanted);
+            CHECK(says(loaded.audit.warnings, std::string("read but not rendered yet: ") + wanted));
+        }
+    }
+}
+
+TEST_CASE("an area light may be a disc, takes its node's scale and shines along its -Z",
+          "[scene][gltf][extras]")
+{
+    GltfFile file = furnished();
+    json& node = file.root["nodes"][4];
+    node["rotation"] = {-std::sqrt(0.5), 0, 0, std::sqrt(0.5)}; // -Z down
+    node["scale"] = {3, 1, 1};
+    node["extras"] = extras({{"area_power", 50},
+                             {"area_width", 2},
+                             {"area_shape", "disc"},
+                             {"area_color", {1, 0.5, 0}}},
+                            false);
+    const AreaLight area = load(file).scene.area_lights.at(0);
+    CHECK(area.is_disc);
+    CHECK(area.direction.y == Approx(-1));
+    CHECK(glm::length(area.half_right) == Approx(1.5));
+    CHECK(glm::length(area.half_up) == Approx(0.5));
+    CHECK(area.radiance.x * std::numbers::pi * (std::numbers::pi * 3 * 1) == Approx(50));
+    CHECK(area.radiance.y == Approx(0.5 * area.radiance.x));
+    CHECK(area.radiance.z == 0.0f);
+}
+
+TEST_CASE("keys that are not known are warned of by name", "[scene][gltf][extras]")
+{
+    GltfFile file = furnished();
+    file.root["nodes"][1]["extras"] = extras({{"radius", 0.5}, {"raduis", 1}, {"glow", 2}}, true);
+    CHECK(says(load(file).audit.warnings,
+               "light 'Lamp': nothing is known by the name of 'glow' and "
+               "'raduis'"));
+}
+
+TEST_CASE("extras that make no sense are refused with their place and key",
+          "[scene][gltf][extras][damaged]")
+{
+    const auto check_refused = [](std::size_t node, const json& hipmap, const char* what) {
+        GltfFile file = furnished();
+        file.root["nodes"][node]["extras"] = {{"hipmap", hipmap}};
+        INFO(hipmap.dump());
+        CHECK_THROWS_WITH(load(file), Catch::Contains("hipmap") && Catch::Contains(what));
+    };
+    check_refused(1, "radius = 1", "light 'Lamp'");
+    check_refused(1, "", "light 'Lamp'");
+    check_refused(1, std::string(100000, '['), "light 'Lamp'");
+    check_refused(1, 7, "light 'Lamp'");
+    check_refused(1, {{"radius", -1}}, "'radius'");
+    check_refused(1, {{"radius", "big"}}, "'radius'");
+    check_refused(2, {{"angle_deg", 181}}, "'angle_deg'");
+    check_refused(3, "{\"focus_distance\": [1]}", "'focus_distance'");
+    check_refused(4, {{"area_power", 1}}, "'area_width'");
+    check_refused(4, {{"area_power", 1}, {"area_width", 1}, {"area_shape", "star"}}, "disc");
+    check_refused(4, {{"area_power", 1}, {"area_width", 1}, {"area_color", {1, 1}}}, "area_color");
+    GltfFile file = furnished();
+    file.root["scenes"][0]["extras"]["hipmap"] = {{"world_hdri", "../sky.hdr"}};
+    CHECK_THROWS_WITH(load(file), Catch::Contains("'../sky.hdr'"));
+    file = furnished();
+    file.root["materials"][0]["extras"]["hipmap"] = {{"phase_anisotropy", 1.5}};
+    CHECK_THROWS_WITH(load(file), Catch::Contains("'phase_anisotropy'"));
+}
+
+} // namespace hipmap::tiny
