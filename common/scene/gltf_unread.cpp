@@ -18,14 +18,19 @@ constexpr string_view kRead[] = {
     "KHR_lights_punctual",     "KHR_materials_emissive_strength", "KHR_materials_transmission",
     "KHR_materials_ior",       "KHR_materials_specular",          "KHR_materials_volume",
     "KHR_materials_unlit",     "KHR_mesh_quantization",           "KHR_draco_mesh_compression",
-    "EXT_meshopt_compression", "EXT_mesh_gpu_instancing",
+    "EXT_meshopt_compression", "EXT_mesh_gpu_instancing",         "KHR_texture_transform",
 };
 
 /// Read, but not rendered yet.
 constexpr string_view kUnrendered[] = {
-    "KHR_texture_transform",    "KHR_materials_clearcoat",  "KHR_materials_sheen",
-    "KHR_materials_anisotropy", "KHR_materials_dispersion",
+    "KHR_materials_clearcoat",
+    "KHR_materials_sheen",
+    "KHR_materials_anisotropy",
+    "KHR_materials_dispersion",
 };
+
+constexpr string_view kRenderedTextures[] = {"baseColorTexture", "metallicRoughnessTexture",
+                                             "transmissionTexture"};
 
 /// Not read, but a scene without them keeps its shapes and lights: a warning is enough.
 constexpr string_view kSpared[] = {
@@ -96,9 +101,9 @@ const json& members(const json& object, const char* key)
     return found == object.end() ? kNothing : *found;
 }
 
-bool is_texture(const std::string& key)
+bool is_unrendered_texture(const std::string& key)
 {
-    return key.ends_with("Texture");
+    return key.ends_with("Texture") && !is_in(kRenderedTextures, key);
 }
 
 void collect_materials(const json& root, UnreadThings& unread)
@@ -108,7 +113,7 @@ void collect_materials(const json& root, UnreadThings& unread)
         const std::string name = name_of(material, "material", index++);
         for (const json* holder : {&material, &members(material, "pbrMetallicRoughness")})
             for (const auto& [key, value] : holder->items())
-                if (is_texture(key))
+                if (is_unrendered_texture(key))
                     unread.add_unrendered("textures: " + key + " of materials", name);
         for (const auto& [key, value] : members(material, "extensions").items()) {
             if (is_in(kUnrendered, key))
@@ -116,7 +121,7 @@ void collect_materials(const json& root, UnreadThings& unread)
             else if (!is_in(kRead, key))
                 unread.add(clean_name(key) + " of materials", name);
             for (const auto& [slot, texture] : value.items())
-                if (is_in(kRead, key) && is_texture(slot))
+                if (is_in(kRead, key) && is_unrendered_texture(slot))
                     unread.add_unrendered("textures: " + slot + " of materials", name);
         }
         const std::string mode = material.value("alphaMode", std::string("OPAQUE"));

@@ -19,8 +19,8 @@ Rgb receive(const Interaction& at, const glm::vec3& direction)
     const float cosine = glm::dot(direction, at.shading_normal);
     if (!(cosine > 0) || !(glm::dot(direction, at.normal) > 0))
         return Rgb(0);
-    return coat_half(*at.bsdf, cosine) *
-           (cosine * diffuse_shape(*at.bsdf, at.shading_normal, direction, at.back));
+    return coat_half(at.bsdf, cosine) *
+           (cosine * diffuse_shape(at.bsdf, at.shading_normal, direction, at.back));
 }
 
 Rgb from_punctual(const RenderScene& scene, const Interaction& at, const PunctualLight& light)

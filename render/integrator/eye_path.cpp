@@ -44,8 +44,8 @@ Rgb diffuse_radiance(const PassMaps& maps, const Interaction& at, RandomSequence
                      EyeScratch& scratch)
 {
     PhotonQuery query{at.point.position, at.normal, at.point.face, at.side};
-    if (at.bsdf->burley_roughness >= 0)
-        query.bsdf = at.bsdf;
+    if (at.bsdf.burley_roughness >= 0)
+        query.bsdf = &at.bsdf;
     query.shading_normal = at.shading_normal;
     query.toward_eye = at.back;
     Rgb irradiance = estimate_irradiance(maps.global, maps.surfaces, query, scratch.global);
@@ -53,7 +53,7 @@ Rgb diffuse_radiance(const PassMaps& maps, const Interaction& at, RandomSequence
     irradiance += estimate_irradiance(maps.caustic, maps.surfaces, query, scratch.caustic);
     if (maps.direct == DirectLight::shadow_rays)
         irradiance += direct_irradiance(maps.scene, at, random);
-    return at.bsdf->diffuse * coat_half(*at.bsdf, at.cosine) * irradiance / kPi;
+    return at.bsdf.diffuse * coat_half(at.bsdf, at.cosine) * irradiance / kPi;
 }
 
 /// False: Russian roulette ended the branch.
@@ -71,7 +71,7 @@ bool survives(Branch& branch, RandomSequence& random)
 void follow_specular(const Interaction& at, const Branch& from, RandomSequence& random,
                      BranchStack& stack)
 {
-    const SpecularLobes lobes = specular_lobes(*at.bsdf, at.cosine, at.front, at.solid);
+    const SpecularLobes lobes = specular_lobes(at.bsdf, at.cosine, at.front, at.solid);
     const float mirror = max_channel(from.weight * lobes.mirror);
     const float transmit = max_channel(from.weight * lobes.transmit);
     if (!(mirror + transmit > 0))
@@ -121,8 +121,8 @@ Rgb trace_eye_path(const PassMaps& maps, const Ray& ray, RandomSequence& random,
         }
         branch.weight *= transmittance(branch.absorption, hit->distance);
         const Interaction at = interact(maps.scene, branch.ray, *hit);
-        radiance += branch.weight * emitted_radiance(*at.bsdf, at.point, at.back);
-        if (at.bsdf->has_diffuse())
+        radiance += branch.weight * emitted_radiance(at.bsdf, at.point, at.back);
+        if (at.bsdf.has_diffuse())
             radiance += branch.weight * diffuse_radiance(maps, at, random, scratch);
         follow_specular(at, branch, random, stack);
     }

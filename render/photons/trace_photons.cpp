@@ -59,7 +59,7 @@ void store(const Interaction& at, const LightPath& path, const PhotonOptions& op
     if (!path.diffuse && !path.specular && !options.store_direct)
         return;
     const float geometric = glm::dot(at.back, at.normal);
-    const Rgb power = path.power * coat_half(*at.bsdf, at.cosine) * (at.cosine / geometric);
+    const Rgb power = path.power * coat_half(at.bsdf, at.cosine) * (at.cosine / geometric);
     if (!is_finite(power) || !is_finite(at.point.position)) {
         ++out.dropped;
         return;
@@ -72,8 +72,8 @@ void store(const Interaction& at, const LightPath& path, const PhotonOptions& op
 /// Sends the path on from a surface.  False: it ends there.
 bool scatter(const Interaction& at, LightPath& path, RandomSequence& random, PowerBalance& balance)
 {
-    const SpecularLobes specular = specular_lobes(*at.bsdf, at.cosine, at.front, at.solid);
-    const Rgb shares[3] = {diffuse_albedo(*at.bsdf, at.cosine), specular.mirror, specular.transmit};
+    const SpecularLobes specular = specular_lobes(at.bsdf, at.cosine, at.front, at.solid);
+    const Rgb shares[3] = {diffuse_albedo(at.bsdf, at.cosine), specular.mirror, specular.transmit};
     balance.absorbed += glm::dvec3(path.power * (1.0f - shares[0] - shares[1] - shares[2]));
 
     switch (choose_event(path, shares, random.next())) {
@@ -83,8 +83,8 @@ bool scatter(const Interaction& at, LightPath& path, RandomSequence& random, Pow
         const glm::vec3 local = sample_cosine_hemisphere(random.next2());
         path.ray.direction = Frame(at.shading_normal).to_world(local);
         path.ray.origin = offset_origin(at.point, at.normal);
-        path.power *= coat_half(*at.bsdf, local.z) / (1.0f - at.bsdf->coat_average);
-        const float shape = diffuse_shape(*at.bsdf, at.shading_normal, at.back, path.ray.direction);
+        path.power *= coat_half(at.bsdf, local.z) / (1.0f - at.bsdf.coat_average);
+        const float shape = diffuse_shape(at.bsdf, at.shading_normal, at.back, path.ray.direction);
         balance.absorbed += glm::dvec3(path.power * (1 - shape));
         path.power *= shape;
         path.diffuse = true;
@@ -123,7 +123,7 @@ void trace_path(const RenderScene& scene, const PhotonOptions& options, LightPat
         path.power = arriving;
 
         const Interaction at = interact(scene, path.ray, *hit);
-        if (at.bsdf->has_diffuse() && scene.partition.map_of_face[hit->face] != kNone)
+        if (at.bsdf.has_diffuse() && scene.partition.map_of_face[hit->face] != kNone)
             store(at, path, options, out);
         if (!scatter(at, path, random, out.power))
             return;

@@ -31,54 +31,53 @@ Rgb schlick_average(const Rgb& f0, const Rgb& f90)
 /// matt).
 constexpr float kLeastReflectance = 0.02f;
 
-Bsdf make_bsdf(const Material& material, DiffuseModel model)
+} // namespace
+
+Bsdf make_bsdf(const Material& material, const MaterialPoint& at, DiffuseModel model)
 {
-    const bool smooth = is_specular(material.roughness);
+    const bool smooth = is_specular(at.roughness);
     const float index_step = (material.ior - 1) / (material.ior + 1);
     const Rgb f0 =
         glm::min(index_step * index_step * material.specular_color, Rgb(1)) * material.specular;
     const Rgb f90(material.specular * std::min(1.0f, max_channel(f0) / kLeastReflectance));
-    const float opaque = (1 - material.metallic) * (1 - material.transmission);
+    const float opaque = (1 - at.metallic) * (1 - at.transmission);
 
     Bsdf out;
     out.ior = material.ior;
     if (model == DiffuseModel::burley)
-        out.burley_roughness = material.roughness;
+        out.burley_roughness = at.roughness;
     out.absorption = material.absorption;
     out.emission = material.emission;
     out.emits_behind = material.double_sided;
-    out.glass = (1 - material.metallic) * material.transmission;
-    out.glass_tint = material.base_color;
+    out.glass = (1 - at.metallic) * at.transmission;
+    out.glass_tint = at.base_color;
     out.glass_reflection = glm::min(material.specular_color, Rgb(1)) * material.specular;
     if (smooth) {
-        out.metal = material.metallic;
-        out.metal_f0 = material.base_color;
+        out.metal = at.metallic;
+        out.metal_f0 = at.base_color;
         out.coat_f0 = f0;
         out.coat_f90 = f90;
         out.coat_average = schlick_average(f0, f90);
         out.coated = opaque > 0 && !is_black(out.coat_average);
-        out.diffuse = out.coated ? opaque * material.base_color /
-                                       glm::max(1.0f - out.coat_average, Rgb(1e-6f))
-                                 : opaque * material.base_color;
+        out.diffuse = out.coated
+                          ? opaque * at.base_color / glm::max(1.0f - out.coat_average, Rgb(1e-6f))
+                          : opaque * at.base_color;
         if (!out.coated)
             out.coat_f0 = out.coat_f90 = out.coat_average = Rgb(0);
     } else {
         const Rgb coat = schlick_average(f0, f90);
-        const Rgb metal = schlick_average(material.base_color, Rgb(1));
-        out.diffuse =
-            opaque * (material.base_color * (1.0f - coat) + coat) + material.metallic * metal;
+        const Rgb metal = schlick_average(at.base_color, Rgb(1));
+        out.diffuse = opaque * (at.base_color * (1.0f - coat) + coat) + at.metallic * metal;
     }
     return out;
 }
-
-} // namespace
 
 std::vector<Bsdf> make_bsdfs(const std::vector<Material>& materials, DiffuseModel model)
 {
     std::vector<Bsdf> out;
     out.reserve(materials.size());
     for (const Material& material : materials)
-        out.push_back(make_bsdf(material, model));
+        out.push_back(make_bsdf(material, material_factors(material), model));
     return out;
 }
 

@@ -2,6 +2,7 @@
 
 #include "common/math/rgb.h"
 #include "common/scene/scene.h"
+#include "render/shading/textured_material.h"
 
 #include <cstdint>
 #include <vector>
@@ -46,7 +47,10 @@ struct Bsdf {
     bool has_diffuse() const { return !is_black(diffuse); }
 };
 
-/// One for each material of the scene.
+/// The material at a point.
+Bsdf make_bsdf(const Material& material, const MaterialPoint& at, DiffuseModel model);
+
+/// One for each material of the scene, by its factors alone.
 std::vector<Bsdf> make_bsdfs(const std::vector<Material>& materials, DiffuseModel model);
 
 /// What the diffuse lobe is multiplied by for a pair of directions, docs/light_transport.md (13); 1

@@ -8,7 +8,12 @@ Interaction interact(const RenderScene& scene, const Ray& ray, const RayHit& hit
 {
     Interaction out;
     out.point = surface_point(scene.mesh(), hit.face, hit.barycentric);
-    out.bsdf = &scene.bsdfs[scene.mesh().material_of_face[hit.face]];
+    const MaterialId material = scene.mesh().material_of_face[hit.face];
+    out.bsdf =
+        scene.varying[material] == 0
+            ? scene.bsdfs[material]
+            : make_bsdf(scene.scene.materials[material],
+                        material_at(scene.scene, hit.face, hit.barycentric), scene.diffuse_model);
     out.back = -ray.direction;
     out.front = glm::dot(out.back, out.point.geometric_normal) >= 0;
     const float sign = out.front ? 1.0f : -1.0f;
@@ -47,7 +52,7 @@ Ray transmitted_ray(const Interaction& at, float eta)
 
 Rgb absorption_beyond(const Interaction& at)
 {
-    return at.solid && at.front ? at.bsdf->absorption : Rgb(0);
+    return at.solid && at.front ? at.bsdf.absorption : Rgb(0);
 }
 
 Rgb transmittance(const Rgb& absorption, float distance)

@@ -8,7 +8,7 @@ namespace hipmap {
 /// A ray that has met a surface.  Both normals lie on the side that the ray came from.
 struct Interaction {
     SurfacePoint point;
-    const Bsdf* bsdf = nullptr;
+    Bsdf bsdf;
     glm::vec3 back;           ///< unit, from the point to where the ray came from
     glm::vec3 normal;         ///< geometric
     glm::vec3 shading_normal; ///< its cosine with `back` is above zero

@@ -4,10 +4,12 @@ namespace hipmap {
 
 RenderScene::RenderScene(const Scene& from_scene, const Partition& from_partition,
                          DiffuseModel model)
-    : scene(from_scene), partition(from_partition), rays(from_scene.mesh),
+    : scene(from_scene), partition(from_partition), rays(from_scene.mesh), diffuse_model(model),
       bsdfs(make_bsdfs(from_scene.materials, model)),
       lights(collect_lights(from_scene.mesh, from_scene, bsdfs))
 {
+    for (const Material& material : scene.materials)
+        varying.push_back(varies(material));
 }
 
 } // namespace hipmap

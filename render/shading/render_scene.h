@@ -16,7 +16,9 @@ struct RenderScene {
     const Scene& scene;
     const Partition& partition;
     EmbreeScene rays;
-    std::vector<Bsdf> bsdfs; ///< [M]
+    DiffuseModel diffuse_model;
+    std::vector<Bsdf> bsdfs;           ///< [M] by the materials' factors
+    std::vector<std::uint8_t> varying; ///< [M] 1: textures multiply the factors
     LightSet lights;
 
     RenderScene(const Scene& from_scene, const Partition& from_partition,
