@@ -19,7 +19,7 @@ std::string defect_of_sizes(const Partition& p)
         return "too many faces";
     if (p.edge_class.size() != 3 * faces || p.opposite.size() != 3 * faces ||
         p.flipped.size() != faces || p.closed.size() != faces || p.reach.size() != faces ||
-        p.candidate.size() != faces)
+        p.candidate.size() != faces || p.kept_edges.size() != faces || p.clearance.size() != faces)
         return "its arrays differ in length";
     return {};
 }
@@ -36,6 +36,8 @@ std::string defect_of_faces(const Partition& p)
             ++next;
         if (!(p.reach[face] >= 0))
             return place() + " has no valid reach";
+        if (!(p.clearance[face] >= 0) || p.kept_edges[face] > 7)
+            return place() + " has no valid clearance";
         if (map == kNone && p.candidate[face])
             return place() + " has no map but asks for a local one";
     }
@@ -73,6 +75,8 @@ std::string defect_of(const Partition& p)
         return defect;
     if (!(p.angle_threshold >= 0 && p.angle_threshold <= std::numbers::pi))
         return "its angle threshold is out of range";
+    if (!(p.position_error >= 0 && std::isfinite(p.position_error)))
+        return "its position error is out of range";
     if (!all_flags(p.flipped) || !all_flags(p.closed) || !all_flags(p.candidate))
         return "a flag is neither 0 nor 1";
     if (std::string defect = defect_of_faces(p); !defect.empty())

@@ -39,6 +39,11 @@ struct Partition {
         reach; ///< [F] the largest limiting radius of any point of the face,
                ///<     scene units; infinity where no edge is connected, 0 if degenerate
     std::vector<std::uint8_t> candidate; ///< [F] 1: worth a local map
+    std::vector<std::uint8_t>
+        kept_edges; ///< [F] bit c: the plane through edge c bounds the exact limiting radius
+    std::vector<float> clearance; ///< [F] what else bounds it, scene units; infinity: nothing, 0 if
+                                  ///<     degenerate; see exact_limiting_radius
+    float position_error = 0.0f;  ///< bound of a point's distance from its face, scene units
 
     std::size_t face_count() const { return map_of_face.size(); }
 };

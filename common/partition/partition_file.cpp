@@ -18,7 +18,7 @@
 namespace hipmap {
 namespace {
 
-constexpr std::uint32_t kVersion = 1;
+constexpr std::uint32_t kVersion = 2;
 
 /// FlatBuffers offsets are 31 bits, and its Release builder writes past them without a word.
 constexpr std::size_t kMaxBytes = std::size_t{1} << 30;
@@ -48,6 +48,9 @@ std::uint64_t checksum(const Partition& p)
     add(p.closed);
     add(p.reach);
     add(p.candidate);
+    add(p.kept_edges);
+    add(p.clearance);
+    add(std::array{p.position_error});
     return XXH3_64bits_digest(state.get());
 }
 
@@ -76,6 +79,9 @@ Partition unpack(const file::Partition& stored)
     copy_array(p.closed, stored.closed());
     copy_array(p.reach, stored.reach());
     copy_array(p.candidate, stored.candidate());
+    copy_array(p.kept_edges, stored.kept_edges());
+    copy_array(p.clearance, stored.clearance());
+    p.position_error = stored.position_error();
     return p;
 }
 
@@ -89,7 +95,8 @@ InputError unreadable(const std::filesystem::path& path, const std::string& what
 void write_partition(const std::filesystem::path& path, const Partition& p)
 {
     constexpr std::size_t kBytesPerFace = 3 * (sizeof(EdgeClass) + sizeof(std::uint32_t)) +
-                                          sizeof(MapId) + sizeof(float) + 3 * sizeof(std::uint8_t);
+                                          sizeof(MapId) + 2 * sizeof(float) +
+                                          4 * sizeof(std::uint8_t);
     const std::size_t bytes = p.face_count() * kBytesPerFace + 1024;
     if (bytes > kMaxBytes)
         throw InputError(path.string() + ": a partition of " + std::to_string(p.face_count()) +
@@ -106,9 +113,12 @@ void write_partition(const std::filesystem::path& path, const Partition& p)
     const auto closed = builder.CreateVector(p.closed);
     const auto reach = builder.CreateVector(p.reach);
     const auto candidate = builder.CreateVector(p.candidate);
+    const auto kept_edges = builder.CreateVector(p.kept_edges);
+    const auto clearance = builder.CreateVector(p.clearance);
     const auto root = file::CreatePartition(
         builder, kVersion, checksum(p), p.scene.words[0], p.scene.words[1], p.angle_threshold,
-        p.map_count, map_of_face, edge_class, opposite, flipped, closed, reach, candidate);
+        p.map_count, map_of_face, edge_class, opposite, flipped, closed, reach, candidate,
+        kept_edges, clearance, p.position_error);
     file::FinishPartitionBuffer(builder, root);
     write_file(path, std::as_bytes(std::span(builder.GetBufferPointer(), builder.GetSize())));
 }

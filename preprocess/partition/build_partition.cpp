@@ -2,6 +2,7 @@
 
 #include "common/input_error.h"
 #include "common/stopwatch.h"
+#include "preprocess/partition/clearance.h"
 #include "preprocess/partition/connected_edges.h"
 #include "preprocess/partition/local_candidates.h"
 
@@ -70,6 +71,9 @@ PartitionResult build_partition(const Scene& scene, const PartitionOptions& opti
         return find_local_candidates(mesh, classes.edge_class, maps);
     });
 
+    Clearances clearances = timed(summary, "find clearances",
+                                  [&] { return find_clearances(mesh, classes.edge_class, maps); });
+
     out.angle_threshold = options.angle_threshold;
     out.map_count = maps.count;
     out.map_of_face = std::move(maps.map_of_face);
@@ -79,6 +83,9 @@ PartitionResult build_partition(const Scene& scene, const PartitionOptions& opti
     out.closed = std::move(edges.closed);
     out.reach = std::move(locals.reach);
     out.candidate = std::move(locals.candidate);
+    out.kept_edges = std::move(clearances.kept_edges);
+    out.clearance = std::move(clearances.clearance);
+    out.position_error = clearances.position_error;
 
     summary.faces = mesh.face_count();
     summary.vertices = mesh.positions.size();

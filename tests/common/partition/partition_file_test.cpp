@@ -45,6 +45,9 @@ Partition sample(const Scene& scene)
     p.closed = {1, 1, 0, 0};
     p.reach = {0.25f, 0.5f, std::numeric_limits<float>::infinity(), 0};
     p.candidate = {1, 0, 0, 0};
+    p.kept_edges = {1, 7, 0, 0};
+    p.clearance = {std::numeric_limits<float>::infinity(), 0.125f, 3, 0};
+    p.position_error = 1e-6f;
     return p;
 }
 
@@ -81,6 +84,9 @@ TEST_CASE("partition file: every field survives", "[partition]")
     CHECK(read.closed == written.closed);
     CHECK(read.reach == written.reach);
     CHECK(read.candidate == written.candidate);
+    CHECK(read.kept_edges == written.kept_edges);
+    CHECK(read.clearance == written.clearance);
+    CHECK(read.position_error == written.position_error);
 }
 
 TEST_CASE("partition file: an empty partition survives", "[partition]")
@@ -164,6 +170,13 @@ TEST_CASE("partition file: values that contradict each other are refused", "[par
         [](Partition& p) { p.reach[0] = -1; },
         [](Partition& p) { p.reach[0] = std::numeric_limits<float>::quiet_NaN(); },
         [](Partition& p) { p.candidate[3] = 1; },
+        [](Partition& p) { p.kept_edges[1] = 8; },
+        [](Partition& p) { p.kept_edges.pop_back(); },
+        [](Partition& p) { p.clearance[0] = -1; },
+        [](Partition& p) { p.clearance[1] = std::numeric_limits<float>::quiet_NaN(); },
+        [](Partition& p) { p.clearance.pop_back(); },
+        [](Partition& p) { p.position_error = -1; },
+        [](Partition& p) { p.position_error = std::numeric_limits<float>::infinity(); },
         [](Partition& p) { p.angle_threshold = 4; },
         [](Partition& p) { p.angle_threshold = std::numeric_limits<double>::quiet_NaN(); },
     };

@@ -1,0 +1,40 @@
+#include "common/partition/limiting_radius.h"
+
+#include <algorithm>
+
+namespace hipmap {
+
+namespace {
+
+/// Distances found in float are good to half of this.
+constexpr double kDistanceRounding = 1e-6;
+
+} // namespace
+
+EdgePlane edge_plane(const TriangleMesh& mesh, FaceId face, int corner)
+{
+    const glm::uvec3 c = mesh.corners[face];
+    EdgePlane plane{glm::dvec3(mesh.positions[c[corner]])};
+    const glm::dvec3 along = glm::dvec3(mesh.positions[c[(corner + 1) % 3]]) - plane.origin;
+    const glm::dvec3 inward = glm::cross(scaled_normal(mesh, face), along);
+    if (const double length = glm::length(inward); length > 0)
+        plane.inward = inward / length;
+    return plane;
+}
+
+float exact_limiting_radius(const TriangleMesh& mesh, const Partition& partition, FaceId face,
+                            const glm::vec3& point)
+{
+    double nearest = partition.clearance[face];
+    for (int corner = 0; corner < 3; ++corner) {
+        if (!(partition.kept_edges[face] >> corner & 1))
+            continue;
+        // Faces count as behind a plane up to one error before it, and their photons lie up to
+        // another before them.
+        const double height = edge_plane(mesh, face, corner).height(glm::dvec3(point));
+        nearest = std::min(nearest, height - 2.0 * double{partition.position_error});
+    }
+    return static_cast<float>(std::max(0.0, nearest * (1 - kDistanceRounding)));
+}
+
+} // namespace hipmap

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "common/partition/partition.h"
+
+#include <glm/glm.hpp>
+
+namespace hipmap {
+
+/// The plane through an edge of a face, perpendicular to the face.
+struct EdgePlane {
+    glm::dvec3 origin{0.0};
+    glm::dvec3 inward{0.0}; ///< unit, in the face's plane; zero for a face without area
+
+    /// Distance of a point in front of the plane, on the side of the face; negative behind it.
+    double height(const glm::dvec3& point) const { return glm::dot(point - origin, inward); }
+};
+
+/// corner: 0 to 2, where the edge begins.
+EdgePlane edge_plane(const TriangleMesh& mesh, FaceId face, int corner);
+
+/// Distance from a point of `face` within which its shared map has photons of this face alone:
+///     r(x) = min(heights of x over the planes of the kept edges, clearance)
+/// docs/partition_file.md (4), less what the rounding of positions and of distances in float can
+/// amount to.  A search of the face's photons that ends strictly within it finds what a search of
+/// the whole shared map would find, photon for photon.
+/// point: rounded to no farther than partition.position_error from the face.
+/// Returns at least 0; infinity for a face alone in its map; 0 for a face without a map.
+float exact_limiting_radius(const TriangleMesh& mesh, const Partition& partition, FaceId face,
+                            const glm::vec3& point);
+
+} // namespace hipmap
