@@ -52,6 +52,13 @@ std::vector<std::string> describe(const PartitionSummary& summary, double angle_
                         angle.str() + " degrees but for rounding, taken as unconnected");
     lines.push_back(counted(summary.maps.size(), "shared map") +
                     (summary.maps.empty() ? "" : "; " + describe_largest(summary)));
+    if (summary.bridged_edges > 0)
+        lines.push_back("seams: " + counted(summary.bridged_edges, "edge") +
+                        " beyond which a surface goes on without sharing vertices; " +
+                        counted(summary.joined_maps, "map") + " joined to others there");
+    if (summary.contacts > 0)
+        lines.push_back("contacts: " + counted(summary.contacts, "piece") +
+                        " of boundary where one surface stands on another or cuts through it");
     lines.push_back("local maps: " + counted(summary.candidates, "candidate") + " among " +
                     counted(summary.faces, "face"));
     return lines;
@@ -97,6 +104,9 @@ std::string summary_json(const PreprocessArguments& arguments, const SceneFrame&
                        {"non_manifold_edges", summary.defects.non_manifold_edges},
                        {"cut_edges", summary.defects.cut_edges},
                        {"refused_faces", summary.defects.refused_faces}};
+    json["joined_maps"] = summary.joined_maps;
+    json["bridged_edges"] = summary.bridged_edges;
+    json["contacts"] = summary.contacts;
     json["candidates"] = summary.candidates;
     json["shared_maps"] = summary.maps.size();
     json["maps"] = nlohmann::ordered_json::array();

@@ -67,6 +67,27 @@ std::string defect_of_edge(const Partition& p, std::uint32_t edge)
     return {};
 }
 
+std::string defect_of_boundaries(const Partition& p)
+{
+    for (std::size_t i = 0; i < p.bridged_edges.size(); ++i) {
+        const std::uint32_t edge = p.bridged_edges[i];
+        if (edge >= p.edge_class.size() || (i > 0 && edge <= p.bridged_edges[i - 1]) ||
+            (p.edge_class[edge] != EdgeClass::border &&
+             p.edge_class[edge] != EdgeClass::non_manifold))
+            return "bridged edge " + std::to_string(i) + " is none";
+    }
+    const auto finite = [](const glm::vec3& v) {
+        return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+    };
+    for (std::size_t i = 0; i < p.contacts.size(); ++i) {
+        const MapContact& contact = p.contacts[i];
+        if (contact.map >= p.map_count || (i > 0 && contact.map < p.contacts[i - 1].map) ||
+            !finite(contact.a) || !finite(contact.b))
+            return "contact " + std::to_string(i) + " is not valid";
+    }
+    return {};
+}
+
 } // namespace
 
 std::string defect_of(const Partition& p)
@@ -80,6 +101,8 @@ std::string defect_of(const Partition& p)
     if (!all_flags(p.flipped) || !all_flags(p.closed) || !all_flags(p.candidate))
         return "a flag is neither 0 nor 1";
     if (std::string defect = defect_of_faces(p); !defect.empty())
+        return defect;
+    if (std::string defect = defect_of_boundaries(p); !defect.empty())
         return defect;
     for (std::uint32_t edge = 0; edge < p.edge_class.size(); ++edge)
         if (const std::string defect = defect_of_edge(p, edge); !defect.empty())

@@ -20,6 +20,14 @@ enum class EdgeClass : std::uint8_t {
     degenerate = 4,   ///< an edge of a face without area
 };
 
+/// A piece of a map's boundary that is no edge of it, scene units.
+struct MapContact {
+    MapId map = kNone;
+    glm::vec3 a{0.0f}, b{0.0f};
+
+    bool operator==(const MapContact&) const = default;
+};
+
 /// Which faces may share photons; made by preprocess, read by render.  All arrays by FaceId of the
 /// scene whose fingerprint it bears.  An edge of face f is numbered 3 f + c and runs from corner c
 /// to corner (c + 1) mod 3.
@@ -31,8 +39,8 @@ struct Partition {
     std::vector<EdgeClass> edge_class; ///< [3F]
     std::vector<std::uint32_t>
         opposite; ///< [3F] the same edge in the face beyond; kNone if no one face
-    std::vector<std::uint8_t> flipped; ///< [F] 1: wound against the rest of its component, so its
-                                       ///<     front is the component's back
+    std::vector<std::uint8_t> flipped; ///< [F] 1: wound against the rest of its map, so its
+                                       ///<     front is the map's back
     std::vector<std::uint8_t>
         closed; ///< [F] 1: its connected surface has no border and encloses a volume
     std::vector<float>
@@ -43,7 +51,10 @@ struct Partition {
         kept_edges; ///< [F] bit c: the plane through edge c bounds the exact limiting radius
     std::vector<float> clearance; ///< [F] what else bounds it, scene units; infinity: nothing, 0 if
                                   ///<     degenerate; see exact_limiting_radius
-    float position_error = 0.0f;  ///< bound of a point's distance from its face, scene units
+    std::vector<std::uint32_t> bridged_edges; ///< ascending; border and non-manifold edges beyond
+                                              ///<     which their map goes on: no boundary
+    std::vector<MapContact> contacts;         ///< by map; boundaries where no edge is
+    float position_error = 0.0f; ///< bound of a point's distance from its face, scene units
 
     std::size_t face_count() const { return map_of_face.size(); }
 };

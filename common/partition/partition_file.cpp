@@ -51,6 +51,8 @@ std::uint64_t checksum(const Partition& p)
     add(p.kept_edges);
     add(p.clearance);
     add(std::array{p.position_error});
+    add(p.bridged_edges);
+    add(p.contacts);
     return XXH3_64bits_digest(state.get());
 }
 
@@ -64,6 +66,21 @@ void copy_array(std::vector<T>& to, const flatbuffers::Vector<Stored>* from)
     to.resize(from->size());
     if (!to.empty())
         std::memcpy(to.data(), from->data(), to.size() * sizeof(T));
+}
+
+/// Contacts lie in two arrays of the file; arrays that do not fit each other give none.
+void unpack_contacts(std::vector<MapContact>& contacts, const file::Partition& stored)
+{
+    std::vector<MapId> maps;
+    std::vector<float> points;
+    copy_array(maps, stored.contact_map());
+    copy_array(points, stored.contact_points());
+    if (points.size() != 6 * maps.size())
+        return;
+    for (std::size_t i = 0; i < maps.size(); ++i) {
+        const float* p = &points[6 * i];
+        contacts.push_back({maps[i], {p[0], p[1], p[2]}, {p[3], p[4], p[5]}});
+    }
 }
 
 Partition unpack(const file::Partition& stored)
@@ -82,7 +99,38 @@ Partition unpack(const file::Partition& stored)
     copy_array(p.kept_edges, stored.kept_edges());
     copy_array(p.clearance, stored.clearance());
     p.position_error = stored.position_error();
+    copy_array(p.bridged_edges, stored.bridged_edges());
+    unpack_contacts(p.contacts, stored);
     return p;
+}
+
+flatbuffers::Offset<file::Partition> pack(flatbuffers::FlatBufferBuilder& builder,
+                                          const Partition& p)
+{
+    const auto* classes = reinterpret_cast<const std::uint8_t*>(p.edge_class.data());
+    const auto map_of_face = builder.CreateVector(p.map_of_face);
+    const auto edge_class = builder.CreateVector(classes, p.edge_class.size());
+    const auto opposite = builder.CreateVector(p.opposite);
+    const auto flipped = builder.CreateVector(p.flipped);
+    const auto closed = builder.CreateVector(p.closed);
+    const auto reach = builder.CreateVector(p.reach);
+    const auto candidate = builder.CreateVector(p.candidate);
+    const auto kept_edges = builder.CreateVector(p.kept_edges);
+    const auto clearance = builder.CreateVector(p.clearance);
+    const auto bridged = builder.CreateVector(p.bridged_edges);
+    std::vector<MapId> maps;
+    std::vector<float> points;
+    for (const MapContact& contact : p.contacts) {
+        maps.push_back(contact.map);
+        for (const glm::vec3& end : {contact.a, contact.b})
+            points.insert(points.end(), {end.x, end.y, end.z});
+    }
+    const auto contact_map = builder.CreateVector(maps);
+    const auto contact_points = builder.CreateVector(points);
+    return file::CreatePartition(builder, kVersion, checksum(p), p.scene.words[0], p.scene.words[1],
+                                 p.angle_threshold, p.map_count, map_of_face, edge_class, opposite,
+                                 flipped, closed, reach, candidate, kept_edges, clearance,
+                                 p.position_error, bridged, contact_map, contact_points);
 }
 
 InputError unreadable(const std::filesystem::path& path, const std::string& what)
@@ -97,7 +145,10 @@ void write_partition(const std::filesystem::path& path, const Partition& p)
     constexpr std::size_t kBytesPerFace = 3 * (sizeof(EdgeClass) + sizeof(std::uint32_t)) +
                                           sizeof(MapId) + 2 * sizeof(float) +
                                           4 * sizeof(std::uint8_t);
-    const std::size_t bytes = p.face_count() * kBytesPerFace + 1024;
+    constexpr std::size_t kBytesPerContact = sizeof(MapId) + 6 * sizeof(float);
+    const std::size_t bytes = p.face_count() * kBytesPerFace +
+                              p.contacts.size() * kBytesPerContact +
+                              p.bridged_edges.size() * sizeof(std::uint32_t) + 1024;
     if (bytes > kMaxBytes)
         throw InputError(path.string() + ": a partition of " + std::to_string(p.face_count()) +
                          " faces does not fit the format (at most " +
@@ -105,20 +156,7 @@ void write_partition(const std::filesystem::path& path, const Partition& p)
                          "); split the scene or reduce it");
 
     flatbuffers::FlatBufferBuilder builder(bytes);
-    const auto* classes = reinterpret_cast<const std::uint8_t*>(p.edge_class.data());
-    const auto map_of_face = builder.CreateVector(p.map_of_face);
-    const auto edge_class = builder.CreateVector(classes, p.edge_class.size());
-    const auto opposite = builder.CreateVector(p.opposite);
-    const auto flipped = builder.CreateVector(p.flipped);
-    const auto closed = builder.CreateVector(p.closed);
-    const auto reach = builder.CreateVector(p.reach);
-    const auto candidate = builder.CreateVector(p.candidate);
-    const auto kept_edges = builder.CreateVector(p.kept_edges);
-    const auto clearance = builder.CreateVector(p.clearance);
-    const auto root = file::CreatePartition(
-        builder, kVersion, checksum(p), p.scene.words[0], p.scene.words[1], p.angle_threshold,
-        p.map_count, map_of_face, edge_class, opposite, flipped, closed, reach, candidate,
-        kept_edges, clearance, p.position_error);
+    const auto root = pack(builder, p);
     file::FinishPartitionBuffer(builder, root);
     write_file(path, std::as_bytes(std::span(builder.GetBufferPointer(), builder.GetSize())));
 }

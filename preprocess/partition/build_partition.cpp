@@ -4,6 +4,7 @@
 #include "common/stopwatch.h"
 #include "preprocess/partition/clearance.h"
 #include "preprocess/partition/connected_edges.h"
+#include "preprocess/partition/contacts.h"
 #include "preprocess/partition/local_candidates.h"
 
 #include <algorithm>
@@ -45,6 +46,30 @@ void measure_maps(PartitionSummary& summary, const Partition& partition, const T
     }
 }
 
+/// Joins maps that go on across seams, and finds the boundaries that are no edges.
+/// Changes edges.flipped and maps; fills bridged_edges and contacts of `out`.
+std::size_t add_contacts(const TriangleMesh& mesh, HalfEdges& edges, const EdgeClasses& classes,
+                         SharedMaps& maps, Partition& out)
+{
+    std::vector<std::uint32_t> group(mesh.face_count(), 0);
+    for (FaceId face = 0; face < mesh.face_count(); ++face)
+        if (maps.map_of_face[face] == kNone)
+            group[face] = kNone;
+    const FaceTree tree(mesh, group, 1);
+    Seams seams = find_seams(mesh, edges, classes.edge_class, maps, tree, out.position_error);
+    for (FaceId face = 0; face < mesh.face_count(); ++face)
+        if (maps.map_of_face[face] != kNone)
+            edges.flipped[face] ^= seams.turned[maps.map_of_face[face]];
+    maps = std::move(seams.maps);
+    out.bridged_edges = std::move(seams.bridged_edges);
+    out.contacts = find_contacts({mesh, classes.edge_class, edges.opposite, maps.map_of_face,
+                                  out.bridged_edges, out.position_error},
+                                 tree);
+    out.contacts.insert(out.contacts.end(), seams.open_parts.begin(), seams.open_parts.end());
+    sort_contacts(out.contacts);
+    return out.contacts.size();
+}
+
 } // namespace
 
 PartitionResult build_partition(const Scene& scene, const PartitionOptions& options)
@@ -67,12 +92,16 @@ PartitionResult build_partition(const Scene& scene, const PartitionOptions& opti
     });
     SharedMaps maps = timed(summary, "share maps",
                             [&] { return share_maps(classes.edge_class, edges.opposite); });
+    const std::uint32_t maps_by_edges = maps.count;
+    out.position_error = position_error_of(mesh);
+    timed(summary, "find contacts", [&] { return add_contacts(mesh, edges, classes, maps, out); });
     LocalCandidates locals = timed(summary, "find local candidates", [&] {
         return find_local_candidates(mesh, classes.edge_class, maps);
     });
 
-    Clearances clearances = timed(summary, "find clearances",
-                                  [&] { return find_clearances(mesh, classes.edge_class, maps); });
+    Clearances clearances = timed(summary, "find clearances", [&] {
+        return find_clearances(mesh, classes.edge_class, maps, out.position_error);
+    });
 
     out.angle_threshold = options.angle_threshold;
     out.map_count = maps.count;
@@ -85,13 +114,15 @@ PartitionResult build_partition(const Scene& scene, const PartitionOptions& opti
     out.candidate = std::move(locals.candidate);
     out.kept_edges = std::move(clearances.kept_edges);
     out.clearance = std::move(clearances.clearance);
-    out.position_error = clearances.position_error;
 
     summary.faces = mesh.face_count();
     summary.vertices = mesh.positions.size();
     summary.welded_vertices = weld.count;
     summary.edges_in_band = classes.edges_in_band;
     summary.defects = edges.defects;
+    summary.joined_maps = maps_by_edges - out.map_count;
+    summary.bridged_edges = out.bridged_edges.size();
+    summary.contacts = out.contacts.size();
     summary.candidates = static_cast<std::size_t>(std::ranges::count(out.candidate, 1));
     summary.closed_faces = static_cast<std::size_t>(std::ranges::count(out.closed, 1));
     count_edges(summary, out);

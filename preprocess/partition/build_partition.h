@@ -30,6 +30,9 @@ struct PartitionSummary {
     std::size_t welded_vertices = 0;
     std::array<std::size_t, 5> edges{}; ///< by EdgeClass; shared edges count once
     std::size_t edges_in_band = 0;      ///< within the tolerance of the angle threshold
+    std::size_t joined_maps = 0;        ///< that a seam joined to another one
+    std::size_t bridged_edges = 0;      ///< edges without a neighbour beyond which a map goes on
+    std::size_t contacts = 0;           ///< pieces of boundary where one surface stands on another
     std::size_t candidates = 0;
     std::size_t closed_faces = 0;
     std::vector<Map> maps; ///< by id

@@ -34,12 +34,12 @@ ConvexPolygon polygon_of(const TriangleMesh& mesh, FaceId face)
             scaled_normal(mesh, face)};
 }
 
-double box_distance2(const Bounds<glm::vec3>& a, const Bounds<glm::vec3>& b)
+/// Square of the distance between two boxes, or a little less.
+float box_distance2(const Bounds<glm::vec3>& a, const Bounds<glm::vec3>& b)
 {
-    const glm::dvec3 off = glm::max(
-        glm::max(glm::dvec3(a.low) - glm::dvec3(b.high), glm::dvec3(b.low) - glm::dvec3(a.high)),
-        glm::dvec3(0.0));
-    return glm::dot(off, off);
+    constexpr float kRounding = 1 - 1e-6f;
+    const glm::vec3 off = glm::max(glm::max(a.low - b.high, b.low - a.high), glm::vec3(0.0f));
+    return kRounding * glm::dot(off, off);
 }
 
 /// A face with the planes through its edges, among the faces of its shared map.
@@ -112,35 +112,54 @@ bool FaceSurroundings::behind(unsigned edges, const Bounds<glm::vec3>& box) cons
 
 double FaceSurroundings::distance_of(unsigned edges, FaceId other) const
 {
+    const glm::uvec3 corners = mesh_.corners[other];
+    unsigned cut = 0; // by which planes
+    for (int c = 0; c < 3; ++c) {
+        if (!(edges >> c & 1))
+            continue;
+        int in_front = 0;
+        for (int corner = 0; corner < 3; ++corner)
+            in_front += planes_[c].height(glm::dvec3(mesh_.positions[corners[corner]])) > error_;
+        if (in_front == 0)
+            return kInfinity;
+        cut |= unsigned{in_front < 3} << c;
+    }
     ConvexPolygon front = polygon_of(mesh_, other);
     for (int c = 0; c < 3 && !front.points().empty(); ++c)
-        if (edges >> c & 1)
+        if (cut >> c & 1)
             front.clip(planes_[c].origin, planes_[c].inward, error_);
     return front.points().size() < 3 ? kInfinity : distance(polygon_, front);
 }
 
 double FaceSurroundings::distance_in_front(unsigned edges, FaceTree::Range root, double bound) const
 {
-    std::array<FaceTree::Range, 40> stack; // halving 2^32 faces goes 32 deep
+    struct Visit {
+        FaceTree::Range range;
+        float distance2;
+    };
+    std::array<Visit, 40> stack; // halving 2^32 faces goes 32 deep
     std::size_t depth = 0;
     int looked_at = 0;
     double nearest = bound;
-    stack[depth++] = root;
+    stack[depth++] = {root, 0.0f};
     while (depth > 0) {
-        const FaceTree::Range range = stack[--depth];
-        if (box_distance2(box_, tree_.box(range)) >= nearest * nearest ||
-            behind(edges, tree_.box(range)))
+        const auto [range, distance2] = stack[--depth];
+        if (distance2 >= nearest * nearest || behind(edges, tree_.box(range)))
             continue;
         if (!range.leaf()) {
-            const auto [left, right] = tree_.children(range);
-            const bool left_first =
-                box_distance2(box_, tree_.box(left)) <= box_distance2(box_, tree_.box(right));
-            stack[depth++] = left_first ? right : left;
-            stack[depth++] = left_first ? left : right;
+            const auto halves = tree_.children(range);
+            Visit left{halves[0], box_distance2(box_, tree_.box(halves[0]))};
+            Visit right{halves[1], box_distance2(box_, tree_.box(halves[1]))};
+            if (right.distance2 < left.distance2)
+                std::swap(left, right);
+            if (right.distance2 < nearest * nearest)
+                stack[depth++] = right;
+            if (left.distance2 < nearest * nearest)
+                stack[depth++] = left;
             continue;
         }
         for (const FaceId other : tree_.faces(range))
-            if (other != face_ && !behind(edges, face_box(mesh_, other)))
+            if (other != face_)
                 nearest = std::min(nearest, distance_of(edges, other));
         looked_at += static_cast<int>(range.end - range.begin);
         if (looked_at > kMostFaces || nearest <= 2 * error_)
@@ -177,6 +196,8 @@ FaceClearance choose_edges(const FaceSurroundings& around, unsigned connected, d
     return chosen;
 }
 
+} // namespace
+
 float position_error_of(const TriangleMesh& mesh)
 {
     float largest = 0;
@@ -185,17 +206,13 @@ float position_error_of(const TriangleMesh& mesh)
     return static_cast<float>(kPositionError * largest);
 }
 
-} // namespace
-
 Clearances find_clearances(const TriangleMesh& mesh, std::span<const EdgeClass> edge_class,
-                           const SharedMaps& maps)
+                           const SharedMaps& maps, double position_error)
 {
     Clearances out;
-    out.position_error = position_error_of(mesh);
     out.kept_edges.assign(mesh.face_count(), 0);
     out.clearance.assign(mesh.face_count(), 0.0f);
     const FaceTree tree(mesh, maps.map_of_face, maps.count);
-    const double error = out.position_error;
     tbb::parallel_for(std::size_t{0}, mesh.face_count(), [&](std::size_t face) {
         const MapId map = maps.map_of_face[face];
         if (map == kNone)
@@ -203,8 +220,9 @@ Clearances find_clearances(const TriangleMesh& mesh, std::span<const EdgeClass> 
         unsigned connected = 0;
         for (unsigned c = 0; c < 3; ++c)
             connected |= unsigned{edge_class[3 * face + c] == EdgeClass::connected} << c;
-        const FaceSurroundings around(mesh, tree, static_cast<FaceId>(face), error);
-        const FaceClearance chosen = choose_edges(around, connected, error, tree.root(map));
+        const FaceSurroundings around(mesh, tree, static_cast<FaceId>(face), position_error);
+        const FaceClearance chosen =
+            choose_edges(around, connected, position_error, tree.root(map));
         out.kept_edges[face] = static_cast<std::uint8_t>(chosen.edges);
         out.clearance[face] = static_cast<float>(chosen.clearance);
     });

@@ -33,6 +33,34 @@ class FaceTree {
     {
         return std::span(faces_).subspan(range.begin, range.end - range.begin);
     }
+    std::size_t node_count() const { return nodes_.size(); }
+
+    /// Calls visit(FaceId) for every face of a group whose leaf's box meets `box`, in the order of
+    /// the tree, but for those in nodes that `skip(Range)` leaves out.
+    template <typename Skip, typename Visit>
+    void visit(std::uint32_t group, const Bounds<glm::vec3>& box, const Skip& skip,
+               const Visit& visit_face) const
+    {
+        std::array<Range, 40> stack; // halving 2^32 faces goes 32 deep
+        std::size_t depth = 0;
+        if (!nodes_.empty())
+            stack[depth++] = root(group);
+        while (depth > 0) {
+            const Range range = stack[--depth];
+            const Bounds<glm::vec3>& here = this->box(range);
+            if (glm::any(glm::lessThan(here.high, box.low)) ||
+                glm::any(glm::lessThan(box.high, here.low)) || skip(range))
+                continue;
+            if (range.leaf()) {
+                for (const FaceId face : faces(range))
+                    visit_face(face);
+                continue;
+            }
+            const auto [left, right] = children(range);
+            stack[depth++] = right;
+            stack[depth++] = left;
+        }
+    }
 
   private:
     static constexpr std::uint32_t kLeafSize = 4;

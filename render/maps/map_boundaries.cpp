@@ -34,6 +34,29 @@ MapId map_bounded_by(const Partition& partition, std::uint32_t edge)
     return listed_before ? kNone : map;
 }
 
+/// Calls visit(map, segment) for every piece of boundary: edges first, then contacts.
+template <typename Visit>
+void for_each_segment(const TriangleMesh& mesh, const Partition& partition, const Visit& visit)
+{
+    const auto edge_count = static_cast<std::uint32_t>(3 * mesh.face_count());
+    auto bridged = partition.bridged_edges.begin();
+    for (std::uint32_t edge = 0; edge < edge_count; ++edge) {
+        if (bridged != partition.bridged_edges.end() && *bridged == edge) {
+            ++bridged;
+            continue;
+        }
+        const MapId map = map_bounded_by(partition, edge);
+        if (map == kNone)
+            continue;
+        const glm::uvec3 corners = mesh.corners[edge / 3];
+        const int corner = static_cast<int>(edge % 3);
+        visit(map, BoundarySegment{mesh.positions[corners[corner]],
+                                   mesh.positions[corners[(corner + 1) % 3]]});
+    }
+    for (const MapContact& contact : partition.contacts)
+        visit(contact.map, BoundarySegment{contact.a, contact.b});
+}
+
 double distance2_to_segment(const glm::vec3& point, const BoundarySegment& segment)
 {
     const glm::dvec3 a(segment.a);
@@ -79,27 +102,17 @@ MapBoundaries::MapBoundaries(const TriangleMesh& mesh, const Partition& partitio
     : ranges_(partition.map_count + std::size_t{1})
 {
     assert(partition.face_count() == mesh.face_count());
-    const auto edge_count = static_cast<std::uint32_t>(3 * mesh.face_count());
     std::vector<std::uint32_t> next(partition.map_count + std::size_t{1}, 0);
-    for (std::uint32_t edge = 0; edge < edge_count; ++edge)
-        if (const MapId map = map_bounded_by(partition, edge); map != kNone)
-            ++next[map];
+    for_each_segment(mesh, partition, [&](MapId map, const BoundarySegment&) { ++next[map]; });
     std::uint32_t total = 0;
     for (std::size_t map = 0; map < next.size(); ++map) {
         ranges_[map].segment = total;
         total += std::exchange(next[map], total);
     }
-
     segments_.resize(total);
-    for (std::uint32_t edge = 0; edge < edge_count; ++edge) {
-        const MapId map = map_bounded_by(partition, edge);
-        if (map == kNone)
-            continue;
-        const glm::uvec3 corners = mesh.corners[edge / 3];
-        const int corner = static_cast<int>(edge % 3);
-        segments_[next[map]++] = {mesh.positions[corners[corner]],
-                                  mesh.positions[corners[(corner + 1) % 3]]};
-    }
+    for_each_segment(mesh, partition, [&](MapId map, const BoundarySegment& segment) {
+        segments_[next[map]++] = segment;
+    });
 
     for (std::size_t map = 0; map < partition.map_count; ++map) {
         const std::uint32_t begin = ranges_[map].segment;

@@ -22,7 +22,8 @@ struct BoundarySegment {
 /// The boundary of a map is every unconnected, border and non-manifold edge of its faces.  An edge
 /// with the same map on both sides is one too, listed once if both faces know of each other: the
 /// surface is creased there, or something stands on it.  Edges of faces without area are not: such
-/// a face has no map, and what lies beyond it is not known.
+/// a face has no map, and what lies beyond it is not known.  Where a surface stands on another or
+/// cuts through it, the partition's contacts are boundaries too; its bridged edges are none.
 ///
 /// Read-only once built: any number of threads may query it.
 class MapBoundaries {

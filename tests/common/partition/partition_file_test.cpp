@@ -48,6 +48,8 @@ Partition sample(const Scene& scene)
     p.kept_edges = {1, 7, 0, 0};
     p.clearance = {std::numeric_limits<float>::infinity(), 0.125f, 3, 0};
     p.position_error = 1e-6f;
+    p.bridged_edges = {2, 8};
+    p.contacts = {{0, {1, 2, 3}, {4, 5, 6}}, {1, {0, 0, 0}, {0, -1, 0}}};
     return p;
 }
 
@@ -87,6 +89,8 @@ TEST_CASE("partition file: every field survives", "[partition]")
     CHECK(read.kept_edges == written.kept_edges);
     CHECK(read.clearance == written.clearance);
     CHECK(read.position_error == written.position_error);
+    CHECK(read.bridged_edges == written.bridged_edges);
+    CHECK(read.contacts == written.contacts);
 }
 
 TEST_CASE("partition file: an empty partition survives", "[partition]")
@@ -176,6 +180,14 @@ TEST_CASE("partition file: values that contradict each other are refused", "[par
         [](Partition& p) { p.clearance[1] = std::numeric_limits<float>::quiet_NaN(); },
         [](Partition& p) { p.clearance.pop_back(); },
         [](Partition& p) { p.position_error = -1; },
+        [](Partition& p) {
+            p.bridged_edges = {8, 2};
+        },
+        [](Partition& p) { p.bridged_edges = {0}; },
+        [](Partition& p) { p.bridged_edges = {12}; },
+        [](Partition& p) { p.contacts[1].map = 2; },
+        [](Partition& p) { p.contacts[0].map = 1, p.contacts[1].map = 0; },
+        [](Partition& p) { p.contacts[0].b.y = std::numeric_limits<float>::infinity(); },
         [](Partition& p) { p.position_error = std::numeric_limits<float>::infinity(); },
         [](Partition& p) { p.angle_threshold = 4; },
         [](Partition& p) { p.angle_threshold = std::numeric_limits<double>::quiet_NaN(); },

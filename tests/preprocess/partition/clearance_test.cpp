@@ -181,7 +181,7 @@ TEST_CASE("find_clearances: a face alone in its map has no limit, one without a 
 
 TEST_CASE("find_clearances: a fan of thousands of faces round one vertex ends", "[partition]")
 {
-    const TriangleMesh mesh = tiny::fan(10000);
+    const TriangleMesh mesh = tiny::fan(3000);
     const Partition p = build_partition(tiny::make_scene(mesh), {}).partition;
     for (FaceId face = 0; face < mesh.face_count(); ++face)
         REQUIRE(exact_limiting_radius(mesh, p, face, {0, 0, 0}) == 0);

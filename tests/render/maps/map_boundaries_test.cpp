@@ -131,6 +131,17 @@ TEST_CASE("map boundaries: a non-manifold edge bounds, an edge of a degenerate f
     CHECK(boundaries.of(0).size() == 2); // the face without a map adds none either
 }
 
+TEST_CASE("map boundaries: contacts bound, bridged edges do not", "[maps][boundaries]")
+{
+    Square square;
+    square.partition.bridged_edges = {1, 5};
+    square.partition.contacts = {{0, {0.5f, 0, 0}, {0.5f, 1, 0}}};
+    const std::vector<BoundarySegment> expected = {
+        {{0, 0, 0}, {1, 0, 0}}, {{1, 1, 0}, {0, 1, 0}}, {{0.5f, 0, 0}, {0.5f, 1, 0}}};
+    const MapBoundaries boundaries(square.mesh, square.partition);
+    CHECK(sorted(boundaries.of(0)) == sorted(expected));
+}
+
 TEST_CASE("map boundaries: a map without boundary, and no map at all", "[maps][boundaries]")
 {
     Square square;

@@ -1,0 +1,192 @@
+#include "preprocess/partition/contacts.h"
+
+#include "preprocess/partition/contact_face.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
+
+#include <algorithm>
+#include <tuple>
+
+namespace hipmap {
+namespace {
+
+bool precedes(const MapContact& l, const MapContact& r)
+{
+    const auto key = [](const MapContact& c) {
+        return std::tie(c.map, c.a.x, c.a.y, c.a.z, c.b.x, c.b.y, c.b.z);
+    };
+    return key(l) < key(r);
+}
+
+constexpr MapId kSeveralMaps = kNone;
+
+bool before(const glm::dvec3& a, const glm::dvec3& b)
+{
+    return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+}
+
+bool is_boundary(const ContactScene& scene, std::uint32_t edge)
+{
+    return scene.edge_class[edge] != EdgeClass::connected &&
+           !std::ranges::binary_search(scene.bridged_edges, edge);
+}
+
+/// Which edges of a face a line on it runs along, as bits.
+unsigned edges_along(const ContactFace& shape, const ContactLine& line)
+{
+    unsigned edges = 0;
+    for (int c = 0; c < 3; ++c)
+        edges |= unsigned{std::abs(shape.planes[c].height(line.a)) <= 2 * shape.error &&
+                          std::abs(shape.planes[c].height(line.b)) <= 2 * shape.error}
+                 << c;
+    return edges;
+}
+
+int shared_corners(const ContactFace& f, const ContactFace& g)
+{
+    int count = 0;
+    for (const glm::dvec3& p : f.corners)
+        count += std::ranges::find(g.corners, p) != g.corners.end();
+    return count;
+}
+
+/// Where the edges of `g` stand on `f`.
+class Standing {
+  public:
+    Standing(const ContactScene& scene, FaceId f, const ContactFace& shape, FaceId g,
+             const ContactFace& on_it)
+        : scene_(scene), f_(f), g_(g), shape_(shape), standing_(on_it),
+          flat_(parallel(shape, on_it))
+    {
+    }
+
+    /// Appends the lines and returns the length of the longest one there is, wanted or not.
+    double append(std::vector<MapContact>& out) const
+    {
+        double longest = 0;
+        for (std::uint32_t c = 0; c < 3; ++c)
+            longest = std::max(longest, append_edge(c, out));
+        return longest;
+    }
+
+  private:
+    double append_edge(std::uint32_t c, std::vector<MapContact>& out) const
+    {
+        // Both faces of an edge must give the same line.
+        glm::dvec3 a = standing_.corners[c];
+        glm::dvec3 b = standing_.corners[(c + 1) % 3];
+        if (before(b, a))
+            std::swap(a, b);
+        const std::optional<Interval> part = shape_.part_on(a, b);
+        if (!part)
+            return 0;
+        const ContactLine line{part->begin > 0 ? a + part->begin * (b - a) : a,
+                               part->end < 1 ? a + part->end * (b - a) : b};
+        const std::uint32_t edge = 3 * g_ + c;
+        const MapId own = scene_.map_of_face[g_];
+        const MapId map = scene_.map_of_face[f_];
+        const std::uint32_t twin = scene_.opposite[edge];
+        const bool ends = is_boundary(scene_, edge);
+        const bool known = twin != kNone && scene_.map_of_face[twin / 3] == map;
+        const unsigned along = edges_along(shape_, line);
+        bool along_end = false;
+        for (std::uint32_t side = 0; side < 3; ++side)
+            along_end |= (along >> side & 1) && is_boundary(scene_, 3 * f_ + side);
+        if ((ends || !flat_) && !known && !along_end)
+            out.push_back({map, glm::vec3(line.a), glm::vec3(line.b)});
+        // Where two edges meet, the other one says the same.
+        if (!ends && !flat_ && along == 0)
+            out.push_back({own, glm::vec3(line.a), glm::vec3(line.b)});
+        return glm::length(line.b - line.a);
+    }
+
+    const ContactScene& scene_;
+    FaceId f_, g_;
+    const ContactFace& shape_;
+    const ContactFace& standing_;
+    bool flat_;
+};
+
+/// The one map of all faces below each node, or kSeveralMaps.
+void find_map_of_nodes(const ContactScene& scene, const FaceTree& tree,
+                       const FaceTree::Range& range, std::vector<MapId>& map_of_node)
+{
+    MapId map = kSeveralMaps;
+    if (range.leaf()) {
+        const auto faces = tree.faces(range);
+        map = scene.map_of_face[faces.front()];
+        for (const FaceId face : faces)
+            if (scene.map_of_face[face] != map)
+                map = kSeveralMaps;
+    } else {
+        const auto [left, right] = tree.children(range);
+        find_map_of_nodes(scene, tree, left, map_of_node);
+        find_map_of_nodes(scene, tree, right, map_of_node);
+        if (map_of_node[left.node] == map_of_node[right.node])
+            map = map_of_node[left.node];
+    }
+    map_of_node[range.node] = map;
+}
+
+} // namespace
+
+void append_contacts(const ContactScene& scene, FaceId f, FaceId g, std::vector<MapContact>& out)
+{
+    if (scene.map_of_face[f] == scene.map_of_face[g])
+        return;
+    const ContactFace shape_f(scene.mesh, f, scene.error);
+    const ContactFace shape_g(scene.mesh, g, scene.error);
+    if (shape_f.too_thin() || shape_g.too_thin() || shared_corners(shape_f, shape_g) > 1)
+        return;
+    const double standing = std::max(Standing(scene, f, shape_f, g, shape_g).append(out),
+                                     Standing(scene, g, shape_g, f, shape_f).append(out));
+    const std::optional<ContactLine> line = crossing(shape_f, shape_g);
+    if (!line || standing > 0.5 * glm::length(line->b - line->a))
+        return;
+    for (const FaceId face : {f, g})
+        out.push_back({scene.map_of_face[face], glm::vec3(line->a), glm::vec3(line->b)});
+}
+
+void sort_contacts(std::vector<MapContact>& contacts)
+{
+    tbb::parallel_sort(contacts.begin(), contacts.end(), precedes);
+    contacts.erase(std::unique(contacts.begin(), contacts.end()), contacts.end());
+}
+
+std::vector<MapContact> find_contacts(const ContactScene& scene, const FaceTree& tree)
+{
+    std::vector<MapContact> out;
+    if (tree.node_count() == 0)
+        return out;
+    std::vector<MapId> map_of_node(tree.node_count());
+    find_map_of_nodes(scene, tree, tree.root(0), map_of_node);
+    tbb::enumerable_thread_specific<std::vector<MapContact>> found;
+    const auto face_count = static_cast<FaceId>(scene.mesh.face_count());
+    tbb::parallel_for(tbb::blocked_range<FaceId>(0, face_count), [&](const auto& faces) {
+        std::vector<MapContact>& mine = found.local();
+        for (FaceId f = faces.begin(); f < faces.end(); ++f) {
+            const MapId map = scene.map_of_face[f];
+            if (map == kNone)
+                continue;
+            Bounds<glm::vec3> box = face_box(scene.mesh, f);
+            box.low = glm::vec3(glm::dvec3(box.low) - 4 * scene.error);
+            box.high = glm::vec3(glm::dvec3(box.high) + 4 * scene.error);
+            tree.visit(
+                0, box,
+                [&](const FaceTree::Range& range) { return map_of_node[range.node] == map; },
+                [&](FaceId g) {
+                    if (f < g)
+                        append_contacts(scene, f, g, mine);
+                });
+        }
+    });
+    for (const std::vector<MapContact>& some : found)
+        out.insert(out.end(), some.begin(), some.end());
+    sort_contacts(out);
+    return out;
+}
+
+} // namespace hipmap
