@@ -4,6 +4,8 @@
 #include "common/scene/mesh.h"
 
 #include <bit>
+#include <unordered_map>
+#include <utility>
 
 namespace hipmap {
 namespace {
@@ -16,9 +18,71 @@ std::uint64_t hash_of(const glm::vec3& p)
     return mix_bits(mix_bits(bits(p.x) << 32 | bits(p.y)) ^ bits(p.z));
 }
 
-} // namespace
+/// Positions that are farther apart than a distance, in cubes of that size: a cube and those around
+/// it hold a bounded number of them.
+class SparsePositions {
+  public:
+    explicit SparsePositions(double distance) : distance_(distance) {}
 
-VertexWeld weld_vertices(std::span<const glm::vec3> positions)
+    /// The id of the nearest one within the distance; kNone if there is none.
+    std::uint32_t nearest(const glm::dvec3& position) const
+    {
+        const glm::dvec3 cell = glm::floor(position / distance_);
+        double least = distance_;
+        std::uint32_t found = kNone;
+        for (int i = 0; i < 27; ++i) {
+            const glm::dvec3 offset(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+            const auto [begin, end] = cells_.equal_range(hash_of(cell + offset));
+            for (auto it = begin; it != end; ++it) {
+                const auto& [other, id] = it->second;
+                const double apart = glm::length(other - position);
+                if (apart < least || (apart == least && id < found)) {
+                    least = apart;
+                    found = id;
+                }
+            }
+        }
+        return found;
+    }
+
+    void keep(const glm::dvec3& position, std::uint32_t id)
+    {
+        cells_.emplace(hash_of(glm::floor(position / distance_)), std::pair(position, id));
+    }
+
+  private:
+    static std::uint64_t hash_of(const glm::dvec3& cell)
+    {
+        const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value + 0.0); };
+        return mix_bits(mix_bits(mix_bits(bits(cell.x)) + bits(cell.y)) + bits(cell.z));
+    }
+
+    double distance_;
+    std::unordered_multimap<std::uint64_t, std::pair<glm::dvec3, std::uint32_t>> cells_;
+};
+
+/// Welds the positions of a weld further.
+VertexWeld weld_near(std::span<const glm::vec3> positions, const VertexWeld& exact, double distance)
+{
+    VertexWeld weld;
+    weld.id_of_vertex.resize(positions.size());
+    std::vector<std::uint32_t> id_of_exact(exact.count, kNone);
+    SparsePositions kept(distance);
+    for (std::size_t vertex = 0; vertex < positions.size(); ++vertex) {
+        std::uint32_t& id = id_of_exact[exact.id_of_vertex[vertex]];
+        const glm::dvec3 position(positions[vertex]);
+        if (id == kNone)
+            id = kept.nearest(position);
+        if (id == kNone) {
+            id = weld.count++;
+            kept.keep(position, id);
+        }
+        weld.id_of_vertex[vertex] = id;
+    }
+    return weld;
+}
+
+VertexWeld weld_identical(std::span<const glm::vec3> positions)
 {
     VertexWeld weld;
     weld.id_of_vertex.resize(positions.size());
@@ -37,6 +101,14 @@ VertexWeld weld_vertices(std::span<const glm::vec3> positions)
         }
     }
     return weld;
+}
+
+} // namespace
+
+VertexWeld weld_vertices(std::span<const glm::vec3> positions, double distance)
+{
+    VertexWeld weld = weld_identical(positions);
+    return distance > 0 ? weld_near(positions, weld, distance) : weld;
 }
 
 } // namespace hipmap

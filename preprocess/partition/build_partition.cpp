@@ -3,7 +3,6 @@
 #include "common/input_error.h"
 #include "common/stopwatch.h"
 #include "preprocess/partition/clearance.h"
-#include "preprocess/partition/connected_edges.h"
 #include "preprocess/partition/contacts.h"
 #include "preprocess/partition/local_candidates.h"
 
@@ -46,26 +45,36 @@ void measure_maps(PartitionSummary& summary, const Partition& partition, const T
     }
 }
 
-/// Joins maps that go on across seams, and finds the boundaries that are no edges.
-/// Changes edges.flipped and maps; fills bridged_edges and contacts of `out`.
-std::size_t add_contacts(const TriangleMesh& mesh, HalfEdges& edges, const EdgeClasses& classes,
-                         SharedMaps& maps, Partition& out)
+/// Joins maps that go on across seams.
+/// Changes edges.flipped and maps; fills bridged_edges of `out`, and contacts with what is open.
+void join_seams(const TriangleMesh& mesh, HalfEdges& edges, const EdgeClasses& classes,
+                SharedMaps& maps, const FaceTree& tree, Partition& out)
 {
-    std::vector<std::uint32_t> group(mesh.face_count(), 0);
-    for (FaceId face = 0; face < mesh.face_count(); ++face)
-        if (maps.map_of_face[face] == kNone)
-            group[face] = kNone;
-    const FaceTree tree(mesh, group, 1);
     Seams seams = find_seams(mesh, edges, classes.edge_class, maps, tree, out.position_error);
     for (FaceId face = 0; face < mesh.face_count(); ++face)
         if (maps.map_of_face[face] != kNone)
             edges.flipped[face] ^= seams.turned[maps.map_of_face[face]];
     maps = std::move(seams.maps);
     out.bridged_edges = std::move(seams.bridged_edges);
-    out.contacts = find_contacts({mesh, classes.edge_class, edges.opposite, maps.map_of_face,
-                                  out.bridged_edges, out.position_error},
-                                 tree);
-    out.contacts.insert(out.contacts.end(), seams.open_parts.begin(), seams.open_parts.end());
+    out.contacts = std::move(seams.open_parts);
+}
+
+/// Joins maps at seams, if asked, and finds the boundaries that are no edges; returns how many.
+std::size_t add_contacts(const TriangleMesh& mesh, HalfEdges& edges, const EdgeClasses& classes,
+                         SharedMaps& maps, bool join, Partition& out)
+{
+    std::vector<std::uint32_t> group(mesh.face_count(), 0);
+    for (FaceId face = 0; face < mesh.face_count(); ++face)
+        if (maps.map_of_face[face] == kNone)
+            group[face] = kNone;
+    const FaceTree tree(mesh, group, 1);
+    if (join)
+        join_seams(mesh, edges, classes, maps, tree, out);
+    const std::vector<MapContact> found =
+        find_contacts({mesh, classes.edge_class, edges.opposite, maps.map_of_face,
+                       out.bridged_edges, out.position_error},
+                      tree);
+    out.contacts.insert(out.contacts.end(), found.begin(), found.end());
     sort_contacts(out.contacts);
     return out.contacts.size();
 }
@@ -83,18 +92,22 @@ PartitionResult build_partition(const Scene& scene, const PartitionOptions& opti
     PartitionSummary& summary = result.summary;
 
     out.scene = timed(summary, "fingerprint", [&] { return fingerprint(scene); });
-    const VertexWeld weld =
-        timed(summary, "weld vertices", [&] { return weld_vertices(mesh.positions); });
+    const VertexWeld weld = timed(summary, "weld vertices", [&] {
+        return weld_vertices(mesh.positions, options.weld_distance);
+    });
     HalfEdges edges =
         timed(summary, "find half-edges", [&] { return find_half_edges(mesh, weld); });
     EdgeClasses classes = timed(summary, "classify edges", [&] {
-        return classify_edges(mesh, edges, options.angle_threshold);
+        return classify_edges(mesh, edges, options.angle_threshold, options.split);
     });
     SharedMaps maps = timed(summary, "share maps",
                             [&] { return share_maps(classes.edge_class, edges.opposite); });
     const std::uint32_t maps_by_edges = maps.count;
     out.position_error = position_error_of(mesh);
-    timed(summary, "find contacts", [&] { return add_contacts(mesh, edges, classes, maps, out); });
+    // Faces in one plane differ by less than any threshold but none.
+    const bool join = options.split == SplitBy::normals || options.angle_threshold > kAngleBand;
+    timed(summary, "find contacts",
+          [&] { return add_contacts(mesh, edges, classes, maps, join, out); });
     LocalCandidates locals = timed(summary, "find local candidates", [&] {
         return find_local_candidates(mesh, classes.edge_class, maps);
     });

@@ -3,6 +3,7 @@
 #include "common/partition/partition.h"
 #include "common/scene/scene.h"
 #include "preprocess/mesh/half_edges.h"
+#include "preprocess/partition/connected_edges.h"
 
 #include <array>
 #include <numbers>
@@ -12,6 +13,8 @@ namespace hipmap {
 
 struct PartitionOptions {
     double angle_threshold = std::numbers::pi / 6; ///< radians, 0 to pi
+    SplitBy split = SplitBy::angle;
+    double weld_distance = 0.0; ///< scene units; 0: bit-identical positions only
 };
 
 /// What was found on the way to a partition.

@@ -10,6 +10,14 @@ namespace hipmap {
 /// positions (a rotated cube) cannot change a partition.
 inline constexpr double kAngleBand = 1e-4;
 
+/// What parts two neighbouring faces: the angle between them, vertex normals that the scene's
+/// author split, or either.
+enum class SplitBy { angle, normals, both };
+
+/// Vertex normals of two faces at one vertex that differ by more than this, in radians, were split
+/// on purpose: quantised to 8 bits they differ by less.
+inline constexpr double kSplitNormals = 0.02;
+
 struct EdgeClasses {
     std::vector<EdgeClass> edge_class; ///< [3F]
     std::size_t edges_in_band = 0;     ///< edges within kAngleBand of the threshold
@@ -18,9 +26,11 @@ struct EdgeClasses {
 /// Makes edges of two faces connected where their fronts (after turning flipped faces) differ by
 /// less than the threshold:
 ///     dot(n1, n2) > cos(threshold - band) |n1| |n2|          with unnormalised normals in double
+/// By normals, edges are connected unless the vertex normals of the two faces differ by more than
+/// kSplitNormals at an end; an edge with an end that has no normals is judged by its angle.
 /// angle_threshold: radians, 0 to pi; 0 connects nothing.  Other classes stay as they are.
 /// Linear, parallel.
-EdgeClasses classify_edges(const TriangleMesh& mesh, const HalfEdges& edges,
-                           double angle_threshold);
+EdgeClasses classify_edges(const TriangleMesh& mesh, const HalfEdges& edges, double angle_threshold,
+                           SplitBy by = SplitBy::angle);
 
 } // namespace hipmap

@@ -47,3 +47,35 @@ TEST_CASE("weld_vertices: ids are those of an ordered map, numbered by lowest ve
         REQUIRE(weld.count == ids.size());
     }
 }
+
+TEST_CASE("weld_vertices: by distance, kept positions are farther apart and the rest have the "
+          "nearest of them",
+          "[mesh]")
+{
+    for (const double distance : {1e-4, 0.03, 0.2, 5.0}) {
+        RandomSequence random(3, RandomStream::pictures, 0, 0);
+        std::vector<glm::vec3> positions;
+        for (int i = 0; i < 600; ++i) {
+            const glm::vec2 xy = random.next2();
+            positions.emplace_back(xy - 0.5f, 0.3f * random.next());
+        }
+        const VertexWeld weld = weld_vertices(positions, distance);
+        std::vector<glm::dvec3> kept; // by id, in the order in which ids appear
+        for (std::size_t v = 0; v < positions.size(); ++v) {
+            std::uint32_t nearest = kNone;
+            double least = distance;
+            for (std::uint32_t id = 0; id < kept.size(); ++id)
+                if (const double d = glm::distance(kept[id], glm::dvec3(positions[v]));
+                    d <= least) {
+                    nearest = d < least || nearest == kNone ? id : nearest;
+                    least = d;
+                }
+            if (nearest == kNone) {
+                nearest = static_cast<std::uint32_t>(kept.size());
+                kept.emplace_back(positions[v]);
+            }
+            REQUIRE(weld.id_of_vertex[v] == nearest);
+        }
+        REQUIRE(weld.count == kept.size());
+    }
+}

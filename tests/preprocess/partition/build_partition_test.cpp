@@ -62,3 +62,16 @@ TEST_CASE("build_partition: the same with one and with four threads", "[partitio
     };
     CHECK(same(run(1), run(4)));
 }
+
+TEST_CASE("build_partition: a crack narrower than the weld distance is closed", "[partition]")
+{
+    TriangleMesh right = tiny::quad();
+    for (glm::vec3& p : right.positions)
+        p += glm::vec3(1.001f, 0.0005f, 0);
+    const Scene scene = tiny::make_scene(tiny::together(tiny::quad(), right));
+    CHECK(build_partition(scene, {}).partition.map_count == 2);
+    CHECK(build_partition(scene, {.weld_distance = 1e-3}).partition.map_count == 2);
+    const PartitionResult welded = build_partition(scene, {.weld_distance = 2e-3});
+    CHECK(welded.partition.map_count == 1);
+    CHECK(welded.summary.welded_vertices == 6);
+}

@@ -118,3 +118,69 @@ TEST_CASE("classify_edges: both halves of an edge agree", "[partition]")
                 REQUIRE(classes.edge_class[edge] == edges.edge_class[edge]);
     }
 }
+
+namespace {
+
+std::uint32_t maps_split_by(const TriangleMesh& mesh, double degrees, SplitBy by)
+{
+    const HalfEdges edges = find_half_edges(mesh, weld_vertices(mesh.positions));
+    return share_maps(classify_edges(mesh, edges, degrees * kDegree, by).edge_class, edges.opposite)
+        .count;
+}
+
+/// Normals across each face, on vertices that no other side has.
+void shade_flat(TriangleMesh& mesh)
+{
+    for (FaceId face = 0; face < mesh.face_count(); ++face)
+        for (int c = 0; c < 3; ++c)
+            mesh.normals[mesh.corners[face][c]] =
+                glm::vec3(glm::normalize(scaled_normal(mesh, face)));
+}
+
+/// Normals away from the origin, as a smooth surface has them.
+void shade_smooth(TriangleMesh& mesh)
+{
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v)
+        mesh.normals[v] = glm::normalize(mesh.positions[v]);
+}
+
+} // namespace
+
+TEST_CASE("classify_edges: by normals, a smooth cube is one map and a flat one six", "[partition]")
+{
+    TriangleMesh cube = tiny::cube();
+    shade_smooth(cube);
+    CHECK(maps_split_by(cube, 30, SplitBy::normals) == 1);
+    CHECK(maps_split_by(cube, 30, SplitBy::both) == 6);
+    shade_flat(cube);
+    for (const double degrees : {0.0, 30.0, 170.0})
+        CHECK(maps_split_by(cube, degrees, SplitBy::normals) == 6);
+    CHECK(maps_split_by(cube, 170, SplitBy::both) == 6);
+    CHECK(maps_split_by(cube, 170, SplitBy::angle) == 1);
+}
+
+TEST_CASE("classify_edges: by normals, a ring of hard edges parts a sphere", "[partition]")
+{
+    TriangleMesh sphere = tiny::split_all(tiny::uv_sphere(32, 16));
+    shade_smooth(sphere);
+    CHECK(maps_split_by(sphere, 30, SplitBy::both) == 1);
+    for (FaceId face = 0; face < sphere.face_count(); ++face) {
+        const glm::uvec3& c = sphere.corners[face];
+        const float middle =
+            sphere.positions[c.x].y + sphere.positions[c.y].y + sphere.positions[c.z].y;
+        for (int i = 0; i < 3 && middle > 0; ++i)
+            if (std::abs(sphere.positions[c[i]].y) < 1e-6f)
+                sphere.normals[c[i]] = {0, 1, 0};
+    }
+    CHECK(maps_split_by(sphere, 30, SplitBy::normals) == 2);
+    CHECK(maps_split_by(sphere, 30, SplitBy::both) == 2);
+    CHECK(maps_split_by(sphere, 30, SplitBy::angle) == 1);
+}
+
+TEST_CASE("classify_edges: without normals the angle decides", "[partition]")
+{
+    for (const SplitBy by : {SplitBy::normals, SplitBy::both}) {
+        CHECK(maps_split_by(tiny::cube(), 30, by) == 6);
+        CHECK(maps_split_by(tiny::cube(), 91, by) == 1);
+    }
+}

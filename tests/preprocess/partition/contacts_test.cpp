@@ -193,6 +193,13 @@ TEST_CASE("seams: coincident faces share one map and one side", "[partition]")
         });
 }
 
+TEST_CASE("seams: at threshold 0 nothing is joined", "[partition]")
+{
+    const TriangleMesh mesh = tiny::together(tiny::quad(), tiny::quad());
+    const Scene scene = tiny::make_scene(mesh);
+    CHECK(build_partition(scene, {.angle_threshold = 0}).partition.map_count == 4);
+}
+
 TEST_CASE("seams: a wall on the seam keeps two floors apart or bounds their map", "[partition]")
 {
     const TriangleMesh floors = tiny::together(rectangle({0, 0, 0}, {0, 0, 1}, {1, 0, 0}),
