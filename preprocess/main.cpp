@@ -3,6 +3,7 @@
 #include "common/report.h"
 #include "common/scene/print_audit.h"
 #include "common/stopwatch.h"
+#include "preprocess/colouring/coloured_glb.h"
 #include "preprocess/colouring/partition_pictures.h"
 #include "preprocess/summary.h"
 
@@ -32,8 +33,10 @@ int preprocess(const PreprocessArguments& arguments)
     const double load_seconds = loading.seconds();
 
     const Scene& scene = loaded.scene;
-    PartitionResult result =
-        build_partition(scene, {.angle_threshold = arguments.angle_deg * std::numbers::pi / 180});
+    PartitionResult result = build_partition(
+        scene, {.angle_threshold = arguments.angle_deg * std::numbers::pi / 180,
+                .split = arguments.split,
+                .weld_distance = arguments.weld_metres / scene.frame.metres_per_unit});
     result.summary.passes.insert(result.summary.passes.begin(), {"load scene", load_seconds});
     print_summary(result.summary, arguments.angle_deg, report);
     write_partition(arguments.output, result.partition);
@@ -46,6 +49,12 @@ int preprocess(const PreprocessArguments& arguments)
                  arguments.images, scene, result.partition, size.width, size.height))
             report.line("wrote " + path.string());
         result.summary.passes.push_back({"paint pictures", painting.seconds()});
+    }
+    if (!arguments.coloured.empty()) {
+        const Stopwatch writing;
+        write_coloured_glb(arguments.coloured, scene, result.partition);
+        report.line("wrote " + arguments.coloured.string());
+        result.summary.passes.push_back({"write coloured model", writing.seconds()});
     }
     if (!arguments.json.empty()) {
         write_file(arguments.json, summary_json(arguments, scene.frame, result.summary));

@@ -4,9 +4,17 @@
 #include "common/file/output_file.h"
 #include "common/input_error.h"
 
+#include <map>
 #include <vector>
 
 namespace hipmap {
+
+namespace {
+
+const std::map<std::string, SplitBy> kSplits{
+    {"angle", SplitBy::angle}, {"normals", SplitBy::normals}, {"both", SplitBy::both}};
+
+} // namespace
 
 void add_preprocess_arguments(CLI::App& app, PreprocessArguments& arguments)
 {
@@ -19,6 +27,20 @@ void add_preprocess_arguments(CLI::App& app, PreprocessArguments& arguments)
                    "share photons [30]")
         ->check(finite_in(0, 180))
         ->type_name("DEG");
+    app.add_option_function<std::string>(
+           "--split", [&arguments](const std::string& name) { arguments.split = kSplits.at(name); },
+           "What parts faces that share an edge: angle, normals (the author's hard edges: split "
+           "vertex normals) or both, whichever does [angle]")
+        ->check(CLI::IsMember(kSplits))
+        ->type_name("WHAT");
+    app.add_option("--weld", arguments.weld_metres,
+                   "Take vertices no farther apart than this, in metres, for one [0: only those at "
+                   "the very same place]")
+        ->check(finite_in(0, 1e9))
+        ->type_name("M");
+    app.add_option("--coloured", arguments.coloured,
+                   "Write the faces with the colours of their shared maps as a model to turn about")
+        ->type_name("FILE.glb");
     app.add_option("--images", arguments.images,
                    "Folder for three pictures of the partition: shared_maps.png, edges.png, "
                    "candidates.png; made if it is missing")
@@ -44,7 +66,8 @@ void check_outputs(const PreprocessArguments& arguments)
                    std::filesystem::absolute(b).lexically_normal();
     };
     std::vector<std::filesystem::path> used{arguments.scene};
-    for (const std::filesystem::path& path : {arguments.output, arguments.json}) {
+    for (const std::filesystem::path& path :
+         {arguments.output, arguments.json, arguments.coloured}) {
         if (path.empty())
             continue;
         for (const std::filesystem::path& other : used)

@@ -2,6 +2,7 @@
 
 #include "common/command_line/command_line.h"
 #include "common/scene/load_scene.h"
+#include "preprocess/partition/connected_edges.h"
 
 #include <filesystem>
 
@@ -11,9 +12,12 @@ namespace hipmap {
 struct PreprocessArguments {
     std::filesystem::path scene;
     std::filesystem::path output;
-    std::filesystem::path images; ///< folder; empty: none
-    std::filesystem::path json;   ///< empty: none
+    std::filesystem::path images;   ///< folder; empty: none
+    std::filesystem::path json;     ///< empty: none
+    std::filesystem::path coloured; ///< .glb; empty: none
     double angle_deg = 30;
+    SplitBy split = SplitBy::angle;
+    double weld_metres = 0; ///< 0: identical positions only
     SceneOptions scene_options;
     PictureSize size{768, 0};
     unsigned threads = 0; ///< 0: all cores

@@ -27,13 +27,17 @@ PreprocessArguments parse(const std::string& line)
 TEST_CASE("preprocess options: every option arrives", "[preprocess]")
 {
     const PreprocessArguments a =
-        parse("desk.glb -o desk.hpm --angle 45.5 --images out --json desk.json --size 640x360 "
+        parse("desk.glb -o desk.hpm --angle 45.5 --split both --weld 1e-3 --images out --json "
+              "desk.json --coloured maps.glb --size 640x360 "
               "--camera Top --exclude Cutter --exclude Helper --light-units raw --threads 3");
     CHECK(a.scene == "desk.glb");
     CHECK(a.output == "desk.hpm");
     CHECK(a.angle_deg == 45.5);
+    CHECK(a.split == SplitBy::both);
+    CHECK(a.weld_metres == 1e-3);
     CHECK(a.images == "out");
     CHECK(a.json == "desk.json");
+    CHECK(a.coloured == "maps.glb");
     CHECK(a.size.width == 640);
     CHECK(a.size.height == 360);
     CHECK(a.scene_options.camera == "Top");
@@ -46,6 +50,8 @@ TEST_CASE("preprocess options: defaults", "[preprocess]")
 {
     const PreprocessArguments a = parse("-o desk.hpm desk.glb");
     CHECK(a.angle_deg == 30);
+    CHECK(a.split == SplitBy::angle);
+    CHECK(a.weld_metres == 0);
     CHECK(a.size.width == 768);
     CHECK(a.size.height == 0);
     CHECK(a.images.empty());
