@@ -118,7 +118,7 @@ std::string summary_json(const PreprocessArguments& arguments, const SceneFrame&
     for (const PartitionSummary::Map& map : summary.maps)
         json["maps"].push_back(
             {{"id", map.id}, {"faces", map.faces}, {"area_m2", map.area * square_metres}});
-    for (const PartitionSummary::Pass& pass : summary.passes)
+    for (const PartitionPass& pass : summary.passes)
         json["seconds"][std::string(pass.name)] = pass.seconds;
     return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }

@@ -12,15 +12,22 @@
 namespace hipmap {
 namespace {
 
-/// Runs one pass and notes how long it took.
-template <typename Work>
-auto timed(PartitionSummary& summary, std::string_view name, const Work& work)
-{
-    const Stopwatch watch;
-    auto result = work();
-    summary.passes.push_back({name, watch.seconds()});
-    return result;
-}
+/// Runs passes and notes how long each took.
+struct PassTimer {
+    const PartitionOptions& options;
+    PartitionSummary& summary;
+
+    template <typename Work>
+    auto operator()(std::string_view name, const Work& work) const
+    {
+        const Stopwatch watch;
+        auto result = work();
+        summary.passes.push_back({name, watch.seconds()});
+        if (options.after_pass)
+            options.after_pass(summary.passes.back());
+        return result;
+    }
+};
 
 void count_edges(PartitionSummary& summary, const Partition& partition)
 {
@@ -90,29 +97,27 @@ PartitionResult build_partition(const Scene& scene, const PartitionOptions& opti
     PartitionResult result;
     Partition& out = result.partition;
     PartitionSummary& summary = result.summary;
+    const PassTimer timed{options, summary};
 
-    out.scene = timed(summary, "fingerprint", [&] { return fingerprint(scene); });
-    const VertexWeld weld = timed(summary, "weld vertices", [&] {
-        return weld_vertices(mesh.positions, options.weld_distance);
-    });
-    HalfEdges edges =
-        timed(summary, "find half-edges", [&] { return find_half_edges(mesh, weld); });
-    EdgeClasses classes = timed(summary, "classify edges", [&] {
+    out.scene = timed("fingerprint", [&] { return fingerprint(scene); });
+    const VertexWeld weld = timed(
+        "weld vertices", [&] { return weld_vertices(mesh.positions, options.weld_distance); });
+    HalfEdges edges = timed("find half-edges", [&] { return find_half_edges(mesh, weld); });
+    EdgeClasses classes = timed("classify edges", [&] {
         return classify_edges(mesh, edges, options.angle_threshold, options.split);
     });
-    SharedMaps maps = timed(summary, "share maps",
-                            [&] { return share_maps(classes.edge_class, edges.opposite); });
+    SharedMaps maps =
+        timed("share maps", [&] { return share_maps(classes.edge_class, edges.opposite); });
     const std::uint32_t maps_by_edges = maps.count;
     out.position_error = position_error_of(mesh);
     // Faces in one plane differ by less than any threshold but none.
     const bool join = options.split == SplitBy::normals || options.angle_threshold > kAngleBand;
-    timed(summary, "find contacts",
-          [&] { return add_contacts(mesh, edges, classes, maps, join, out); });
-    LocalCandidates locals = timed(summary, "find local candidates", [&] {
+    timed("find contacts", [&] { return add_contacts(mesh, edges, classes, maps, join, out); });
+    LocalCandidates locals = timed("find local candidates", [&] {
         return find_local_candidates(mesh, classes.edge_class, maps);
     });
 
-    Clearances clearances = timed(summary, "find clearances", [&] {
+    Clearances clearances = timed("find clearances", [&] {
         return find_clearances(mesh, classes.edge_class, maps, out.position_error);
     });
 

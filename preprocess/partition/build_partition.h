@@ -6,15 +6,22 @@
 #include "preprocess/partition/connected_edges.h"
 
 #include <array>
+#include <functional>
 #include <numbers>
 #include <string_view>
 
 namespace hipmap {
 
+struct PartitionPass {
+    std::string_view name;
+    double seconds = 0.0;
+};
+
 struct PartitionOptions {
     double angle_threshold = std::numbers::pi / 6; ///< radians, 0 to pi
     SplitBy split = SplitBy::angle;
     double weld_distance = 0.0; ///< scene units; 0: bit-identical positions only
+    std::function<void(const PartitionPass&)> after_pass{}; ///< for progress; may be empty
 };
 
 /// What was found on the way to a partition.
@@ -23,10 +30,6 @@ struct PartitionSummary {
         MapId id = 0;
         std::size_t faces = 0;
         double area = 0.0; ///< square scene units
-    };
-    struct Pass {
-        std::string_view name;
-        double seconds = 0.0;
     };
     std::size_t faces = 0;
     std::size_t vertices = 0;
@@ -40,7 +43,7 @@ struct PartitionSummary {
     std::size_t closed_faces = 0;
     std::vector<Map> maps; ///< by id
     MeshDefects defects;
-    std::vector<Pass> passes; ///< in order
+    std::vector<PartitionPass> passes; ///< in order
 };
 
 struct PartitionResult {
