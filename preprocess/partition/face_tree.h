@@ -19,8 +19,8 @@ class FaceTree {
     };
 
     /// group_of_face: [F] below `group_count`, or kNone to leave a face out.
-    /// The same faces give the same tree at any thread count.  O(n log n), parallel sorting.
-    /// Faces are ordered along Morton's curve (1966).
+    /// Halves the faces of each node along its longest axis.  The same faces give the same tree.
+    /// O(n log n).
     FaceTree(const TriangleMesh& mesh, std::span<const std::uint32_t> group_of_face,
              std::uint32_t group_count);
 
@@ -71,7 +71,13 @@ class FaceTree {
         std::uint32_t right;
     };
 
-    std::uint32_t build(const TriangleMesh& mesh, std::uint32_t begin, std::uint32_t end);
+    struct Item {
+        glm::vec3 middle{0.0f};
+        FaceId face = kNone;
+    };
+
+    std::uint32_t build(const TriangleMesh& mesh, std::vector<Item>& items, std::uint32_t begin,
+                        std::uint32_t end);
 
     std::vector<FaceId> faces_;
     std::vector<Node> nodes_;
