@@ -86,7 +86,7 @@ def print_table(rows):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
     parser.add_argument("folders", nargs="+", type=pathlib.Path)
-    parser.add_argument("--limit", type=float, default=20.0, help="seconds for one scene [20]")
+    parser.add_argument("--limit", type=float, default=120.0, help="seconds for one scene [120]")
     arguments = parser.parse_args()
     if not PREPROCESS.exists():
         sys.exit("error: build/release/bin/preprocess is missing; run ./pipeline.sh first")
