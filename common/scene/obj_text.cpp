@@ -20,13 +20,26 @@ using std::string_view;
 
 string_view take_word(string_view& rest)
 {
-    const std::size_t begin = rest.find_first_not_of(" \t\r");
+    const std::size_t begin = rest.find_first_not_of(" \t");
     if (begin == string_view::npos)
         return rest = {};
-    const std::size_t end = std::min(rest.find_first_of(" \t\r", begin), rest.size());
+    const std::size_t end = std::min(rest.find_first_of(" \t", begin), rest.size());
     const string_view word = rest.substr(begin, end - begin);
     rest.remove_prefix(end);
     return word;
+}
+
+/// Turns every line end into "\n": tinyobjloader ends lines at any "\r", and what is checked must
+/// be what it reads.
+void unify_line_ends(std::string& text)
+{
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < text.size(); ++i)
+        if (text[i] != '\r')
+            text[kept++] = text[i];
+        else if (i + 1 == text.size() || text[i + 1] != '\n')
+            text[kept++] = '\n';
+    text.resize(kept);
 }
 
 /// Replaces "\" before a line end by a space and moves the line end behind the joined line, so
@@ -39,11 +52,10 @@ void join_continued_lines(std::string& text)
     joined.reserve(text.size());
     std::size_t owed = 0;
     for (std::size_t i = 0; i < text.size(); ++i) {
-        const std::size_t after = i + 1 < text.size() && text[i + 1] == '\r' ? i + 2 : i + 1;
-        if (text[i] == '\\' && after < text.size() && text[after] == '\n') {
+        if (text[i] == '\\' && i + 1 < text.size() && text[i + 1] == '\n') {
             joined += ' ';
             ++owed;
-            i = after;
+            ++i;
         } else {
             joined += text[i];
             if (text[i] == '\n') {
@@ -108,7 +120,7 @@ class ObjCheck {
             check_face(line);
         } else if (key == "mtllib") {
             const std::size_t begin = line.find_first_not_of(" \t");
-            const std::size_t end = line.find_last_not_of(" \t\r");
+            const std::size_t end = line.find_last_not_of(" \t");
             if (begin != string_view::npos)
                 out_.material_libs.emplace_back(line.substr(begin, end - begin + 1));
         } else if (key == "o") {
@@ -199,6 +211,7 @@ ObjText read_obj_text(const std::filesystem::path& path)
     const std::vector<std::byte> bytes = read_file(path);
     ObjText out;
     out.text.assign(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    unify_line_ends(out.text);
     join_continued_lines(out.text);
     ObjCheck(path, out).run();
     return out;

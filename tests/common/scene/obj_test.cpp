@@ -165,6 +165,17 @@ TEST_CASE("an OBJ file with any bytes changed is loaded or refused", "[scene][ob
     CHECK(refused > 100);
 }
 
+TEST_CASE("lines of an OBJ file end as they do on any system", "[scene][obj]")
+{
+    for (const std::string end : {"\n", "\r\n", "\r"}) {
+        std::string text = kSquare + "f 1 2 3 \\\n 4\n";
+        for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos; at += end.size())
+            text.replace(at, 1, end);
+        CHECK(load_obj(text).scene.mesh.face_count() == 2);
+    }
+    CHECK_THROWS_AS(load_obj(kSquare + "m 1\rf 7 8 9\n"), InputError);
+}
+
 TEST_CASE("numbers that are finite in any spelling are read", "[scene][obj]")
 {
     const Scene scene =
