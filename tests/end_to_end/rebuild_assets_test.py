@@ -2,7 +2,7 @@
 
     rebuild_assets_test.py ASSETS
 
-Exits 77 (skipped) where Blender is not installed.
+Exits 77 (skipped) where Blender is not installed, or has no numpy, without which it exports nothing.
 """
 
 import os
@@ -18,13 +18,17 @@ POSITION_TOLERANCE = 1e-6  # metres, in a scene of 2 m: a last bit or so
 NORMAL_TOLERANCE = 1e-4  # smooth normals are sums in an order that varies
 
 
-def build(blender, script, output):
+def run_blender(blender, arguments):
     # Debian's Blender takes the libraries of the first python3 on the path; only the system's has
     # the numpy that the exporter needs.
-    run = subprocess.run(
-        [blender, "-b", "--factory-startup", "--python-exit-code", "1", "--python", script, "--",
-         output], env={**os.environ, "PATH": "/usr/bin:/bin"}, stdout=subprocess.PIPE,
+    return subprocess.run(
+        [blender, "-b", "--factory-startup", "--python-exit-code", "1", *arguments],
+        env={**os.environ, "PATH": "/usr/bin:/bin"}, stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT, text=True, check=False)
+
+
+def build(blender, script, output):
+    run = run_blender(blender, ["--python", script, "--", output])
     assert run.returncode == 0 and os.path.exists(output), f"{script} failed:\n{run.stdout}"
 
 
@@ -59,6 +63,9 @@ def main():
     blender = shutil.which("blender")
     if blender is None:
         print("SKIP: Blender is not installed")
+        return SKIPPED
+    if run_blender(blender, ["--python-expr", "import numpy"]).returncode != 0:
+        print("SKIP: Blender's exporter has no numpy (Debian: python3-numpy)")
         return SKIPPED
     with tempfile.TemporaryDirectory() as folder:
         scripts = sorted(name for name in os.listdir(assets) if name.endswith(".py"))
