@@ -32,6 +32,16 @@ void check_outputs(const RenderArguments& arguments)
         check_writable(arguments.statistics);
 }
 
+void choose_diffuse_model(const RenderArguments& arguments, LoadedScene& loaded)
+{
+    if (arguments.diffuse)
+        loaded.scene.diffuse_model = *arguments.diffuse;
+    else if (loaded.scene.diffuse_model == DiffuseModel::burley)
+        loaded.audit.assumed.push_back(
+            "matt surfaces reflect as in the Blender that wrote the file (Burley's diffuse; "
+            "--diffuse lambert is glTF's own)");
+}
+
 Partition load_partition(const RenderArguments& arguments, const Scene& scene)
 {
     Partition partition = read_partition(arguments.partition);
@@ -97,7 +107,8 @@ int render(RenderArguments& arguments)
     const ThreadLimit threads(arguments.threads);
 
     const Stopwatch reading;
-    const LoadedScene loaded = load_scene(arguments.scene, arguments.scene_options);
+    LoadedScene loaded = load_scene(arguments.scene, arguments.scene_options);
+    choose_diffuse_model(arguments, loaded);
     const Scene& scene = loaded.scene;
     const Partition partition = load_partition(arguments, scene);
     print_audit(report, loaded.audit);
@@ -110,7 +121,7 @@ int render(RenderArguments& arguments)
     arguments.render.height = size.height;
 
     const Stopwatch building;
-    const RenderScene render_scene(scene, partition, arguments.diffuse);
+    const RenderScene render_scene(scene, partition);
     run.seconds_rays = building.seconds();
     const RenderedImage rendered = render_with_progress(render_scene, arguments.render, report);
     print_photons(rendered.statistics, report);

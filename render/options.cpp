@@ -18,8 +18,8 @@ const std::map<std::string, MapMode> kMapModes = {{"none", MapMode::none},
 const std::map<std::string, DirectLight> kDirectLights = {{"shadow-rays", DirectLight::shadow_rays},
                                                           {"photons", DirectLight::photons}};
 
-const std::map<std::string, DiffuseModel> kDiffuseModels = {{"lambert", DiffuseModel::lambert},
-                                                            {"burley", DiffuseModel::burley}};
+const std::map<std::string, std::optional<DiffuseModel>> kDiffuseModels = {
+    {"auto", std::nullopt}, {"lambert", DiffuseModel::lambert}, {"burley", DiffuseModel::burley}};
 
 /// The thesis' ratio of the fewest photons of a local map to k.
 constexpr std::uint32_t kLocalMinPerNeighbour = 10;
@@ -79,8 +79,8 @@ void add_method(CLI::App& app, RenderArguments& arguments)
                "Direct light by shadow-rays or from the photons [shadow-rays]");
     add_choice(
         app, "--diffuse", arguments.diffuse, kDiffuseModels,
-        "Diffuse reflection: lambert, as glTF has it, or burley, as Blender's Principled BSDF "
-        "up to version 3 has it [lambert]");
+        "Diffuse reflection: lambert, as glTF has it; burley, as Blender's Principled BSDF up to "
+        "version 3 has it; auto, as the program that wrote the file has it [auto]");
     add_count(app, "--photons", render.photons, 0, kMostPhotons,
               "Light paths to emit in each pass [200000]");
     add_count(app, "--neighbours", render.maps.neighbours, 2, kMostNeighbours,

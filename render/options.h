@@ -18,7 +18,7 @@ struct RenderArguments {
     std::filesystem::path statistics; ///< empty: none
     SceneOptions scene_options;
     RenderOptions render; ///< its size is still to be completed
-    DiffuseModel diffuse = DiffuseModel::lambert;
+    std::optional<DiffuseModel> diffuse; ///< none: the scene's own
     PictureSize size{512, 0};
     std::optional<float> exposure_ev; ///< none: auto
     unsigned threads = 0;             ///< 0: all cores

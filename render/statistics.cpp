@@ -25,14 +25,14 @@ Json rgb_json(const glm::dvec3& value)
     return {value.x, value.y, value.z};
 }
 
-Json options_json(const RenderArguments& arguments)
+Json options_json(const RenderArguments& arguments, const Scene& scene)
 {
     const RenderOptions& options = arguments.render;
     static const char* const kModes[] = {"none", "global", "shared", "thesis"};
     return {{"maps", kModes[static_cast<int>(options.maps.mode)]},
             {"integrator", "direct"},
             {"direct", options.direct == DirectLight::photons ? "photons" : "shadow-rays"},
-            {"diffuse", arguments.diffuse == DiffuseModel::burley ? "burley" : "lambert"},
+            {"diffuse", scene.diffuse_model == DiffuseModel::burley ? "burley" : "lambert"},
             {"photons", options.photons},
             {"neighbours", options.maps.neighbours},
             {"local_min", options.maps.local_min},
@@ -67,7 +67,7 @@ std::string statistics_json(const RenderArguments& arguments, const Scene& scene
                          {"shared_maps", partition.map_count}};
     json["image"] = {
         {"width", options.width}, {"height", options.height}, {"exposure_ev", run.exposure_ev}};
-    json["options"] = options_json(arguments);
+    json["options"] = options_json(arguments, scene);
     json["passes_done"] = render.passes;
     json["seconds"] = seconds_json(render, run);
     json["photons"] = {{"emitted", render.emitted},

@@ -70,6 +70,7 @@ struct RawScene {
     glm::dvec3 world{0.0};               ///< radiance of the sky, W/(m2 sr)
     std::filesystem::path world_picture; ///< empty: none
     double world_strength = 1.0;
+    DiffuseModel diffuse_model = DiffuseModel::lambert;
     SceneAudit audit;
 };
 

@@ -9,9 +9,13 @@
 #include "common/scene/gltf_unread.h"
 #include "common/scene/scene_names.h"
 
+#include <cstdio>
+
 namespace hipmap {
 
 namespace {
+
+constexpr const char* kBlenderExporter = "Khronos glTF Blender I/O v%d";
 
 std::string first_name(std::initializer_list<std::string> names)
 {
@@ -58,6 +62,19 @@ void note_scenes(const tinygltf::Model& model, SceneAudit& audit)
         quote_name(first_name({model.scenes[scene].name, "scene " + std::to_string(scene)})));
 }
 
+/// The diffuse lobe of the Blender that wrote the file, whose author saw it so; the exporter has
+/// had Blender's version since 3.2 and lower ones before.
+DiffuseModel diffuse_model_of(const nlohmann::json& asset)
+{
+    const auto generator = asset.find("generator");
+    if (generator == asset.end() || !generator->is_string())
+        return DiffuseModel::lambert;
+    int major = 0;
+    const char* const text = generator->get_ref<const std::string&>().c_str();
+    return std::sscanf(text, kBlenderExporter, &major) == 1 && major < 4 ? DiffuseModel::burley
+                                                                         : DiffuseModel::lambert;
+}
+
 } // namespace
 
 RawScene read_gltf(const std::filesystem::path& path)
@@ -66,6 +83,7 @@ RawScene read_gltf(const std::filesystem::path& path)
     const tinygltf::Model model = parse_gltf(document);
     RawScene scene;
     scene.path = path;
+    scene.diffuse_model = diffuse_model_of(document.json.at("asset"));
     read_gltf_materials(document, model, scene);
     const std::vector<PlacedNode> nodes = place_nodes(model, path);
     place_meshes(model, nodes, find_wanted_attributes(document), scene);

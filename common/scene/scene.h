@@ -98,6 +98,13 @@ struct Camera {
     float focus_distance = 0.0f;  ///< along forward, scene units; 0: everything is sharp
 };
 
+/// The shape of the diffuse lobe.
+enum class DiffuseModel : std::uint8_t {
+    lambert, ///< glTF's
+    burley,  ///< of Blender's Principled BSDF up to version 3, rough surfaces brighter towards
+             ///< grazing
+};
+
 /// Everything that is rendered, in scene units.  Read-only after loading.
 struct Scene {
     SceneFrame frame;
@@ -111,6 +118,7 @@ struct Scene {
     float environment_strength = 1.0f; ///< its factor
     std::vector<Camera> cameras;       ///< at least one
     std::size_t camera = 0;            ///< the one to render from
+    DiffuseModel diffuse_model = DiffuseModel::lambert; ///< of the program the author saw it in
 };
 
 } // namespace hipmap

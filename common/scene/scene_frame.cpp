@@ -240,6 +240,7 @@ Scene to_scene_units(RawScene& raw, LightUnits units)
     scene.environment = convert.world(raw.world);
     scene.environment_picture = raw.world_picture.string();
     scene.environment_strength = static_cast<float>(raw.world_strength);
+    scene.diffuse_model = raw.diffuse_model;
     for (const RawCamera& camera : raw.cameras)
         scene.cameras.push_back(convert.camera(camera));
     return scene;

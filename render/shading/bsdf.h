@@ -18,13 +18,6 @@ inline bool is_specular(float roughness)
     return roughness <= kSpecularRoughness;
 }
 
-/// The shape of the diffuse lobe.
-enum class DiffuseModel : std::uint8_t {
-    lambert, ///< glTF's
-    burley,  ///< of Blender's Principled BSDF up to version 3, rough surfaces brighter towards
-             ///< grazing
-};
-
 /// A material, ready for shading.  docs/light_transport.md (1)-(4).
 /// The diffuse lobe is separable: f(wi, wo) = diffuse / pi * coat_half(wi) * coat_half(wo).
 struct Bsdf {

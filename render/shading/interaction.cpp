@@ -9,11 +9,11 @@ Interaction interact(const RenderScene& scene, const Ray& ray, const RayHit& hit
     Interaction out;
     out.point = surface_point(scene.mesh(), hit.face, hit.barycentric);
     const MaterialId material = scene.mesh().material_of_face[hit.face];
-    out.bsdf =
-        scene.varying[material] == 0
-            ? scene.bsdfs[material]
-            : make_bsdf(scene.scene.materials[material],
-                        material_at(scene.scene, hit.face, hit.barycentric), scene.diffuse_model);
+    out.bsdf = scene.varying[material] == 0
+                   ? scene.bsdfs[material]
+                   : make_bsdf(scene.scene.materials[material],
+                               material_at(scene.scene, hit.face, hit.barycentric),
+                               scene.scene.diffuse_model);
     out.back = -ray.direction;
     out.front = glm::dot(out.back, out.point.geometric_normal) >= 0;
     const float sign = out.front ? 1.0f : -1.0f;

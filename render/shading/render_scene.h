@@ -16,13 +16,11 @@ struct RenderScene {
     const Scene& scene;
     const Partition& partition;
     EmbreeScene rays;
-    DiffuseModel diffuse_model;
     std::vector<Bsdf> bsdfs;           ///< [M] by the materials' factors
     std::vector<std::uint8_t> varying; ///< [M] 1: textures multiply the factors
     LightSet lights;
 
-    RenderScene(const Scene& from_scene, const Partition& from_partition,
-                DiffuseModel model = DiffuseModel::lambert);
+    RenderScene(const Scene& from_scene, const Partition& from_partition);
 
     const TriangleMesh& mesh() const { return scene.mesh; }
 };
