@@ -31,8 +31,7 @@ Neighbours find_neighbours(const Partition& partition)
             pairs.emplace_back(a, b);
     }
     std::ranges::sort(pairs);
-    const auto repeated = std::ranges::unique(pairs);
-    pairs.erase(repeated.begin(), repeated.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
 
     Neighbours out;
     out.first.assign(partition.map_count + std::size_t{1}, 0);
