@@ -40,15 +40,19 @@ install_missing() {
         echo "not Debian: the libraries of .ci/packages.txt are expected to be there"
         return
     fi
-    local wanted missing
-    mapfile -t wanted < <(sed -e 's/#.*//' -e '/^[[:space:]]*$/d' "$root/.ci/packages.txt")
+    local preset=$1 wanted missing
+    mapfile -t wanted < <(grep -v "# fuzz$" "$root/.ci/packages.txt" | grep -o '^[a-z0-9][^ ]*')
+    if [[ $preset == fuzz ]]; then
+        mapfile -t -O "${#wanted[@]}" wanted \
+            < <(sed -n 's/ *# fuzz$//p' "$root/.ci/packages.txt")
+    fi
     mapfile -t missing < <(missing_packages "${wanted[@]}")
     if [[ ${#missing[@]} -gt 0 ]]; then
         install_packages "${missing[@]}"
     fi
 }
 
-# Warnings are errors in CI, but not with sanitizers or clang, under which GCC warns of what is not there.
+# Warnings are errors in CI, but not with sanitizers, under which GCC warns of what is not there.
 build() {
     local preset=$1 werror=OFF
     shift
@@ -60,5 +64,5 @@ build() {
     cmake --build "build/$preset" --parallel "$(nproc)" --target "$@"
 }
 
-install_missing
+install_missing "$1"
 build "$@"

@@ -17,7 +17,7 @@ struct RenderArguments {
     std::vector<std::filesystem::path> images;
     std::filesystem::path statistics; ///< empty: none
     SceneOptions scene_options;
-    RenderOptions render; ///< its size is still to be completed
+    RenderOptions render;                ///< its size is still to be completed
     std::optional<DiffuseModel> diffuse; ///< none: the scene's own
     PictureSize size{512, 0};
     std::optional<float> exposure_ev; ///< none: auto
