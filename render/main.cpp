@@ -93,6 +93,10 @@ void print_photons(const RenderStatistics& statistics, Report& report)
         line << ", " << statistics.global.local_maps + statistics.caustic.local_maps
              << " local maps";
     report.line(line.str());
+}
+
+void warn_of_dropped(const RenderStatistics& statistics, Report& report)
+{
     const std::uint64_t dropped = statistics.dropped_photons + statistics.dropped_samples;
     if (dropped > 0)
         report.warn(std::to_string(dropped) +
@@ -124,7 +128,9 @@ int render(RenderArguments& arguments)
     const RenderScene render_scene(scene, partition);
     run.seconds_rays = building.seconds();
     const RenderedImage rendered = render_with_progress(render_scene, arguments.render, report);
-    print_photons(rendered.statistics, report);
+    if (arguments.render.integrator == Integrator::direct)
+        print_photons(rendered.statistics, report);
+    warn_of_dropped(rendered.statistics, report);
 
     const Stopwatch writing;
     run.exposure_ev = write_images(arguments, rendered.image, report);

@@ -15,6 +15,9 @@ const std::map<std::string, MapMode> kMapModes = {{"none", MapMode::none},
                                                   {"shared", MapMode::shared},
                                                   {"thesis", MapMode::thesis}};
 
+const std::map<std::string, Integrator> kIntegrators = {{"direct", Integrator::direct},
+                                                        {"path", Integrator::path}};
+
 const std::map<std::string, DirectLight> kDirectLights = {{"shadow-rays", DirectLight::shadow_rays},
                                                           {"photons", DirectLight::photons}};
 
@@ -70,11 +73,9 @@ void add_method(CLI::App& app, RenderArguments& arguments)
         app, "--maps", render.maps.mode, kMapModes,
         "Photon maps: none (direct light and reflections only), global (one map), shared (one "
         "for each shared map of the partition), thesis (and local maps) [shared]");
-    app.add_option_function<std::string>(
-           "--integrator", [](const std::string&) {},
-           "direct: the maps are looked at directly [direct]")
-        ->check(CLI::IsMember({"direct"}))
-        ->type_name("NAME");
+    add_choice(app, "--integrator", render.integrator, kIntegrators,
+               "direct: the maps are looked at directly; path: path tracing without photons, to "
+               "compare with [direct]");
     add_choice(app, "--direct", render.direct, kDirectLights,
                "Direct light by shadow-rays or from the photons [shadow-rays]");
     add_choice(
@@ -132,6 +133,10 @@ void complete_arguments(const CLI::App& app, RenderArguments& arguments)
     MapOptions& maps = arguments.render.maps;
     if (app.count("--local-min") == 0)
         maps.local_min = kLocalMinPerNeighbour * maps.neighbours;
+    if (arguments.render.direct == DirectLight::photons &&
+        arguments.render.integrator == Integrator::path)
+        throw InputError("--direct photons needs photons, and --integrator path has none; choose "
+                         "--integrator direct or --direct shadow-rays");
     if (arguments.render.direct == DirectLight::photons && maps.mode == MapMode::none)
         throw InputError("--direct photons needs photons, and --maps none has none; choose other "
                          "maps or --direct shadow-rays");

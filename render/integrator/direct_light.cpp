@@ -13,16 +13,6 @@ namespace {
 /// Most shadow rays towards punctual lights; more lights than that are taken in strata.
 constexpr std::size_t kMostPunctual = 16;
 
-/// cos(wi) coat_half(wi) of a direction, and the lobe's shape; zero if it is not above the surface.
-Rgb receive(const Interaction& at, const glm::vec3& direction)
-{
-    const float cosine = glm::dot(direction, at.shading_normal);
-    if (!(cosine > 0) || !(glm::dot(direction, at.normal) > 0))
-        return Rgb(0);
-    return coat_half(at.bsdf, cosine) *
-           (cosine * diffuse_shape(at.bsdf, at.shading_normal, direction, at.back));
-}
-
 Rgb from_punctual(const RenderScene& scene, const Interaction& at, const PunctualLight& light)
 {
     Ray shadow;
@@ -43,49 +33,6 @@ Rgb from_punctual(const RenderScene& scene, const Interaction& at, const Punctua
     if (is_black(received) || scene.rays.occluded(shadow))
         return Rgb(0);
     return received;
-}
-
-Rgb from_all_punctual(const RenderScene& scene, const Interaction& at, RandomSequence& random)
-{
-    const std::vector<PunctualLight>& lights = scene.lights.punctual;
-    Rgb sum(0.0f);
-    if (lights.size() <= kMostPunctual) {
-        for (const PunctualLight& light : lights)
-            sum += from_punctual(scene, at, light);
-        return sum;
-    }
-    const float stride = static_cast<float>(lights.size()) / kMostPunctual;
-    for (std::size_t i = 0; i < kMostPunctual; ++i) {
-        const auto pick =
-            static_cast<std::size_t>((static_cast<float>(i) + random.next()) * stride);
-        sum += stride * from_punctual(scene, at, lights[std::min(pick, lights.size() - 1)]);
-    }
-    return sum;
-}
-
-/// Chance per solid angle that sampling the emissive faces finds the point of `face` at `distance`.
-float emissive_density(const RenderScene& scene, const SurfacePoint& on_light,
-                       const glm::vec3& direction, float distance)
-{
-    const float cosine = std::abs(glm::dot(direction, on_light.geometric_normal));
-    return cosine > 0 ? scene.lights.density[on_light.face] * distance * distance / cosine : 0;
-}
-
-Rgb from_emissive_faces(const RenderScene& scene, const Interaction& at, RandomSequence& random)
-{
-    const float u_face = random.next();
-    const EmissivePoint light =
-        sample_emissive_point(scene.lights, scene.mesh(), u_face, random.next2());
-    const Ray shadow = ray_between(at.point, light.surface.position);
-    const float distance = glm::length(light.surface.position - at.point.position);
-    const Bsdf& bsdf = scene.bsdfs[scene.mesh().material_of_face[light.surface.face]];
-    const Rgb received =
-        receive(at, shadow.direction) * emitted_radiance(bsdf, light.surface, -shadow.direction);
-    const float density = emissive_density(scene, light.surface, shadow.direction, distance);
-    if (is_black(received) || !(density > 0) || scene.rays.occluded(shadow))
-        return Rgb(0);
-    const float other = std::max(0.0f, glm::dot(shadow.direction, at.shading_normal)) / kPi;
-    return received / (density + other);
 }
 
 /// One ray by the cosine of the lobe: what emissive face or sky it finds.
@@ -112,12 +59,65 @@ Rgb from_hemisphere(const RenderScene& scene, const Interaction& at, RandomSeque
 
 } // namespace
 
+Rgb receive(const Interaction& at, const glm::vec3& direction)
+{
+    const float cosine = glm::dot(direction, at.shading_normal);
+    if (!(cosine > 0) || !(glm::dot(direction, at.normal) > 0))
+        return Rgb(0);
+    return coat_half(at.bsdf, cosine) *
+           (cosine * diffuse_shape(at.bsdf, at.shading_normal, direction, at.back));
+}
+
+float emissive_density(const RenderScene& scene, const SurfacePoint& on_light,
+                       const glm::vec3& direction, float distance)
+{
+    const float cosine = std::abs(glm::dot(direction, on_light.geometric_normal));
+    return cosine > 0 ? scene.lights.density[on_light.face] * distance * distance / cosine : 0;
+}
+
+Rgb punctual_irradiance(const RenderScene& scene, const Interaction& at, RandomSequence& random)
+{
+    const std::vector<PunctualLight>& lights = scene.lights.punctual;
+    Rgb sum(0.0f);
+    if (lights.size() <= kMostPunctual) {
+        for (const PunctualLight& light : lights)
+            sum += from_punctual(scene, at, light);
+        return sum;
+    }
+    const float stride = static_cast<float>(lights.size()) / kMostPunctual;
+    for (std::size_t i = 0; i < kMostPunctual; ++i) {
+        const auto pick =
+            static_cast<std::size_t>((static_cast<float>(i) + random.next()) * stride);
+        sum += stride * from_punctual(scene, at, lights[std::min(pick, lights.size() - 1)]);
+    }
+    return sum;
+}
+
+Rgb emissive_irradiance(const RenderScene& scene, const Interaction& at, float ray_chance,
+                        RandomSequence& random)
+{
+    const float u_face = random.next();
+    const EmissivePoint light =
+        sample_emissive_point(scene.lights, scene.mesh(), u_face, random.next2());
+    const Ray shadow = ray_between(at.point, light.surface.position);
+    const float distance = glm::length(light.surface.position - at.point.position);
+    const Bsdf& bsdf = scene.bsdfs[scene.mesh().material_of_face[light.surface.face]];
+    const Rgb received =
+        receive(at, shadow.direction) * emitted_radiance(bsdf, light.surface, -shadow.direction);
+    const float density = emissive_density(scene, light.surface, shadow.direction, distance);
+    if (is_black(received) || !(density > 0) || scene.rays.occluded(shadow))
+        return Rgb(0);
+    const float other =
+        ray_chance * std::max(0.0f, glm::dot(shadow.direction, at.shading_normal)) / kPi;
+    return received / (density + other);
+}
+
 Rgb direct_irradiance(const RenderScene& scene, const Interaction& at, RandomSequence& random)
 {
-    Rgb sum = from_all_punctual(scene, at, random);
+    Rgb sum = punctual_irradiance(scene, at, random);
     const bool emissive = !scene.lights.emissive_faces.empty();
     if (emissive)
-        sum += from_emissive_faces(scene, at, random);
+        sum += emissive_irradiance(scene, at, 1.0f, random);
     if (emissive || !is_black(scene.lights.environment))
         sum += from_hemisphere(scene, at, random);
     return sum;

@@ -2,6 +2,7 @@
 
 #include "common/rays/camera_ray.h"
 #include "common/stopwatch.h"
+#include "render/integrator/path_tracer.h"
 
 #include <tbb/combinable.h>
 #include <tbb/parallel_for.h>
@@ -67,8 +68,10 @@ class TileRenderer {
             const glm::vec2 jitter = random.next2();
             const glm::vec2 picture((static_cast<float>(x) + jitter.x) / options_.width,
                                     (static_cast<float>(y) + jitter.y) / options_.height);
-            const Rgb sample =
-                trace_eye_path(maps_, camera_ray(camera, picture, aspect), random, scratch);
+            const Ray ray = camera_ray(camera, picture, aspect);
+            const Rgb sample = options_.integrator == Integrator::path
+                                   ? trace_path(maps_.scene, ray, random)
+                                   : trace_eye_path(maps_, ray, random, scratch);
             if (!is_finite(sample)) {
                 ++dropped;
                 continue;
@@ -98,7 +101,7 @@ PassMapSet make_maps(const RenderScene& scene, const RenderOptions& options, std
     const Stopwatch watch;
     PhotonOptions photons{options.photons, options.seed, pass,
                           options.direct == DirectLight::photons};
-    if (options.maps.mode == MapMode::none)
+    if (options.maps.mode == MapMode::none || options.integrator == Integrator::path)
         photons.paths = 0;
     TracedPhotons traced = trace_photons(scene, photons);
     statistics.emitted += traced.emitted;

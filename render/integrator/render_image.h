@@ -9,7 +9,14 @@
 
 namespace hipmap {
 
+/// How the light along an eye ray is found.
+enum class Integrator : std::uint8_t {
+    direct, ///< from the photon maps at the first diffuse surface
+    path,   ///< by path tracing, without photons
+};
+
 struct RenderOptions {
+    Integrator integrator = Integrator::direct;
     int width = 0;
     int height = 0;
     MapOptions maps;

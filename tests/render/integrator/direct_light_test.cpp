@@ -1,20 +1,14 @@
 #include "common/math/sampling.h"
 #include "render/integrator/direct_light.h"
+#include "tests/support/form_factor.h"
 #include "tests/support/statistics.h"
-#include "tests/support/tiny_scenes.h"
+#include "tests/support/tiny_rooms.h"
 
 #include <catch2/catch.hpp>
 
 using namespace hipmap;
 
 namespace {
-
-Scene matt_floor()
-{
-    Scene scene = tiny::make_scene(tiny::floor_at(0, 1));
-    scene.materials[0] = tiny::matt(Rgb(0.5f));
-    return scene;
-}
 
 /// Irradiance at (x, 0, z) of the floor seen from above, over many samples.
 RunningMean irradiance_at(const tiny::ReadyScene& ready, float x, float z, int samples)
@@ -33,20 +27,11 @@ RunningMean irradiance_at(const tiny::ReadyScene& ready, float x, float z, int s
     return mean;
 }
 
-/// Irradiance under a parallel rectangle of radiance 1 at height h whose corner lies straight above
-/// the point; sides a, b.  Source: the configuration factor of Howell's catalogue, C-11, times pi.
-double corner_rectangle(double a, double b, double h)
-{
-    const double p = a / h, q = b / h;
-    const double u = std::sqrt(1 + p * p), v = std::sqrt(1 + q * q);
-    return 0.5 * (p / u * std::atan(q / u) + q / v * std::atan(p / v));
-}
-
 } // namespace
 
 TEST_CASE("direct light: a point light by the inverse square and the cosine", "[integrator]")
 {
-    Scene scene = matt_floor();
+    Scene scene = tiny::matt_floor();
     PunctualLight light;
     light.position = {0.1f, 0.4f, -0.2f};
     light.intensity = Rgb(3);
@@ -61,7 +46,7 @@ TEST_CASE("direct light: a point light by the inverse square and the cosine", "[
 
 TEST_CASE("direct light: a sun by the cosine, a spot by its cone", "[integrator]")
 {
-    Scene scene = matt_floor();
+    Scene scene = tiny::matt_floor();
     PunctualLight sun;
     sun.kind = LightKind::directional;
     sun.direction = glm::normalize(glm::vec3(1, -2, 0));
@@ -86,7 +71,7 @@ TEST_CASE("direct light: a sun by the cosine, a spot by its cone", "[integrator]
 
 TEST_CASE("direct light: a square light by its form factor", "[integrator]")
 {
-    Scene scene = matt_floor();
+    Scene scene = tiny::matt_floor();
     tiny::add(scene, tiny::floor_at(0.3f, -0.4f), tiny::lamp(Rgb(2)));
     const auto ready = tiny::ready(scene);
     // Straight below the middle: four rectangles of half the side.
@@ -101,7 +86,7 @@ TEST_CASE("direct light: a square light by its form factor", "[integrator]")
 
 TEST_CASE("direct light: a light that nearly touches the surface stays steady", "[integrator]")
 {
-    Scene scene = matt_floor();
+    Scene scene = tiny::matt_floor();
     tiny::add(scene, tiny::floor_at(0.001f, -0.4f), tiny::lamp(Rgb(1)));
     const auto ready = tiny::ready(scene);
     Ray down;
@@ -123,7 +108,7 @@ TEST_CASE("direct light: a light that nearly touches the surface stays steady", 
 
 TEST_CASE("direct light: under a uniform sky an open floor receives pi L", "[integrator]")
 {
-    Scene scene = matt_floor();
+    Scene scene = tiny::matt_floor();
     scene.environment = Rgb(0.25f);
     const auto ready = tiny::ready(scene);
     const RunningMean mean = irradiance_at(*ready, 0, 0, 100);
@@ -132,7 +117,7 @@ TEST_CASE("direct light: under a uniform sky an open floor receives pi L", "[int
 
 TEST_CASE("direct light: many lights are sampled without bias", "[integrator]")
 {
-    Scene scene = matt_floor();
+    Scene scene = tiny::matt_floor();
     double truth = 0;
     for (int i = 0; i < 100; ++i) {
         PunctualLight light;

@@ -2,7 +2,7 @@
 #include "render/maps/estimate.h"
 #include "render/photons/trace_photons.h"
 #include "tests/support/statistics.h"
-#include "tests/support/tiny_scenes.h"
+#include "tests/support/tiny_rooms.h"
 
 #include <catch2/catch.hpp>
 
@@ -37,18 +37,11 @@ void check_against(const tiny::ReadyScene& ready, double truth)
     }
 }
 
-Scene matt_floor()
-{
-    Scene scene = tiny::make_scene(tiny::floor_at(0, 1));
-    scene.materials[0] = tiny::matt(Rgb(0.5f));
-    return scene;
-}
-
 } // namespace
 
 TEST_CASE("photon irradiance: under a point light by the inverse square", "[integrator]")
 {
-    Scene scene = matt_floor();
+    Scene scene = tiny::matt_floor();
     PunctualLight light;
     light.position = {0, 0.5f, 0};
     light.intensity = Rgb(3);
@@ -58,7 +51,7 @@ TEST_CASE("photon irradiance: under a point light by the inverse square", "[inte
 
 TEST_CASE("photon irradiance: under a square light by its form factor", "[integrator]")
 {
-    Scene scene = matt_floor();
+    Scene scene = tiny::matt_floor();
     tiny::add(scene, tiny::floor_at(0.5f, -0.4f), tiny::lamp(Rgb(2)));
     // Four rectangles of half the side whose corners lie straight above the point; Howell's C-11.
     const double p = 0.2 / 0.5, u = std::sqrt(1 + p * p);

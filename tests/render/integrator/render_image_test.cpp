@@ -1,7 +1,7 @@
 #include "common/math/sampling.h"
 #include "render/integrator/render_image.h"
 #include "tests/support/statistics.h"
-#include "tests/support/tiny_scenes.h"
+#include "tests/support/tiny_rooms.h"
 
 #include <catch2/catch.hpp>
 #include <tbb/global_control.h>
@@ -9,39 +9,6 @@
 using namespace hipmap;
 
 namespace {
-
-/// The inside of a closed diffuse sphere, albedo 1/2, radiance emitted 1/2: 1 everywhere.
-Scene furnace()
-{
-    TriangleMesh sphere = tiny::uv_sphere(48, 24);
-    tiny::turn_inside_out(sphere);
-    tiny::scale(sphere, 0.5f);
-    Scene scene = tiny::make_scene(sphere);
-    scene.materials[0] = tiny::matt(Rgb(0.5f));
-    scene.materials[0].emission = Rgb(0.5f);
-    scene.cameras[0].position = {0.1f, 0.05f, 0};
-    scene.cameras[0].tan_half_height = 1;
-    return scene;
-}
-
-/// A matt box, inside, with a glass ball, a mirror ball and a lamp.
-Scene room()
-{
-    TriangleMesh walls = tiny::cube();
-    tiny::turn_inside_out(walls);
-    Scene scene = tiny::make_scene(walls);
-    scene.materials[0] = tiny::matt({0.7f, 0.6f, 0.5f});
-    TriangleMesh ball = tiny::uv_sphere(16, 8);
-    tiny::scale(ball, 0.15f);
-    tiny::move(ball, {-0.2f, -0.3f, 0});
-    tiny::add(scene, ball, tiny::glass(1.5f));
-    tiny::move(ball, {0.4f, 0, 0});
-    tiny::add(scene, ball, tiny::mirror(Rgb(0.9f)));
-    tiny::add(scene, tiny::floor_at(0.45f, -0.3f), tiny::lamp(Rgb(5)));
-    scene.cameras[0].position = {0, 0, 0.48f};
-    scene.cameras[0].tan_half_height = 0.8f;
-    return scene;
-}
 
 RenderOptions small_options()
 {
@@ -66,7 +33,7 @@ double mean_luminance(const Image& image)
 TEST_CASE("render: a closed diffuse sphere has radiance one in every mode with photons",
           "[integrator]")
 {
-    const auto ready = tiny::ready(furnace());
+    const auto ready = tiny::ready(tiny::furnace());
     for (const MapMode mode : {MapMode::global, MapMode::shared, MapMode::thesis})
         for (const DirectLight direct : {DirectLight::shadow_rays, DirectLight::photons}) {
             RenderOptions options = small_options();
@@ -88,7 +55,7 @@ TEST_CASE("render: a closed diffuse sphere has radiance one in every mode with p
 
 TEST_CASE("render: without photons the sphere shows emission and one bounce", "[integrator]")
 {
-    const auto ready = tiny::ready(furnace());
+    const auto ready = tiny::ready(tiny::furnace());
     RenderOptions options = small_options();
     options.maps.mode = MapMode::none;
     options.samples = 16;
@@ -100,7 +67,7 @@ TEST_CASE("render: without photons the sphere shows emission and one bounce", "[
 
 TEST_CASE("render: 1, 2 and 7 threads make the same image, bit for bit", "[integrator]")
 {
-    const auto ready = tiny::ready(room());
+    const auto ready = tiny::ready(tiny::room());
     for (const MapMode mode : {MapMode::none, MapMode::global, MapMode::shared, MapMode::thesis}) {
         RenderOptions options = small_options();
         options.maps.mode = mode;
@@ -125,7 +92,7 @@ TEST_CASE("render: 1, 2 and 7 threads make the same image, bit for bit", "[integ
 TEST_CASE("render: thesis and shared maps make the same image of a room of flat walls",
           "[integrator]")
 {
-    const auto ready = tiny::ready(room());
+    const auto ready = tiny::ready(tiny::room());
     RenderOptions options = small_options();
     options.maps.mode = MapMode::shared;
     const Image shared = render_image(*ready->render, options, {}).image;
@@ -140,6 +107,7 @@ TEST_CASE("render: thesis and shared maps make the same image of a room of flat 
 TEST_CASE("render: a mirror shows the sky by its reflectance, clear glass passes it whole",
           "[integrator]")
 {
+    const Integrator integrator = GENERATE(Integrator::direct, Integrator::path);
     for (const Material& material : {tiny::mirror(Rgb(0.8f)), tiny::glass(1.5f)}) {
         TriangleMesh ball = tiny::uv_sphere(32, 16);
         Scene scene = tiny::make_scene(ball);
@@ -150,6 +118,7 @@ TEST_CASE("render: a mirror shows the sky by its reflectance, clear glass passes
         const auto ready = tiny::ready(scene);
         RenderOptions options = small_options();
         options.samples = 64;
+        options.integrator = integrator;
         const Image image = render_image(*ready->render, options, {}).image;
         const bool clear = material.transmission > 0;
         for (const Rgb& pixel : image.pixels) {
@@ -163,7 +132,7 @@ TEST_CASE("render: a mirror shows the sky by its reflectance, clear glass passes
 
 TEST_CASE("render: photons and shadow rays agree on direct light", "[integrator]")
 {
-    const auto ready = tiny::ready(room());
+    const auto ready = tiny::ready(tiny::room());
     RenderOptions options = small_options();
     options.width = options.height = 12;
     options.samples = 8;
@@ -182,7 +151,7 @@ TEST_CASE("render: photons and shadow rays agree on direct light", "[integrator]
 
 TEST_CASE("render: a stop keeps whole passes", "[integrator]")
 {
-    const auto ready = tiny::ready(room());
+    const auto ready = tiny::ready(tiny::room());
     RenderOptions options = small_options();
     options.passes = 1;
     const Image one = render_image(*ready->render, options, {}).image;
