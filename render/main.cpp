@@ -85,8 +85,10 @@ float write_images(const RenderArguments& arguments, const Image& image, Report&
 void print_photons(const RenderStatistics& statistics, Report& report)
 {
     std::ostringstream line;
-    line << "photons: " << statistics.emitted << " light paths left " << statistics.global.stored
-         << " global and " << statistics.caustic.stored
+    line << "photons: " << statistics.emitted << " light paths";
+    if (statistics.aimed > 0)
+        line << " and " << statistics.aimed << " aimed at specular surfaces";
+    line << " left " << statistics.global.stored << " global and " << statistics.caustic.stored
          << " caustic photons; last pass: " << statistics.global.shared_maps << " global and "
          << statistics.caustic.shared_maps << " caustic maps with photons";
     if (statistics.global.local_maps + statistics.caustic.local_maps > 0)

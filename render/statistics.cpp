@@ -71,6 +71,7 @@ std::string statistics_json(const RenderArguments& arguments, const Scene& scene
     json["passes_done"] = render.passes;
     json["seconds"] = seconds_json(render, run);
     json["photons"] = {{"emitted", render.emitted},
+                       {"aimed", render.aimed},
                        {"stored", render.caustic.stored + render.global.stored},
                        {"dropped", render.dropped_photons},
                        {"paths_cut", render.cut_paths},

@@ -18,6 +18,10 @@ constexpr int kTile = 16;
 /// Of the work of a pass, what its photons are taken for in the progress shown.
 constexpr double kPhotonShare = 0.2;
 
+/// Light paths for each one that is aimed at specular surfaces besides: nearly all of those leave a
+/// caustic photon, where few of the others would.
+constexpr std::uint64_t kPathsPerCausticPath = 4;
+
 /// Counts of one thread.
 struct ThreadCounts {
     SearchStatistics caustic;
@@ -100,11 +104,13 @@ PassMapSet make_maps(const RenderScene& scene, const RenderOptions& options, std
 {
     const Stopwatch watch;
     PhotonOptions photons{options.photons, options.seed, pass,
-                          options.direct == DirectLight::photons};
+                          options.direct == DirectLight::photons,
+                          options.photons / kPathsPerCausticPath};
     if (options.maps.mode == MapMode::none || options.integrator == Integrator::path)
-        photons.paths = 0;
+        photons.paths = photons.caustic_paths = 0;
     TracedPhotons traced = trace_photons(scene, photons);
     statistics.emitted += traced.emitted;
+    statistics.aimed += traced.aimed;
     statistics.dropped_photons += traced.dropped;
     statistics.cut_paths += traced.cut;
     statistics.power = traced.power;

@@ -38,6 +38,7 @@ struct KindStatistics {
 struct RenderStatistics {
     std::uint32_t passes = 0;          ///< done
     std::uint64_t emitted = 0;         ///< light paths
+    std::uint64_t aimed = 0;           ///< light paths besides, aimed at specular surfaces
     std::uint64_t dropped_photons = 0; ///< not finite
     std::uint64_t dropped_samples = 0; ///< not finite
     std::uint64_t cut_paths = 0;

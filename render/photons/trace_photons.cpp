@@ -2,6 +2,7 @@
 
 #include "common/math/frame.h"
 #include "common/math/sampling.h"
+#include "render/photons/aimed_emission.h"
 #include "render/shading/interaction.h"
 
 #include <tbb/parallel_for.h>
@@ -17,6 +18,13 @@ constexpr std::uint64_t kPathsPerChunk = 4096;
 
 /// Russian roulette ends paths long before this; between perfect mirrors nothing else would.
 constexpr int kMostBounces = 512;
+
+/// Which classes of photon are kept of a path.
+struct Wanted {
+    bool direct = false;
+    bool caustic = false;
+    bool indirect = false;
+};
 
 /// A light path under way.
 struct LightPath {
@@ -53,10 +61,10 @@ Event choose_event(LightPath& path, const Rgb (&shares)[3], float u)
 }
 
 /// docs/photon_maps.md (1).
-void store(const Interaction& at, const LightPath& path, const PhotonOptions& options,
-           TracedPhotons& out)
+void store(const Interaction& at, const LightPath& path, const Wanted& wanted, TracedPhotons& out)
 {
-    if (!path.diffuse && !path.specular && !options.store_direct)
+    const bool caustic = path.specular && !path.diffuse;
+    if (!(caustic ? wanted.caustic : path.diffuse ? wanted.indirect : wanted.direct))
         return;
     const float geometric = glm::dot(at.back, at.normal);
     const Rgb power = path.power * coat_half(at.bsdf, at.cosine) * (at.cosine / geometric);
@@ -64,7 +72,6 @@ void store(const Interaction& at, const LightPath& path, const PhotonOptions& op
         ++out.dropped;
         return;
     }
-    const bool caustic = path.specular && !path.diffuse;
     (caustic ? out.caustic : out.global)
         .push_back({at.point.position, power, at.back, at.point.face, at.side});
 }
@@ -108,9 +115,12 @@ bool scatter(const Interaction& at, LightPath& path, RandomSequence& random, Pow
     return true;
 }
 
-void trace_path(const RenderScene& scene, const PhotonOptions& options, LightPath path,
+void trace_path(const RenderScene& scene, const Wanted& wanted, const EmittedPath& start,
                 RandomSequence& random, TracedPhotons& out)
 {
+    LightPath path;
+    path.ray = start.ray;
+    path.power = start.power;
     out.power.emitted += glm::dvec3(path.power);
     for (int bounce = 0; bounce < kMostBounces; ++bounce) {
         const std::optional<RayHit> hit = scene.rays.nearest(path.ray);
@@ -124,8 +134,8 @@ void trace_path(const RenderScene& scene, const PhotonOptions& options, LightPat
 
         const Interaction at = interact(scene, path.ray, *hit);
         if (at.bsdf.has_diffuse() && scene.partition.map_of_face[hit->face] != kNone)
-            store(at, path, options, out);
-        if (!scatter(at, path, random, out.power))
+            store(at, path, wanted, out);
+        if (!scatter(at, path, random, out.power) || (path.diffuse && !wanted.indirect))
             return;
     }
     ++out.cut;
@@ -159,27 +169,46 @@ TracedPhotons join(std::vector<TracedPhotons>& chunks)
     return out;
 }
 
+/// Traces paths 0..count-1, each by `trace(path, photons)`, in chunks that are joined in order.
+template <typename Trace>
+TracedPhotons trace_paths(std::uint64_t count, const Trace& trace)
+{
+    std::vector<TracedPhotons> chunks((count + kPathsPerChunk - 1) / kPathsPerChunk);
+    tbb::parallel_for(std::size_t{0}, chunks.size(), [&](std::size_t c) {
+        const std::uint64_t end = std::min(count, (c + 1) * kPathsPerChunk);
+        for (std::uint64_t i = c * kPathsPerChunk; i < end; ++i)
+            trace(i, chunks[c]);
+    });
+    return join(chunks);
+}
+
 } // namespace
 
 TracedPhotons trace_photons(const RenderScene& scene, const PhotonOptions& options)
 {
+    std::vector<TargetSphere> targets;
+    if (options.caustic_paths > 0)
+        targets = find_specular_targets(scene);
     const EmissionPlan plan = plan_emission(scene.lights, options.paths);
-    const std::uint64_t chunk_count = (plan.paths + kPathsPerChunk - 1) / kPathsPerChunk;
-    std::vector<TracedPhotons> chunks(chunk_count);
-    tbb::parallel_for(std::uint64_t{0}, chunk_count, [&](std::uint64_t c) {
-        const std::uint64_t end = std::min(plan.paths, (c + 1) * kPathsPerChunk);
-        for (std::uint64_t i = c * kPathsPerChunk; i < end; ++i) {
-            RandomSequence random(options.seed, RandomStream::photons, options.pass, i);
-            const EmittedPath start =
-                emit_path(scene.lights, plan, scene.mesh(), scene.bsdfs, i, random);
-            LightPath path;
-            path.ray = start.ray;
-            path.power = start.power;
-            trace_path(scene, options, path, random, chunks[c]);
-        }
+    TracedPhotons out = trace_paths(plan.paths, [&](std::uint64_t i, TracedPhotons& photons) {
+        RandomSequence random(options.seed, RandomStream::photons, options.pass, i);
+        const EmittedPath start =
+            emit_path(scene.lights, plan, scene.mesh(), scene.bsdfs, i, random);
+        trace_path(scene, {options.store_direct, targets.empty(), true}, start, random, photons);
     });
-    TracedPhotons out = join(chunks);
     out.emitted = plan.paths;
+    if (targets.empty())
+        return out;
+    const EmissionPlan aimed = plan_emission(scene.lights, options.caustic_paths);
+    TracedPhotons caustics = trace_paths(aimed.paths, [&](std::uint64_t i, TracedPhotons& photons) {
+        RandomSequence random(options.seed, RandomStream::caustics, options.pass, i);
+        const EmittedPath start = emit_aimed_path(scene, aimed, targets, i, random);
+        trace_path(scene, {false, true, false}, start, random, photons);
+    });
+    out.aimed = aimed.paths;
+    out.caustic = std::move(caustics.caustic);
+    out.dropped += caustics.dropped;
+    out.cut += caustics.cut;
     return out;
 }
 

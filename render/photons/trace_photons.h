@@ -15,9 +15,11 @@ struct PhotonOptions {
     std::uint64_t pass = 0;
     bool store_direct =
         false; ///< photons straight from a light too; else the integrator finds that light
+    std::uint64_t caustic_paths = 0; ///< to aim at specular surfaces besides, if there are any; 0:
+                                     ///< what reaches them without aim makes the caustics
 };
 
-/// Where the power of the light paths went, W / metres_per_unit^2.
+/// Where the power of the light paths that were not aimed went, W / metres_per_unit^2.
 /// emitted = absorbed + escaped in expectation.
 struct PowerBalance {
     glm::dvec3 emitted{0.0};
@@ -28,6 +30,7 @@ struct PowerBalance {
 /// The photons of one pass, in the order of (path, bounce).
 struct TracedPhotons {
     std::uint64_t emitted = 0;   ///< light paths
+    std::uint64_t aimed = 0;     ///< light paths aimed at specular surfaces
     std::vector<Photon> caustic; ///< light, specular+, diffuse
     std::vector<Photon> global;  ///< indirect, and direct if asked for
     std::uint64_t dropped = 0;   ///< not finite; their power is lost

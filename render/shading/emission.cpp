@@ -121,25 +121,33 @@ EmissionPlan plan_emission(const LightSet& lights, std::uint64_t paths)
     return plan;
 }
 
-EmittedPath emit_path(const LightSet& lights, const EmissionPlan& plan, const TriangleMesh& mesh,
-                      const std::vector<Bsdf>& bsdfs, std::uint64_t path, RandomSequence& random)
+LightShare share_of(const EmissionPlan& plan, std::uint64_t path)
 {
     const auto after = std::upper_bound(plan.first_path.begin(), plan.first_path.end(), path);
     const std::size_t light = static_cast<std::size_t>(after - plan.first_path.begin()) - 1;
     const std::uint64_t first = plan.first_path[light];
-    const auto count = static_cast<double>(plan.first_path[light + 1] - first);
+    return {light, path - first, plan.first_path[light + 1] - first};
+}
 
+double stratum(const LightShare& share, RandomSequence& random)
+{
+    return (static_cast<double>(share.place) + random.next()) / static_cast<double>(share.paths);
+}
+
+EmittedPath emit_path(const LightSet& lights, const EmissionPlan& plan, const TriangleMesh& mesh,
+                      const std::vector<Bsdf>& bsdfs, std::uint64_t path, RandomSequence& random)
+{
+    const LightShare share = share_of(plan, path);
     EmittedPath out;
-    if (light < lights.punctual.size()) {
-        out = emit_from_punctual(lights, lights.punctual[light], random);
-    } else if (light == lights.punctual.size()) {
+    if (share.light < lights.punctual.size()) {
+        out = emit_from_punctual(lights, lights.punctual[share.light], random);
+    } else if (share.light == lights.punctual.size()) {
         // Stratified over the faces: the paths walk through the running sum of powers.
-        const double u = (static_cast<double>(path - first) + random.next()) / count;
-        out = emit_from_face(lights, mesh, bsdfs, u, random);
+        out = emit_from_face(lights, mesh, bsdfs, stratum(share, random), random);
     } else {
         out = emit_from_sky(lights, random);
     }
-    out.power /= static_cast<float>(count);
+    out.power /= static_cast<float>(share.paths);
     return out;
 }
 

@@ -18,6 +18,19 @@ struct EmissionPlan {
 /// Every light that shines gets at least one path; none if nothing shines or `paths` is 0.
 EmissionPlan plan_emission(const LightSet& lights, std::uint64_t paths);
 
+/// Which light a path belongs to.
+struct LightShare {
+    std::size_t light = 0;
+    std::uint64_t place = 0; ///< of the path among those of its light
+    std::uint64_t paths = 0; ///< of the light
+};
+
+/// path: 0..plan.paths-1.
+LightShare share_of(const EmissionPlan& plan, std::uint64_t path);
+
+/// Uniform in [0, 1), stratified over the paths of a light.
+double stratum(const LightShare& share, RandomSequence& random);
+
 /// The start of a light path.
 struct EmittedPath {
     Ray ray;

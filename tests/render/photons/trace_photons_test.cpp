@@ -154,3 +154,49 @@ TEST_CASE("trace photons: a closed glass ball absorbs by Beer and Lambert", "[ph
               Approx(share * absorbed).epsilon(0.02));
     }
 }
+
+TEST_CASE("trace photons: aimed paths bring the caustics that others bring, with more photons",
+          "[photons]")
+{
+    PunctualLight point, spot, sun;
+    point.position = spot.position = {0.1f, 0.35f, 0.2f};
+    point.intensity = spot.intensity = sun.intensity = {1, 2, 1};
+    spot.kind = LightKind::spot;
+    spot.direction = glm::normalize(glm::vec3(-0.3f, -0.6f, -0.2f));
+    spot.cos_inner = 0.95f;
+    spot.cos_outer = 0.8f;
+    sun.kind = LightKind::directional;
+    sun.direction = glm::normalize(glm::vec3(0.9f, -1, 0.1f));
+    const int kind = GENERATE(0, 1, 2, 3, 4);
+    Scene scene = open_room();
+    if (kind != 3)
+        scene.materials.back().emission = Rgb(0);
+    scene.lights.clear();
+    if (kind < 3)
+        scene.lights = {std::vector{point, spot, sun}[static_cast<std::size_t>(kind)]};
+    if (kind == 4)
+        scene.environment = {1, 0.5f, 2};
+    const auto ready = tiny::ready(scene);
+
+    RunningMean plain, aimed;
+    std::size_t plain_photons = 0, aimed_photons = 0;
+    const auto power_of = [](const TracedPhotons& traced) {
+        double sum = 0;
+        for (const Photon& photon : traced.caustic)
+            sum += photon.power.y;
+        return sum;
+    };
+    for (std::uint64_t pass = 0; pass < 60; ++pass) {
+        const TracedPhotons without = trace_photons(*ready->render, {8000, 1, pass, false, 0});
+        const TracedPhotons with = trace_photons(*ready->render, {1, 1, pass, false, 8000});
+        plain.add(power_of(without));
+        aimed.add(power_of(with));
+        plain_photons += without.caustic.size();
+        aimed_photons += with.caustic.size();
+    }
+    INFO("light " << kind << ": " << plain.mean() << " and " << aimed.mean());
+    CHECK(std::abs(plain.mean() - aimed.mean()) <
+          kMostZ * std::hypot(plain.standard_error(), aimed.standard_error()));
+    CHECK(plain.standard_error() < 0.05 * plain.mean());
+    CHECK(aimed_photons > plain_photons);
+}

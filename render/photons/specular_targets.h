@@ -1,0 +1,43 @@
+#pragma once
+
+#include "common/math/random.h"
+#include "render/shading/render_scene.h"
+
+#include <vector>
+
+namespace hipmap {
+
+/// A sphere around specular faces.
+struct TargetSphere {
+    glm::vec3 centre;
+    float radius = 0.0f; ///< scene units, above zero
+};
+
+/// Spheres that together hold every face with a specular lobe: where light must go first if it is
+/// to make a caustic (Jensen 1996, projection maps).  Empty: the scene has no such face.
+/// At most 32, however many faces there are.  Cost: linear in faces.
+std::vector<TargetSphere> find_specular_targets(const RenderScene& scene);
+
+/// A ray towards some sphere.
+struct AimedRay {
+    glm::vec3 direction; ///< unit
+    float weight = 0.0f; ///< 1 over its density per solid angle; 0: nothing is to be hit
+};
+
+/// Draws a direction from a point, uniformly from the cones around the spheres; where cones
+/// overlap, all their densities count.  docs/light_transport.md (15).  Cost: linear in spheres.
+AimedRay aim_from_point(const std::vector<TargetSphere>& targets, const glm::vec3& origin,
+                        RandomSequence& random);
+
+/// A point in the cylinders around the spheres along a direction.
+struct AimedPoint {
+    glm::vec3 position;
+    float weight = 0.0f; ///< 1 over its density per area across the direction
+};
+
+/// Draws a point by which parallel light along `direction` (unit) passes into some sphere,
+/// docs/light_transport.md (15).  There must be a sphere.  Cost: linear in spheres.
+AimedPoint aim_parallel(const std::vector<TargetSphere>& targets, const glm::vec3& direction,
+                        RandomSequence& random);
+
+} // namespace hipmap
