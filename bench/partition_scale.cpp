@@ -1,5 +1,6 @@
-// How the cost of preprocess grows with the mesh: seconds and peak bytes per triangle of every
-// pass, beside OpenMesh building the same mesh and tinygltf and our loader reading it as a file.
+// How the cost of preprocess grows with the mesh: seconds, seconds of all threads, and peak bytes
+// per triangle of every pass, beside OpenMesh building the same mesh and tinygltf and our loader
+// reading it as a file.
 //
 //     partition_scale [TRIANGLES...]      default: 100000 1000000
 
@@ -19,6 +20,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <ctime>
 #include <filesystem>
 
 namespace hipmap {
@@ -126,22 +128,40 @@ void read_by_tinygltf(const std::filesystem::path& path)
         throw std::runtime_error("tinygltf: " + error);
 }
 
-void print_row(const char* name, double seconds, std::size_t peak, std::size_t faces)
+/// What something takes.
+struct Time {
+    double wall = 0.0;    ///< s
+    double threads = 0.0; ///< s, of all threads: says more on a machine that others use
+};
+
+Time operator-(const Time& l, const Time& r)
 {
-    std::printf("  %-26s %9.3f s  %7.3f us  %7.0f bytes\n", name, seconds,
-                1e6 * seconds / double(faces), double(peak) / double(faces));
+    return {l.wall - r.wall, l.threads - r.threads};
+}
+
+Time since(const Stopwatch& watch)
+{
+    return {watch.seconds(), static_cast<double>(std::clock()) / CLOCKS_PER_SEC};
+}
+
+void print_row(const char* name, const Time& time, std::size_t peak, std::size_t faces)
+{
+    const double per_face = 1e6 / double(faces);
+    std::printf("  %-26s %9.3f s  %7.3f us  %7.3f us of threads  %7.0f bytes\n", name, time.wall,
+                time.wall * per_face, time.threads * per_face, double(peak) / double(faces));
 }
 
 template <typename Work>
-double measure(const char* name, std::size_t faces, const Work& work)
+Time measure(const char* name, std::size_t faces, const Work& work)
 {
     const std::size_t before = memory_in_use();
     start_memory_peak();
     const Stopwatch watch;
+    const Time start = since(watch);
     work();
-    const double seconds = watch.seconds();
-    print_row(name, seconds, memory_peak() - before, faces);
-    return seconds;
+    const Time time = since(watch) - start;
+    print_row(name, time, memory_peak() - before, faces);
+    return time;
 }
 
 void measure_mesh(const char* name, TriangleMesh&& made, const std::filesystem::path& folder)
@@ -157,27 +177,30 @@ void measure_mesh(const char* name, TriangleMesh&& made, const std::filesystem::
     write_glb(file, scene.mesh);
     measure("tinygltf reads it", faces, [&] { read_by_tinygltf(file); });
     measure("our loader reads it", faces, [&] { load_scene(file, {}); });
-    const double openmesh =
-        measure("OpenMesh builds it", faces, [&] { build_openmesh(scene.mesh); });
+    const Time openmesh = measure("OpenMesh builds it", faces, [&] { build_openmesh(scene.mesh); });
 
-    double adjacency = 0;
     std::size_t peak = 0;
     const std::size_t before = memory_in_use();
     start_memory_peak();
+    const Stopwatch watch;
+    const Time start = since(watch);
+    Time last = start, adjacency;
     PartitionOptions options;
     options.after_pass = [&](const PartitionPass& pass) {
-        print_row(std::string(pass.name).c_str(), pass.seconds, memory_peak() - before, faces);
+        const Time now = since(watch);
+        print_row(std::string(pass.name).c_str(), now - last, memory_peak() - before, faces);
         peak = std::max(peak, memory_peak() - before);
         if (pass.name == "find half-edges")
-            adjacency = pass.seconds;
+            adjacency = now - start;
         start_memory_peak();
+        last = now;
     };
-    const Stopwatch watch;
     build_partition(scene, options);
-    const double whole = watch.seconds();
+    const Time whole = since(watch) - start;
     print_row("build_partition in all", whole, peak, faces);
-    std::printf("  adjacency %.2f, all %.2f times OpenMesh\n", adjacency / openmesh,
-                whole / openmesh);
+    std::printf("  adjacency %.2f, all %.2f times OpenMesh; of threads %.2f and %.2f times\n",
+                adjacency.wall / openmesh.wall, whole.wall / openmesh.wall,
+                adjacency.threads / openmesh.threads, whole.threads / openmesh.threads);
 }
 
 int partition_scale(const std::vector<double>& sizes)
