@@ -68,13 +68,8 @@ void join_seams(const TriangleMesh& mesh, HalfEdges& edges, const EdgeClasses& c
 
 /// Joins maps at seams, if asked, and finds the boundaries that are no edges; returns how many.
 std::size_t add_contacts(const TriangleMesh& mesh, HalfEdges& edges, const EdgeClasses& classes,
-                         SharedMaps& maps, bool join, Partition& out)
+                         SharedMaps& maps, const FaceTree& tree, bool join, Partition& out)
 {
-    std::vector<std::uint32_t> group(mesh.face_count(), 0);
-    for (FaceId face = 0; face < mesh.face_count(); ++face)
-        if (maps.map_of_face[face] == kNone)
-            group[face] = kNone;
-    const FaceTree tree(mesh, group, 1);
     if (join)
         join_seams(mesh, edges, classes, maps, tree, out);
     const std::vector<MapContact> found =
@@ -84,6 +79,16 @@ std::size_t add_contacts(const TriangleMesh& mesh, HalfEdges& edges, const EdgeC
     out.contacts.insert(out.contacts.end(), found.begin(), found.end());
     sort_contacts(out.contacts);
     return out.contacts.size();
+}
+
+FaceTree tree_of_maps(const TriangleMesh& mesh, const SharedMaps& maps)
+{
+    std::vector<FaceId> faces;
+    faces.reserve(mesh.face_count());
+    for (FaceId face = 0; face < mesh.face_count(); ++face)
+        if (maps.map_of_face[face] != kNone)
+            faces.push_back(face);
+    return FaceTree(mesh, faces);
 }
 
 } // namespace
@@ -112,13 +117,15 @@ PartitionResult build_partition(const Scene& scene, const PartitionOptions& opti
     out.position_error = position_error_of(mesh);
     // Faces in one plane differ by less than any threshold but none.
     const bool join = options.split == SplitBy::normals || options.angle_threshold > kAngleBand;
-    timed("find contacts", [&] { return add_contacts(mesh, edges, classes, maps, join, out); });
+    const FaceTree tree = timed("build tree", [&] { return tree_of_maps(mesh, maps); });
+    timed("find contacts",
+          [&] { return add_contacts(mesh, edges, classes, maps, tree, join, out); });
     LocalCandidates locals = timed("find local candidates", [&] {
         return find_local_candidates(mesh, classes.edge_class, maps);
     });
 
     Clearances clearances = timed("find clearances", [&] {
-        return find_clearances(mesh, classes.edge_class, maps, out.position_error);
+        return find_clearances(mesh, classes.edge_class, maps, tree, out.position_error);
     });
 
     out.angle_threshold = options.angle_threshold;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "preprocess/partition/face_tree.h"
 #include "preprocess/partition/share_maps.h"
 
 namespace hipmap {
@@ -17,8 +18,9 @@ float position_error_of(const TriangleMesh& mesh);
 /// the sets of edges that contain all connected ones, each face keeps the one with the largest
 /// limiting radius at any of its points; of equal ones the smallest, then the lowest bits.
 /// A face near more of its map than is worth looking through (4096 faces) gets clearance 0.
+/// tree: all faces that have a map.  position_error: at least position_error_of(mesh).
 /// Near linear, parallel; the same at any thread count.
 Clearances find_clearances(const TriangleMesh& mesh, std::span<const EdgeClass> edge_class,
-                           const SharedMaps& maps, double position_error);
+                           const SharedMaps& maps, const FaceTree& tree, double position_error);
 
 } // namespace hipmap

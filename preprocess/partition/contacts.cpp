@@ -21,8 +21,6 @@ bool precedes(const MapContact& l, const MapContact& r)
     return key(l) < key(r);
 }
 
-constexpr MapId kSeveralMaps = kNone;
-
 bool before(const glm::dvec3& a, const glm::dvec3& b)
 {
     return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
@@ -110,27 +108,6 @@ class Standing {
     bool flat_;
 };
 
-/// The one map of all faces below each node, or kSeveralMaps.
-void find_map_of_nodes(const ContactScene& scene, const FaceTree& tree,
-                       const FaceTree::Range& range, std::vector<MapId>& map_of_node)
-{
-    MapId map = kSeveralMaps;
-    if (range.leaf()) {
-        const auto faces = tree.faces(range);
-        map = scene.map_of_face[faces.front()];
-        for (const FaceId face : faces)
-            if (scene.map_of_face[face] != map)
-                map = kSeveralMaps;
-    } else {
-        const auto [left, right] = tree.children(range);
-        find_map_of_nodes(scene, tree, left, map_of_node);
-        find_map_of_nodes(scene, tree, right, map_of_node);
-        if (map_of_node[left.node] == map_of_node[right.node])
-            map = map_of_node[left.node];
-    }
-    map_of_node[range.node] = map;
-}
-
 } // namespace
 
 void append_contacts(const ContactScene& scene, FaceId f, FaceId g, std::vector<MapContact>& out)
@@ -159,10 +136,7 @@ void sort_contacts(std::vector<MapContact>& contacts)
 std::vector<MapContact> find_contacts(const ContactScene& scene, const FaceTree& tree)
 {
     std::vector<MapContact> out;
-    if (tree.node_count() == 0)
-        return out;
-    std::vector<MapId> map_of_node(tree.node_count());
-    find_map_of_nodes(scene, tree, tree.root(0), map_of_node);
+    const std::vector<MapId> map_of_node = tree.labels_of_nodes(scene.map_of_face);
     tbb::enumerable_thread_specific<std::vector<MapContact>> found;
     const auto face_count = static_cast<FaceId>(scene.mesh.face_count());
     tbb::parallel_for(tbb::blocked_range<FaceId>(0, face_count), [&](const auto& faces) {
@@ -175,8 +149,7 @@ std::vector<MapContact> find_contacts(const ContactScene& scene, const FaceTree&
             box.low = glm::vec3(glm::dvec3(box.low) - 4 * scene.error);
             box.high = glm::vec3(glm::dvec3(box.high) + 4 * scene.error);
             tree.visit(
-                0, box,
-                [&](const FaceTree::Range& range) { return map_of_node[range.node] == map; },
+                box, [&](const FaceTree::Range& range) { return map_of_node[range.node] == map; },
                 [&](FaceId g) {
                     if (f < g)
                         append_contacts(scene, f, g, mine);

@@ -23,7 +23,7 @@ void append_contacts(const ContactScene& scene, FaceId f, FaceId g, std::vector<
 void sort_contacts(std::vector<MapContact>& contacts);
 
 /// The contacts of all pairs of faces, sorted, none twice.
-/// tree: all faces but the degenerate ones in group 0.
+/// tree: all faces but the degenerate ones.
 /// Near linear in faces and contacts, parallel; the same at any thread count.
 std::vector<MapContact> find_contacts(const ContactScene& scene, const FaceTree& tree);
 

@@ -1,92 +1,138 @@
 #include "preprocess/partition/face_tree.h"
 
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
-#include <numeric>
-#include <tuple>
+#include <bit>
 
 namespace hipmap {
 namespace {
 
-int longest_axis(const glm::vec3& extent)
+constexpr std::uint64_t kLeafSize = 8;
+
+/// A node of fewer faces is built by one thread.
+constexpr std::uint32_t kTaskSize = 4096;
+
+/// The bits of a number, so that they are ordered as numbers are.
+std::uint32_t ordered_bits(float number)
 {
-    if (extent.x >= extent.y && extent.x >= extent.z)
-        return 0;
-    return extent.y >= extent.z ? 1 : 2;
+    const auto bits = std::bit_cast<std::uint32_t>(number);
+    return bits >> 31 ? ~bits : bits | 0x80000000u;
+}
+
+float number_of(std::uint32_t ordered)
+{
+    return std::bit_cast<float>(ordered >> 31 ? ordered & 0x7fffffffu : ~ordered);
 }
 
 } // namespace
 
-FaceTree::FaceTree(const TriangleMesh& mesh, std::span<const std::uint32_t> group_of_face,
-                   std::uint32_t group_count)
-    : roots_(group_count, Range{0, 0, 0})
-{
-    // A counting sort by group.
-    std::vector<std::uint32_t> next(group_count + std::size_t{1}, 0);
-    for (const std::uint32_t group : group_of_face)
-        if (group != kNone)
-            ++next[group + std::size_t{1}];
-    std::partial_sum(next.begin(), next.end(), next.begin());
-    std::vector<Item> items(next.back());
-    for (std::uint32_t group = 0; group < group_count; ++group)
-        roots_[group] = {0, next[group], next[group + std::size_t{1}]};
-    for (FaceId face = 0; face < mesh.face_count(); ++face)
-        if (group_of_face[face] != kNone)
-            items[next[group_of_face[face]]++].face = face;
-    tbb::parallel_for(std::size_t{0}, items.size(), [&](std::size_t i) {
-        const Bounds<glm::vec3> box = face_box(mesh, items[i].face);
-        items[i].middle = 0.5f * box.low + 0.5f * box.high;
-    });
+/// A face by the middle of its box.
+struct FaceTree::Item {
+    std::array<std::uint32_t, 3> middle{}; ///< as ordered bits
+    FaceId face = kNone;
 
-    nodes_.reserve(items.size());
-    for (Range& root : roots_)
-        if (root.begin < root.end)
-            root.node = build(mesh, items, root.begin, root.end);
-    nodes_.shrink_to_fit();
-    faces_.reserve(items.size());
+    /// Orders faces along an axis, no two alike, by one comparison.
+    std::uint64_t key(std::size_t axis) const { return std::uint64_t{middle[axis]} << 32 | face; }
+
+    static std::size_t longest_axis(std::span<const Item> items);
+};
+
+std::size_t FaceTree::Item::longest_axis(std::span<const Item> items)
+{
+    std::array<std::uint32_t, 3> low = items[0].middle;
+    std::array<std::uint32_t, 3> high = low;
     for (const Item& item : items)
-        faces_.push_back(item.face);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            low[axis] = std::min(low[axis], item.middle[axis]);
+            high[axis] = std::max(high[axis], item.middle[axis]);
+        }
+    std::array<float, 3> extent;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        extent[axis] = number_of(high[axis]) - number_of(low[axis]);
+    return static_cast<std::size_t>(std::ranges::max_element(extent) - extent.begin());
 }
 
-std::uint32_t FaceTree::build(const TriangleMesh& mesh, std::vector<Item>& items,
-                              std::uint32_t begin, std::uint32_t end)
+FaceTree::FaceTree(const TriangleMesh& mesh, std::span<const FaceId> faces)
+    : faces_(faces.begin(), faces.end())
 {
-    const auto node = static_cast<std::uint32_t>(nodes_.size());
-    nodes_.emplace_back();
-    Bounds<glm::vec3> box;
-    if (Range{node, begin, end}.leaf()) {
-        for (std::uint32_t i = begin; i < end; ++i)
-            for (int c = 0; c < 3; ++c)
-                box.add(mesh.positions[mesh.corners[items[i].face][c]]);
-    } else {
-        Bounds<glm::vec3> middles;
-        for (std::uint32_t i = begin; i < end; ++i)
-            middles.add(items[i].middle);
-        const int axis = longest_axis(middles.extent());
-        const std::uint32_t middle = begin + (end - begin) / 2;
-        std::nth_element(items.begin() + begin, items.begin() + middle, items.begin() + end,
-                         [axis](const Item& a, const Item& b) {
-                             return std::tie(a.middle[axis], a.face) <
-                                    std::tie(b.middle[axis], b.face);
-                         });
-        const std::uint32_t left = build(mesh, items, begin, middle);
-        const std::uint32_t right = build(mesh, items, middle, end);
-        nodes_[node].right = right;
-        for (const std::uint32_t child : {left, right}) {
-            box.add(nodes_[child].box.low);
-            box.add(nodes_[child].box.high);
-        }
-    }
-    nodes_[node].box = box;
-    return node;
+    while (kLeafSize << depth_ < faces.size())
+        ++depth_;
+    boxes_.resize(2 * std::size_t{leaf_count()} - 1);
+    std::vector<Item> items(faces.size());
+    tbb::parallel_for(std::size_t{0}, items.size(), [&](std::size_t i) {
+        const Bounds<glm::vec3> box = face_box(mesh, faces[i]);
+        const glm::vec3 middle = 0.5f * box.low + 0.5f * box.high;
+        items[i] = {{ordered_bits(middle.x), ordered_bits(middle.y), ordered_bits(middle.z)},
+                    faces[i]};
+    });
+    build(mesh, items, root());
+}
+
+FaceTree::Range FaceTree::node_at(std::uint32_t depth, std::uint64_t index) const
+{
+    const std::uint64_t count = faces_.size();
+    return {static_cast<std::uint32_t>((std::uint64_t{1} << depth) - 1 + index),
+            static_cast<std::uint32_t>(index * count >> depth),
+            static_cast<std::uint32_t>((index + 1) * count >> depth)};
 }
 
 std::array<FaceTree::Range, 2> FaceTree::children(const Range& range) const
 {
-    const std::uint32_t middle = range.begin + (range.end - range.begin) / 2;
-    return {Range{range.node + 1, range.begin, middle},
-            Range{nodes_[range.node].right, middle, range.end}};
+    const std::uint32_t depth = static_cast<std::uint32_t>(std::bit_width(range.node + 1));
+    const std::uint64_t index = 2 * (range.node + 1 - (std::uint64_t{1} << (depth - 1)));
+    return {node_at(depth, index), node_at(depth, index + 1)};
+}
+
+void FaceTree::build(const TriangleMesh& mesh, std::span<Item> items, const Range& range)
+{
+    Bounds<glm::vec3>& box = boxes_[range.node];
+    if (is_leaf(range)) {
+        for (std::uint32_t i = range.begin; i < range.end; ++i) {
+            faces_[i] = items[i].face;
+            const Bounds<glm::vec3> of_face = face_box(mesh, faces_[i]);
+            box.add(of_face.low);
+            box.add(of_face.high);
+        }
+        return;
+    }
+    const std::size_t axis =
+        Item::longest_axis(items.subspan(range.begin, range.end - range.begin));
+    const auto [left, right] = children(range);
+    std::nth_element(items.begin() + range.begin, items.begin() + right.begin,
+                     items.begin() + range.end,
+                     [axis](const Item& a, const Item& b) { return a.key(axis) < b.key(axis); });
+    const auto build_left = [&, half = left] { build(mesh, items, half); };
+    const auto build_right = [&, half = right] { build(mesh, items, half); };
+    if (range.end - range.begin < kTaskSize) {
+        build_left();
+        build_right();
+    } else {
+        tbb::parallel_invoke(build_left, build_right);
+    }
+    for (const Range& child : {left, right}) {
+        box.add(boxes_[child.node].low);
+        box.add(boxes_[child.node].high);
+    }
+}
+
+std::vector<std::uint32_t>
+FaceTree::labels_of_nodes(std::span<const std::uint32_t> label_of_face) const
+{
+    std::vector<std::uint32_t> labels(boxes_.size(), kNone);
+    tbb::parallel_for(std::uint32_t{0}, leaf_count(), [&](std::uint32_t index) {
+        const Range range = leaf(index);
+        const std::span<const FaceId> here = faces(range);
+        if (!here.empty() && std::ranges::all_of(here, [&](FaceId face) {
+                return label_of_face[face] == label_of_face[here[0]];
+            }))
+            labels[range.node] = label_of_face[here[0]];
+    });
+    for (std::size_t node = leaf_count() - 1; node-- > 0;)
+        if (labels[2 * node + 1] == labels[2 * node + 2])
+            labels[node] = labels[2 * node + 1];
+    return labels;
 }
 
 } // namespace hipmap

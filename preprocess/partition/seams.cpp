@@ -125,7 +125,7 @@ std::vector<Touch> SeamSearch::touches_of(std::uint32_t edge) const
             touches.push_back({other, there.part_on(a + outward, b + outward)});
     };
     tree_.visit(
-        0, box, [](const FaceTree::Range&) { return false; }, look_at);
+        box, [](const FaceTree::Range&) { return false; }, look_at);
     if (crossed)
         touches.clear();
     std::ranges::sort(touches, {}, &Touch::face);

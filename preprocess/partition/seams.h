@@ -17,7 +17,7 @@ struct Seams {
 /// line or overlap without sharing an edge that is connected: T-junctions, abutting walls of
 /// separate objects, coincident faces.  Edges beyond which such a face goes on are bridged.
 /// An edge of several faces joins nothing if one of them is out of the plane.
-/// classes: of connected edges.  tree: all faces but the degenerate ones in group 0.
+/// classes: of connected edges.  tree: all faces but the degenerate ones.
 /// error: tolerance, scene units.  Near linear, parallel; the same at any thread count.
 Seams find_seams(const TriangleMesh& mesh, const HalfEdges& edges,
                  std::span<const EdgeClass> classes, const SharedMaps& maps, const FaceTree& tree,
