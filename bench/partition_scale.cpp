@@ -70,7 +70,8 @@ TriangleMesh globe(std::uint32_t n)
 void build_openmesh(const TriangleMesh& mesh)
 {
     OpenMesh::TriMesh_ArrayKernelT<> built;
-    built.reserve(mesh.positions.size(), mesh.face_count() * 3 / 2, mesh.face_count());
+    built.reserve(mesh.positions.size(), mesh.positions.size() + mesh.face_count(),
+                  mesh.face_count());
     for (const glm::vec3& p : mesh.positions)
         built.add_vertex({p.x, p.y, p.z});
     for (const glm::uvec3& c : mesh.corners)

@@ -49,9 +49,9 @@ std::pair<std::uint32_t, std::uint32_t> ends_of(const WeldedFaces& faces, std::u
 Cracks find_cracks(const WeldedFaces& faces)
 {
     Cracks cracks;
-    for (FaceId face = 0; face < faces.corners.size(); ++face) {
-        const glm::uvec3& c = faces.corners[face];
-        if (faces.degenerate[face] && c.x != c.y && c.y != c.z && c.z != c.x)
+    for (FaceId face = 0; face < faces.degenerate.size(); ++face) {
+        const std::uint32_t* c = &faces.vertex_of_corner[std::size_t{3} * face];
+        if (faces.degenerate[face] && c[0] != c[1] && c[1] != c[2] && c[2] != c[0])
             for (std::uint32_t corner = 0; corner < 3; ++corner)
                 cracks.push_back(ends_of(faces, 3 * face + corner));
     }

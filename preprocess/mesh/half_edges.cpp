@@ -41,16 +41,17 @@ Fans split_into_fans(const WeldedFaces& faces, const std::vector<std::uint32_t>&
 
 HalfEdgePairs pair_by_openmesh(const WeldedFaces& faces, const Orientation& orientation)
 {
-    const Fans fans = split_into_fans(faces, orientation.partner);
+    Fans fans = split_into_fans(faces, orientation.partner);
     std::vector<WoundFace> wound;
-    wound.reserve(faces.corners.size());
-    for (FaceId face = 0; face < faces.corners.size(); ++face) {
+    wound.reserve(faces.degenerate.size());
+    for (FaceId face = 0; face < faces.degenerate.size(); ++face) {
         if (faces.degenerate[face])
             continue;
         const std::uint32_t* v = &fans.vertex_of_corner[std::size_t{3} * face];
         wound.push_back({face, {v[0], v[1], v[2]}, orientation.flipped[face] != 0});
     }
-    return pair_half_edges(wound, fans.count, faces.corners.size());
+    fans.vertex_of_corner = {};
+    return pair_half_edges(std::move(wound), fans.count, faces.degenerate.size());
 }
 
 /// Opposites are those on which OpenMesh and the welded edges agree: where an edge of several faces

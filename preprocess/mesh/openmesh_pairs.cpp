@@ -10,67 +10,71 @@ namespace hipmap {
 namespace {
 
 using Mesh = OpenMesh::TriMesh_ArrayKernelT<>;
-using Corners = std::array<OpenMesh::VertexHandle, 3>;
 
-/// Enters a face; its corners are replaced by new vertices if it is refused.  Returns success at
-/// the first attempt.
-bool enter(Mesh& mesh, Corners& corners, bool flipped)
+/// Enters a face; its vertices are replaced by new ones if it is refused.  Returns success at the
+/// first attempt.
+bool enter(Mesh& mesh, WoundFace& face)
 {
     const auto add = [&] {
-        const Corners order{corners[0], corners[flipped ? 2 : 1], corners[flipped ? 1 : 2]};
-        return mesh.add_face(order.data(), order.size()).is_valid();
+        const auto vertex = [](std::uint32_t v) { return OpenMesh::VertexHandle(int(v)); };
+        const glm::uvec3& v = face.vertices;
+        return mesh
+            .add_face(vertex(v.x), vertex(face.flipped ? v.z : v.y),
+                      vertex(face.flipped ? v.y : v.z))
+            .is_valid();
     };
     if (add())
         return true;
-    for (OpenMesh::VertexHandle& corner : corners)
-        corner = mesh.new_vertex();
+    for (int c = 0; c < 3; ++c)
+        face.vertices[c] = static_cast<std::uint32_t>(mesh.new_vertex().idx());
     [[maybe_unused]] const bool added = add();
     assert(added && "a face of three new vertices has no neighbour to clash with");
     return false;
 }
 
-/// Number of the edge that a half-edge of the face is, whichever way it runs.
-std::uint32_t edge_number(const Mesh& mesh, OpenMesh::HalfedgeHandle half_edge, FaceId face,
-                          const Corners& corners)
+/// Number of the edge that a half-edge of the face is.
+std::uint32_t edge_number(const Mesh& mesh, OpenMesh::HalfedgeHandle half_edge,
+                          const WoundFace& face)
 {
-    const auto from = mesh.from_vertex_handle(half_edge);
-    const auto to = mesh.to_vertex_handle(half_edge);
-    std::uint32_t c = 0;
-    while (c < 2 && !((corners[c] == from && corners[c + 1] == to) ||
-                      (corners[c] == to && corners[c + 1] == from)))
-        ++c;
-    return 3 * face + c;
+    // The edge begins where the half-edge does, or ends if the face is flipped.
+    const OpenMesh::VertexHandle start =
+        face.flipped ? mesh.to_vertex_handle(half_edge) : mesh.from_vertex_handle(half_edge);
+    const auto vertex = static_cast<std::uint32_t>(start.idx());
+    return 3 * face.id + (vertex == face.vertices.y ? 1 : vertex == face.vertices.z ? 2 : 0);
 }
 
 } // namespace
 
-HalfEdgePairs pair_half_edges(const std::vector<WoundFace>& faces, std::uint32_t vertex_count,
+HalfEdgePairs pair_half_edges(std::vector<WoundFace> faces, std::uint32_t vertex_count,
                               std::size_t face_count)
 {
     // It reports every refusal on standard error.
     omerr().disable();
     Mesh mesh;
-    mesh.reserve(vertex_count, faces.size() + faces.size() / 2, faces.size());
+    mesh.reserve(vertex_count, vertex_count + faces.size(), faces.size()); // Euler
     for (std::uint32_t v = 0; v < vertex_count; ++v)
         mesh.new_vertex();
 
     HalfEdgePairs pairs;
-    std::vector<Corners> corners(faces.size());
-    for (std::size_t i = 0; i < faces.size(); ++i) {
-        for (int c = 0; c < 3; ++c)
-            corners[i][c] = OpenMesh::VertexHandle(static_cast<int>(faces[i].vertices[c]));
-        pairs.refused_faces += !enter(mesh, corners[i], faces[i].flipped);
-    }
+    for (WoundFace& face : faces)
+        pairs.refused_faces += !enter(mesh, face);
 
-    std::vector<std::uint32_t> edge_of_half_edge(mesh.n_halfedges(), kNone);
-    for (std::size_t i = 0; i < faces.size(); ++i)
-        for (const auto half_edge : mesh.fh_range(OpenMesh::FaceHandle(static_cast<int>(i))))
-            edge_of_half_edge[half_edge.idx()] =
-                edge_number(mesh, half_edge, faces[i].id, corners[i]);
     pairs.opposite.assign(3 * face_count, kNone);
-    for (std::size_t h = 0; h < edge_of_half_edge.size(); ++h)
-        if (edge_of_half_edge[h] != kNone)
-            pairs.opposite[edge_of_half_edge[h]] = edge_of_half_edge[h ^ 1];
+    for (std::size_t e = 0; e < mesh.n_edges(); ++e) {
+        const OpenMesh::EdgeHandle edge(static_cast<int>(e));
+        std::array<std::uint32_t, 2> number;
+        for (unsigned side = 0; side < 2; ++side) {
+            const auto half_edge = mesh.halfedge_handle(edge, side);
+            const auto face = mesh.face_handle(half_edge);
+            number[side] =
+                face.is_valid()
+                    ? edge_number(mesh, half_edge, faces[static_cast<std::size_t>(face.idx())])
+                    : kNone;
+        }
+        for (const unsigned side : {0u, 1u})
+            if (number[side] != kNone)
+                pairs.opposite[number[side]] = number[1 - side];
+    }
     return pairs;
 }
 

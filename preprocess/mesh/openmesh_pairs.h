@@ -21,7 +21,7 @@ struct WoundFace {
 /// entered again with vertices of its own, so that none is lost.
 /// vertices: below `vertex_count`.  face_count: F, above every id.
 /// Linear, one thread.
-HalfEdgePairs pair_half_edges(const std::vector<WoundFace>& faces, std::uint32_t vertex_count,
+HalfEdgePairs pair_half_edges(std::vector<WoundFace> faces, std::uint32_t vertex_count,
                               std::size_t face_count);
 
 } // namespace hipmap

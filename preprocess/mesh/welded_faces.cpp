@@ -3,7 +3,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <utility>
+#include <numeric>
 
 namespace hipmap {
 namespace {
@@ -20,13 +20,14 @@ WeldedFaces weld_faces(const TriangleMesh& mesh, const VertexWeld& weld)
 {
     WeldedFaces faces;
     faces.vertex_count = weld.count;
-    faces.corners.resize(mesh.face_count());
+    faces.vertex_of_corner.resize(3 * mesh.face_count());
     faces.degenerate.resize(mesh.face_count());
     tbb::parallel_for(std::size_t{0}, mesh.face_count(), [&](std::size_t face) {
         const glm::uvec3 c = mesh.corners[face];
         const glm::uvec3 welded(weld.id_of_vertex[c.x], weld.id_of_vertex[c.y],
                                 weld.id_of_vertex[c.z]);
-        faces.corners[face] = welded;
+        for (int corner = 0; corner < 3; ++corner)
+            faces.vertex_of_corner[3 * face + static_cast<std::size_t>(corner)] = welded[corner];
         faces.degenerate[face] = is_degenerate(mesh, static_cast<FaceId>(face), welded);
     });
     return faces;
@@ -34,37 +35,35 @@ WeldedFaces weld_faces(const TriangleMesh& mesh, const VertexWeld& weld)
 
 EdgeGroups group_edges(const WeldedFaces& faces)
 {
-    const auto ends = [&](std::uint32_t edge) {
-        return std::minmax({faces.start(edge), faces.end(edge)});
+    const auto low = [&](std::uint32_t edge) {
+        return std::min(faces.start(edge), faces.end(edge));
     };
-    const auto high = [&](std::uint32_t edge) {
-        return std::max(faces.start(edge), faces.end(edge));
-    };
-    const auto edge_count = static_cast<std::uint32_t>(3 * faces.corners.size());
+    const auto edge_count = static_cast<std::uint32_t>(faces.vertex_of_corner.size());
 
     // A counting sort by the lower vertex, then a sort of the few edges of each by the higher one.
     std::vector<std::uint32_t> bucket(faces.vertex_count + std::size_t{1}, 0);
     for (std::uint32_t edge = 0; edge < edge_count; ++edge)
         if (!faces.degenerate[edge / 3])
-            ++bucket[ends(edge).first + 1];
-    for (std::size_t v = 0; v < faces.vertex_count; ++v)
-        bucket[v + 1] += bucket[v];
-    EdgeGroups groups;
-    groups.edges.resize(bucket.back());
+            ++bucket[low(edge) + std::size_t{1}];
+    std::partial_sum(bucket.begin(), bucket.end(), bucket.begin());
+    std::vector<std::uint64_t> by_high(bucket.back()); // higher vertex, then edge
     std::vector<std::uint32_t> next(bucket.begin(), bucket.end() - 1);
     for (std::uint32_t edge = 0; edge < edge_count; ++edge)
         if (!faces.degenerate[edge / 3])
-            groups.edges[next[ends(edge).first]++] = edge;
+            by_high[next[low(edge)]++] =
+                std::uint64_t{std::max(faces.start(edge), faces.end(edge))} << 32 | edge;
     tbb::parallel_for(std::size_t{0}, std::size_t{faces.vertex_count}, [&](std::size_t v) {
-        std::sort(groups.edges.begin() + bucket[v], groups.edges.begin() + bucket[v + 1],
-                  [&](std::uint32_t a, std::uint32_t b) {
-                      return std::pair(high(a), a) < std::pair(high(b), b);
-                  });
+        std::sort(by_high.begin() + bucket[v], by_high.begin() + bucket[v + 1]);
     });
 
-    for (std::uint32_t i = 0; i < groups.edges.size(); ++i)
-        if (i == 0 || ends(groups.edges[i]) != ends(groups.edges[i - 1]))
-            groups.first.push_back(i);
+    EdgeGroups groups;
+    groups.edges.reserve(by_high.size());
+    for (std::size_t v = 0; v < faces.vertex_count; ++v)
+        for (std::uint32_t i = bucket[v]; i < bucket[v + 1]; ++i) {
+            if (i == bucket[v] || by_high[i] >> 32 != by_high[i - 1] >> 32)
+                groups.first.push_back(i);
+            groups.edges.push_back(static_cast<std::uint32_t>(by_high[i]));
+        }
     groups.first.push_back(static_cast<std::uint32_t>(groups.edges.size()));
     return groups;
 }

@@ -8,17 +8,14 @@ namespace hipmap {
 /// The faces of a mesh by welded vertex.  Edge 3 f + c of face f runs from corner c to corner
 /// (c + 1) mod 3, as everywhere.
 struct WeldedFaces {
-    std::vector<glm::uvec3> corners;      ///< [F] welded vertices
+    std::vector<std::uint32_t> vertex_of_corner; ///< [3F] welded
     std::vector<std::uint8_t> degenerate; ///< [F] 1: a vertex twice, or an area of exactly zero
     std::uint32_t vertex_count = 0;
 
-    std::uint32_t start(std::uint32_t edge) const
-    {
-        return corners[edge / 3][static_cast<int>(edge % 3)];
-    }
+    std::uint32_t start(std::uint32_t edge) const { return vertex_of_corner[edge]; }
     std::uint32_t end(std::uint32_t edge) const
     {
-        return corners[edge / 3][static_cast<int>((edge % 3 + 1) % 3)];
+        return vertex_of_corner[edge % 3 == 2 ? edge - 2 : edge + 1];
     }
 };
 
