@@ -11,17 +11,6 @@ constexpr double kDistanceRounding = 1e-6;
 
 } // namespace
 
-EdgePlane edge_plane(const TriangleMesh& mesh, FaceId face, int corner)
-{
-    const glm::uvec3 c = mesh.corners[face];
-    EdgePlane plane{glm::dvec3(mesh.positions[c[corner]])};
-    const glm::dvec3 along = glm::dvec3(mesh.positions[c[(corner + 1) % 3]]) - plane.origin;
-    const glm::dvec3 inward = glm::cross(scaled_normal(mesh, face), along);
-    if (const double length = glm::length(inward); length > 0)
-        plane.inward = inward / length;
-    return plane;
-}
-
 float exact_limiting_radius(const TriangleMesh& mesh, const Partition& partition, FaceId face,
                             const glm::vec3& point)
 {

@@ -16,7 +16,16 @@ struct EdgePlane {
 };
 
 /// corner: 0 to 2, where the edge begins.
-EdgePlane edge_plane(const TriangleMesh& mesh, FaceId face, int corner);
+inline EdgePlane edge_plane(const TriangleMesh& mesh, FaceId face, int corner)
+{
+    const glm::uvec3 c = mesh.corners[face];
+    EdgePlane plane{glm::dvec3(mesh.positions[c[corner]])};
+    const glm::dvec3 along = glm::dvec3(mesh.positions[c[(corner + 1) % 3]]) - plane.origin;
+    const glm::dvec3 inward = glm::cross(scaled_normal(mesh, face), along);
+    if (const double length = glm::length(inward); length > 0)
+        plane.inward = inward / length;
+    return plane;
+}
 
 /// Distance from a point of `face` within which its shared map has photons of this face alone:
 ///     r(x) = min(heights of x over the planes of the kept edges, clearance)

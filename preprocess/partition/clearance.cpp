@@ -86,9 +86,8 @@ void LeafClearances::add_member(FaceId face)
     unsigned connected = 0;
     for (unsigned c = 0; c < 3; ++c)
         connected |= unsigned{edge_class_[std::size_t{3} * face + c] == EdgeClass::connected} << c;
-    Member member{FaceSurroundings(maps_, face, error_), connected, 0};
+    Member& member = members_.emplace_back(FaceSurroundings(maps_, face, error_), connected, 0.0);
     member.height = member.around.largest_height(connected);
-    members_.push_back(member);
 }
 
 bool LeafClearances::gather(const FaceTree::Range& leaf, double radius)

@@ -151,7 +151,7 @@ std::vector<MapContact> find_contacts(const ContactScene& scene, const FaceTree&
             tree.visit(
                 box, [&](const FaceTree::Range& range) { return map_of_node[range.node] == map; },
                 [&](FaceId g) {
-                    if (f < g)
+                    if (f < g && meet(box, face_box(scene.mesh, g)))
                         append_contacts(scene, f, g, mine);
                 });
         }

@@ -1,5 +1,7 @@
 #include "preprocess/partition/face_surroundings.h"
 
+#include "preprocess/partition/polygon_distance.h"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -13,12 +15,11 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// A face whose clearance takes more faces than this is given up.
 constexpr int kMostFaces = 4096;
 
-ConvexPolygon polygon_of(const TriangleMesh& mesh, FaceId face)
+std::array<glm::dvec3, 3> corners_of(const TriangleMesh& mesh, FaceId face)
 {
     const glm::uvec3 c = mesh.corners[face];
-    return {{glm::dvec3(mesh.positions[c.x]), glm::dvec3(mesh.positions[c.y]),
-             glm::dvec3(mesh.positions[c.z])},
-            scaled_normal(mesh, face)};
+    return {glm::dvec3(mesh.positions[c.x]), glm::dvec3(mesh.positions[c.y]),
+            glm::dvec3(mesh.positions[c.z])};
 }
 
 /// Square of the distance between two boxes, or a little less.
@@ -33,7 +34,7 @@ float box_distance2(const Bounds<glm::vec3>& a, const Bounds<glm::vec3>& b)
 
 FaceSurroundings::FaceSurroundings(const MapTree& maps, FaceId face, double error)
     : maps_(maps), face_(face), map_(maps.map_of_face[face]), error_(error),
-      polygon_(polygon_of(maps.mesh, face))
+      corners_(corners_of(maps.mesh, face))
 {
     for (int c = 0; c < 3; ++c)
         planes_[c] = edge_plane(maps.mesh, face, c);
@@ -41,21 +42,21 @@ FaceSurroundings::FaceSurroundings(const MapTree& maps, FaceId face, double erro
 
 double FaceSurroundings::largest_height(unsigned edges) const
 {
-    const std::span<const glm::dvec3> p = polygon_.points();
-    std::array<double, 3> length;  // of edges
-    std::array<double, 3> highest; // over each plane: the corner across
-    for (int c = 0; c < 3; ++c) {
-        length[c] = glm::length(p[(c + 1) % 3] - p[c]);
-        highest[c] = planes_[c].height(p[(c + 2) % 3]);
-    }
     if (edges == 0)
         return kInfinity;
+    std::array<double, 3> highest; // over each plane: the corner across
+    for (std::size_t c = 0; c < 3; ++c)
+        highest[c] = planes_[c].height(corners_[(c + 2) % 3]);
     if (std::has_single_bit(edges))
-        return highest[std::countr_zero(edges)];
-    if (edges == 7)
-        return length[0] * highest[0] / (length[0] + length[1] + length[2]);
+        return highest[static_cast<std::size_t>(std::countr_zero(edges))];
+    if (edges == 7) {
+        const double first = glm::length(corners_[1] - corners_[0]);
+        return first * highest[0] /
+               (first + glm::length(corners_[2] - corners_[1]) +
+                glm::length(corners_[0] - corners_[2]));
+    }
     // On the third edge the height over one plane falls from its highest to 0 as the other rises.
-    const int open = std::countr_zero(~edges & 7u);
+    const auto open = static_cast<std::size_t>(std::countr_zero(~edges & 7u));
     const double h1 = highest[(open + 1) % 3];
     const double h2 = highest[(open + 2) % 3];
     return h1 * h2 / (h1 + h2);
@@ -78,24 +79,24 @@ bool FaceSurroundings::behind(unsigned edges, const Bounds<glm::vec3>& box) cons
 
 double FaceSurroundings::distance_of(unsigned edges, FaceId other) const
 {
-    const glm::uvec3 corners = maps_.mesh.corners[other];
+    const std::array<glm::dvec3, 3> corners = corners_of(maps_.mesh, other);
     unsigned cut = 0; // by which planes
     for (int c = 0; c < 3; ++c) {
         if (!(edges >> c & 1))
             continue;
-        int in_front = 0;
-        for (int corner = 0; corner < 3; ++corner)
-            in_front +=
-                planes_[c].height(glm::dvec3(maps_.mesh.positions[corners[corner]])) > error_;
+        const auto in_front = std::ranges::count_if(
+            corners, [&](const glm::dvec3& corner) { return planes_[c].height(corner) > error_; });
         if (in_front == 0)
             return kInfinity;
         cut |= unsigned{in_front < 3} << c;
     }
-    ConvexPolygon front = polygon_of(maps_.mesh, other);
+    ConvexPolygon front(corners, scaled_normal(maps_.mesh, other));
     for (int c = 0; c < 3 && !front.points().empty(); ++c)
         if (cut >> c & 1)
             front.clip(planes_[c].origin, planes_[c].inward, error_);
-    return front.points().size() < 3 ? kInfinity : distance(polygon_, front);
+    if (front.points().size() < 3)
+        return kInfinity;
+    return distance(ConvexPolygon(corners_, scaled_normal(maps_.mesh, face_)), front);
 }
 
 double FaceSurroundings::distance_in_front(unsigned edges, const NearbyFaces& nearby,

@@ -2,7 +2,6 @@
 
 #include "preprocess/partition/face_tree.h"
 #include "preprocess/partition/nearby_faces.h"
-#include "preprocess/partition/polygon_distance.h"
 #include "preprocess/partition/share_maps.h"
 
 namespace hipmap {
@@ -27,7 +26,6 @@ class FaceSurroundings {
   public:
     FaceSurroundings(const MapTree& maps, FaceId face, double error);
 
-    FaceId face() const { return face_; }
     const std::array<EdgePlane, 3>& planes() const { return planes_; }
 
     /// Largest height over the nearest of the chosen planes, of any point of the face.
@@ -49,7 +47,7 @@ class FaceSurroundings {
     FaceId face_;
     MapId map_;
     double error_;
-    ConvexPolygon polygon_;
+    std::array<glm::dvec3, 3> corners_;
     std::array<EdgePlane, 3> planes_;
 };
 

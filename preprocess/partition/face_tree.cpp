@@ -9,7 +9,7 @@
 namespace hipmap {
 namespace {
 
-constexpr std::uint64_t kLeafSize = 8;
+constexpr std::uint64_t kLeafSize = 16;
 
 /// A node of fewer faces is built by one thread.
 constexpr std::uint32_t kTaskSize = 4096;
@@ -68,21 +68,6 @@ FaceTree::FaceTree(const TriangleMesh& mesh, std::span<const FaceId> faces)
                     faces[i]};
     });
     build(mesh, items, root());
-}
-
-FaceTree::Range FaceTree::node_at(std::uint32_t depth, std::uint64_t index) const
-{
-    const std::uint64_t count = faces_.size();
-    return {static_cast<std::uint32_t>((std::uint64_t{1} << depth) - 1 + index),
-            static_cast<std::uint32_t>(index * count >> depth),
-            static_cast<std::uint32_t>((index + 1) * count >> depth)};
-}
-
-std::array<FaceTree::Range, 2> FaceTree::children(const Range& range) const
-{
-    const std::uint32_t depth = static_cast<std::uint32_t>(std::bit_width(range.node + 1));
-    const std::uint64_t index = 2 * (range.node + 1 - (std::uint64_t{1} << (depth - 1)));
-    return {node_at(depth, index), node_at(depth, index + 1)};
 }
 
 void FaceTree::build(const TriangleMesh& mesh, std::span<Item> items, const Range& range)

@@ -4,6 +4,7 @@
 #include "common/scene/mesh.h"
 
 #include <array>
+#include <bit>
 #include <span>
 
 namespace hipmap {
@@ -25,14 +26,22 @@ class FaceTree {
     };
 
     /// Halves the faces of each node along its longest axis.  The same faces give the same tree.
-    /// O(n log n), parallel; 24 bytes a node, less than a node a face.
+    /// O(n log n), parallel; 24 bytes a node, at most one node to four faces.
     FaceTree(const TriangleMesh& mesh, std::span<const FaceId> faces);
 
     /// Of no faces if there are none, then without a box.
     Range root() const { return {0, 0, static_cast<std::uint32_t>(faces_.size())}; }
     bool is_leaf(const Range& range) const { return range.node >= leaf_count() - 1; }
     /// The halves of a node that is no leaf.
-    std::array<Range, 2> children(const Range& range) const;
+    std::array<Range, 2> children(const Range& range) const
+    {
+        const auto child_depth = static_cast<std::uint32_t>(std::bit_width(range.node + 1));
+        const std::uint64_t right =
+            2 * std::uint64_t{range.node} + 2 - ((std::uint64_t{1} << child_depth) - 1);
+        const std::uint32_t middle = node_at(child_depth, right).begin;
+        return {Range{2 * range.node + 1, range.begin, middle},
+                Range{2 * range.node + 2, middle, range.end}};
+    }
     const Bounds<glm::vec3>& box(const Range& range) const { return boxes_[range.node]; }
     std::span<const FaceId> faces(const Range& range) const
     {
@@ -78,7 +87,13 @@ class FaceTree {
   private:
     struct Item;
 
-    Range node_at(std::uint32_t depth, std::uint64_t index) const;
+    Range node_at(std::uint32_t depth, std::uint64_t index) const
+    {
+        const std::uint64_t count = faces_.size();
+        return {static_cast<std::uint32_t>((std::uint64_t{1} << depth) - 1 + index),
+                static_cast<std::uint32_t>(index * count >> depth),
+                static_cast<std::uint32_t>((index + 1) * count >> depth)};
+    }
     void build(const TriangleMesh& mesh, std::span<Item> items, const Range& range);
 
     std::vector<FaceId> faces_;
