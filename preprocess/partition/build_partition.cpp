@@ -52,33 +52,31 @@ void measure_maps(PartitionSummary& summary, const Partition& partition, const T
     }
 }
 
-/// Joins maps that go on across seams.
+/// Joins maps that go on across seams; returns how many were joined to another.
 /// Changes edges.flipped and maps; fills bridged_edges of `out`, and contacts with what is open.
-void join_seams(const TriangleMesh& mesh, HalfEdges& edges, const EdgeClasses& classes,
-                SharedMaps& maps, const FaceTree& tree, Partition& out)
+std::uint32_t join_seams(const TriangleMesh& mesh, HalfEdges& edges, const EdgeClasses& classes,
+                         SharedMaps& maps, const FaceTree& tree, Partition& out)
 {
     Seams seams = find_seams(mesh, edges, classes.edge_class, maps, tree, out.position_error);
     for (FaceId face = 0; face < mesh.face_count(); ++face)
         if (maps.map_of_face[face] != kNone)
             edges.flipped[face] ^= seams.turned[maps.map_of_face[face]];
+    const std::uint32_t joined = maps.count - seams.maps.count;
     maps = std::move(seams.maps);
     out.bridged_edges = std::move(seams.bridged_edges);
     out.contacts = std::move(seams.open_parts);
+    return joined;
 }
 
-/// Joins maps at seams, if asked, and finds the boundaries that are no edges; returns how many.
-std::size_t add_contacts(const TriangleMesh& mesh, HalfEdges& edges, const EdgeClasses& classes,
-                         SharedMaps& maps, const FaceTree& tree, bool join, Partition& out)
+/// Adds the boundaries that are no edges to those that are open at seams; returns how many.
+std::size_t add_contacts(const ContactScene& scene, const FaceTree& tree,
+                         std::span<const float> clearance, std::vector<MapContact>& contacts)
 {
-    if (join)
-        join_seams(mesh, edges, classes, maps, tree, out);
-    const std::vector<MapContact> found =
-        find_contacts({mesh, classes.edge_class, edges.opposite, maps.map_of_face,
-                       out.bridged_edges, out.position_error},
-                      tree);
-    out.contacts.insert(out.contacts.end(), found.begin(), found.end());
-    sort_contacts(out.contacts);
-    return out.contacts.size();
+    for (const std::vector<MapContact>& found :
+         {find_contacts(scene, tree), find_own_contacts(scene, tree, clearance)})
+        contacts.insert(contacts.end(), found.begin(), found.end());
+    sort_contacts(contacts);
+    return contacts.size();
 }
 
 FaceTree tree_of_maps(const TriangleMesh& mesh, const SharedMaps& maps)
@@ -113,19 +111,26 @@ PartitionResult build_partition(const Scene& scene, const PartitionOptions& opti
     });
     SharedMaps maps =
         timed("share maps", [&] { return share_maps(classes.edge_class, edges.opposite); });
-    const std::uint32_t maps_by_edges = maps.count;
     out.position_error = position_error_of(mesh);
     // Faces in one plane differ by less than any threshold but none.
     const bool join = options.split == SplitBy::normals || options.angle_threshold > kAngleBand;
     const FaceTree tree = timed("build tree", [&] { return tree_of_maps(mesh, maps); });
-    timed("find contacts",
-          [&] { return add_contacts(mesh, edges, classes, maps, tree, join, out); });
+    summary.joined_maps = timed(
+        "join seams", [&] { return join ? join_seams(mesh, edges, classes, maps, tree, out) : 0; });
     LocalCandidates locals = timed("find local candidates", [&] {
         return find_local_candidates(mesh, classes.edge_class, maps);
     });
-
     Clearances clearances = timed("find clearances", [&] {
         return find_clearances(mesh, classes.edge_class, maps, tree, out.position_error);
+    });
+    const ContactScene contact_scene{mesh,
+                                     classes.edge_class,
+                                     edges.opposite,
+                                     maps.map_of_face,
+                                     out.bridged_edges,
+                                     out.position_error};
+    summary.contacts = timed("find contacts", [&] {
+        return add_contacts(contact_scene, tree, clearances.clearance, out.contacts);
     });
 
     out.angle_threshold = options.angle_threshold;
@@ -145,9 +150,7 @@ PartitionResult build_partition(const Scene& scene, const PartitionOptions& opti
     summary.welded_vertices = weld.count;
     summary.edges_in_band = classes.edges_in_band;
     summary.defects = edges.defects;
-    summary.joined_maps = maps_by_edges - out.map_count;
     summary.bridged_edges = out.bridged_edges.size();
-    summary.contacts = out.contacts.size();
     summary.candidates = static_cast<std::size_t>(std::ranges::count(out.candidate, 1));
     summary.closed_faces = static_cast<std::size_t>(std::ranges::count(out.closed, 1));
     count_edges(summary, out);

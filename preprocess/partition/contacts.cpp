@@ -88,7 +88,7 @@ class Standing {
         const MapId map = scene_.map_of_face[f_];
         const std::uint32_t twin = scene_.opposite[edge];
         const bool ends = is_boundary(scene_, edge);
-        const bool known = twin != kNone && scene_.map_of_face[twin / 3] == map;
+        const bool known = own == map || (twin != kNone && scene_.map_of_face[twin / 3] == map);
         const unsigned along = edges_along(shape_, line);
         bool along_end = false;
         for (std::uint32_t side = 0; side < 3; ++side)
@@ -108,15 +108,49 @@ class Standing {
     bool flat_;
 };
 
+/// The contacts of pairs (f, g) of faces whose boxes meet, sorted: of those f that `starts(f)`, and
+/// those g that `wanted(f, g)` outside of the nodes that `skip(range, map of f)`.
+template <typename Starts, typename Skip, typename Wanted>
+std::vector<MapContact> contacts_of_pairs(const ContactScene& scene, const FaceTree& tree,
+                                          const Starts& starts, const Skip& skip,
+                                          const Wanted& wanted)
+{
+    tbb::enumerable_thread_specific<std::vector<MapContact>> found;
+    const auto face_count = static_cast<FaceId>(scene.mesh.face_count());
+    tbb::parallel_for(tbb::blocked_range<FaceId>(0, face_count), [&](const auto& faces) {
+        std::vector<MapContact>& mine = found.local();
+        for (FaceId f = faces.begin(); f < faces.end(); ++f) {
+            const MapId map = scene.map_of_face[f];
+            if (map == kNone || !starts(f))
+                continue;
+            Bounds<glm::vec3> box = face_box(scene.mesh, f);
+            box.low = glm::vec3(glm::dvec3(box.low) - 4 * scene.error);
+            box.high = glm::vec3(glm::dvec3(box.high) + 4 * scene.error);
+            tree.visit(
+                box, [&](const FaceTree::Range& range) { return skip(range, map); },
+                [&](FaceId g) {
+                    if (wanted(f, g) && meet(box, face_box(scene.mesh, g)))
+                        append_contacts(scene, std::min(f, g), std::max(f, g), mine);
+                });
+        }
+    });
+    std::vector<MapContact> out;
+    for (const std::vector<MapContact>& some : found)
+        out.insert(out.end(), some.begin(), some.end());
+    sort_contacts(out);
+    return out;
+}
+
 } // namespace
 
 void append_contacts(const ContactScene& scene, FaceId f, FaceId g, std::vector<MapContact>& out)
 {
-    if (scene.map_of_face[f] == scene.map_of_face[g])
-        return;
+    const bool one_map = scene.map_of_face[f] == scene.map_of_face[g];
     const ContactFace shape_f(scene.mesh, f, scene.error);
     const ContactFace shape_g(scene.mesh, g, scene.error);
-    if (shape_f.too_thin() || shape_g.too_thin() || shared_corners(shape_f, shape_g) > 1)
+    if (shape_f.too_thin() || shape_g.too_thin() ||
+        shared_corners(shape_f, shape_g) > (one_map ? 0 : 1) ||
+        (one_map && parallel(shape_f, shape_g)))
         return;
     const double standing = std::max(Standing(scene, f, shape_f, g, shape_g).append(out),
                                      Standing(scene, g, shape_g, f, shape_f).append(out));
@@ -135,31 +169,29 @@ void sort_contacts(std::vector<MapContact>& contacts)
 
 std::vector<MapContact> find_contacts(const ContactScene& scene, const FaceTree& tree)
 {
-    std::vector<MapContact> out;
-    const std::vector<MapId> map_of_node = tree.labels_of_nodes(scene.map_of_face);
-    tbb::enumerable_thread_specific<std::vector<MapContact>> found;
-    const auto face_count = static_cast<FaceId>(scene.mesh.face_count());
-    tbb::parallel_for(tbb::blocked_range<FaceId>(0, face_count), [&](const auto& faces) {
-        std::vector<MapContact>& mine = found.local();
-        for (FaceId f = faces.begin(); f < faces.end(); ++f) {
-            const MapId map = scene.map_of_face[f];
-            if (map == kNone)
-                continue;
-            Bounds<glm::vec3> box = face_box(scene.mesh, f);
-            box.low = glm::vec3(glm::dvec3(box.low) - 4 * scene.error);
-            box.high = glm::vec3(glm::dvec3(box.high) + 4 * scene.error);
-            tree.visit(
-                box, [&](const FaceTree::Range& range) { return map_of_node[range.node] == map; },
-                [&](FaceId g) {
-                    if (f < g && meet(box, face_box(scene.mesh, g)))
-                        append_contacts(scene, f, g, mine);
-                });
-        }
-    });
-    for (const std::vector<MapContact>& some : found)
-        out.insert(out.end(), some.begin(), some.end());
-    sort_contacts(out);
-    return out;
+    const auto& map_of_face = scene.map_of_face;
+    const std::vector<MapId> map_of_node = tree.labels_of_nodes(map_of_face);
+    return contacts_of_pairs(
+        scene, tree, [](FaceId) { return true; },
+        [&](const FaceTree::Range& range, MapId map) { return map_of_node[range.node] == map; },
+        [&](FaceId f, FaceId g) { return f < g && map_of_face[f] != map_of_face[g]; });
+}
+
+std::vector<MapContact> find_own_contacts(const ContactScene& scene, const FaceTree& tree,
+                                          std::span<const float> clearance)
+{
+    const auto& map_of_face = scene.map_of_face;
+    const std::vector<MapId> map_of_node = tree.labels_of_nodes(map_of_face);
+    // What stands on a face or cuts through it is in front of all of its planes.
+    const auto is_met = [&](FaceId face) { return clearance[face] <= scene.error; };
+    return contacts_of_pairs(
+        scene, tree, is_met,
+        [&](const FaceTree::Range& range, MapId map) {
+            return map_of_node[range.node] != map && map_of_node[range.node] != kNone;
+        },
+        [&](FaceId f, FaceId g) {
+            return (f < g || !is_met(g)) && map_of_face[f] == map_of_face[g];
+        });
 }
 
 } // namespace hipmap

@@ -14,17 +14,23 @@ struct ContactScene {
     double error = 0.0;                           ///< tolerance, scene units
 };
 
-/// Appends the boundary that two faces of different maps add to each other's map: where one's edge
-/// stands on the other, and where they cut through each other.  Nothing where that boundary is an
-/// edge of the map already, or where the faces share an edge.
+/// Appends the boundary that two faces add to their maps: where one's edge stands on the other, and
+/// where they cut through each other.  Nothing where that boundary is an edge of the map already,
+/// where faces of different maps share an edge, or where faces of one map share a vertex or are
+/// parallel.
 void append_contacts(const ContactScene& scene, FaceId f, FaceId g, std::vector<MapContact>& out);
 
 /// Orders contacts by map and place, and keeps one of equal ones.
 void sort_contacts(std::vector<MapContact>& contacts);
 
-/// The contacts of all pairs of faces, sorted, none twice.
+/// The contacts of all pairs of faces of different maps, sorted, none twice.
 /// tree: all faces but the degenerate ones.
 /// Near linear in faces and contacts, parallel; the same at any thread count.
 std::vector<MapContact> find_contacts(const ContactScene& scene, const FaceTree& tree);
+
+/// The same for all pairs of faces of one map.
+/// clearance: [F] as in Partition; only faces that have none need be looked at.
+std::vector<MapContact> find_own_contacts(const ContactScene& scene, const FaceTree& tree,
+                                          std::span<const float> clearance);
 
 } // namespace hipmap
