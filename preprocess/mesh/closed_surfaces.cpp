@@ -106,7 +106,7 @@ std::vector<std::uint8_t> find_closed_surfaces(const TriangleMesh& mesh, const W
     const std::vector<std::uint32_t> beyond = find_continuations(mesh, faces, groups, edges);
     DisjointSets sets(mesh.face_count());
     for (std::uint32_t edge = 0; edge < beyond.size(); ++edge)
-        if (beyond[edge] != kNone)
+        if (beyond[edge] != kNone && beyond[edge] > edge) // the other one says the same
             sets.unite(edge / 3, beyond[edge] / 3);
 
     std::vector<std::uint32_t> surface_of_face(mesh.face_count());

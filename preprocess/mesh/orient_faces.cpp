@@ -6,6 +6,12 @@
 namespace hipmap {
 namespace {
 
+/// Whether two faces are wound against each other on an edge that both have.
+bool same_direction(const WeldedFaces& faces, std::uint32_t edge, std::uint32_t twin)
+{
+    return faces.start(edge) == faces.start(twin);
+}
+
 std::vector<std::uint32_t> pair_edges(std::size_t edge_count, const EdgeGroups& groups)
 {
     std::vector<std::uint32_t> partner(edge_count, kNone);
@@ -57,7 +63,7 @@ class ComponentWalk {
             const std::uint32_t twin = out_.partner[edge];
             if (twin == kNone)
                 continue;
-            if (same_direction(edge, twin))
+            if (same_direction(faces_, edge, twin))
                 against_.push_back(edge);
             else
                 cross(edge);
@@ -70,7 +76,7 @@ class ComponentWalk {
         if (twin == kNone) // cut from its other side
             return;
         const std::uint8_t wanted =
-            out_.flipped[edge / 3] ^ std::uint8_t{same_direction(edge, twin)};
+            out_.flipped[edge / 3] ^ std::uint8_t{same_direction(faces_, edge, twin)};
         if (!seen_[twin / 3]) {
             seen_[twin / 3] = 1;
             out_.flipped[twin / 3] = wanted;
@@ -79,11 +85,6 @@ class ComponentWalk {
             out_.partner[edge] = out_.partner[twin] = kNone;
             ++out_.cut_edges;
         }
-    }
-
-    bool same_direction(std::uint32_t edge, std::uint32_t twin) const
-    {
-        return faces_.start(edge) == faces_.start(twin);
     }
 
     const WeldedFaces& faces_;
@@ -101,6 +102,11 @@ Orientation orient_faces(const TriangleMesh& mesh, const WeldedFaces& faces,
     Orientation out;
     out.flipped.assign(mesh.face_count(), 0);
     out.partner = pair_edges(3 * mesh.face_count(), groups);
+    bool wound_alike = true;
+    for (std::uint32_t edge = 0; edge < out.partner.size() && wound_alike; ++edge)
+        wound_alike = out.partner[edge] == kNone || !same_direction(faces, edge, out.partner[edge]);
+    if (wound_alike) // as most meshes are: a walk would turn nothing
+        return out;
     ComponentWalk component(faces, out);
     for (FaceId seed = 0; seed < mesh.face_count(); ++seed) {
         const std::span<const FaceId> members = component.walk(seed);
