@@ -65,7 +65,7 @@ EdgeClasses classify_edges(const TriangleMesh& mesh, const HalfEdges& edges, dou
     std::vector<std::uint8_t> in_band(edges.opposite.size());
     tbb::parallel_for(std::size_t{0}, edges.opposite.size(), [&](std::size_t edge) {
         const std::uint32_t twin = edges.opposite[edge];
-        if (twin == kNone)
+        if (twin == kNone || twin < edge) // both halves of an edge are alike
             return;
         if (by != SplitBy::angle) {
             const std::optional<bool> split =
@@ -73,19 +73,18 @@ EdgeClasses classify_edges(const TriangleMesh& mesh, const HalfEdges& edges, dou
             if (split && *split)
                 return;
             if (split && by == SplitBy::normals) {
-                out.edge_class[edge] = EdgeClass::connected;
+                out.edge_class[edge] = out.edge_class[twin] = EdgeClass::connected;
                 return;
             }
         }
         const glm::dvec3 n1 = outward_normal(mesh, edges, static_cast<FaceId>(edge / 3));
         const glm::dvec3 n2 = outward_normal(mesh, edges, twin / 3);
-        // Both halves of an edge must round alike, and the products of dot and of the lengths do.
         const double dot = glm::dot(n1, n2);
         const double lengths = glm::length(n1) * glm::length(n2);
         if (dot > test.above * lengths)
-            out.edge_class[edge] = EdgeClass::connected;
+            out.edge_class[edge] = out.edge_class[twin] = EdgeClass::connected;
         else
-            in_band[edge] = edge < twin && dot >= test.below * lengths;
+            in_band[edge] = dot >= test.below * lengths;
     });
     out.edges_in_band = static_cast<std::size_t>(std::ranges::count(in_band, 1));
     return out;
