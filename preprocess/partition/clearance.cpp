@@ -27,18 +27,26 @@ struct FaceClearance {
     double clearance = 0.0;
 };
 
+/// A face of a leaf.
+struct Member {
+    FaceSurroundings around;
+    unsigned connected; ///< edges
+    double height;      ///< over their planes: the largest bound there can be
+};
+
 /// The set of edges, of those with all connected ones, with the largest limiting radius.
 /// distance(edges, bound): as FaceSurroundings::distance_in_front.
 template <typename Distance>
-FaceClearance choose_edges(const FaceSurroundings& around, unsigned connected, double error,
-                           const Distance& distance)
+FaceClearance choose_edges(const Member& face, double error, const Distance& distance)
 {
     FaceClearance chosen;
     double best = 0;
     for (const unsigned edges : kEdgeSets) {
-        if ((edges & connected) != connected) // what lies across such an edge touches the face
+        if ((edges & face.connected) !=
+            face.connected) // what lies across such an edge touches the face
             continue;
-        const double height = around.largest_height(edges);
+        const double height =
+            edges == face.connected ? face.height : face.around.largest_height(edges);
         if (!(height - 2 * error > best)) // or not a number: a face too small for double
             continue;
         const double clearance = std::max(0.0, distance(edges, height) - 2 * error);
@@ -63,12 +71,6 @@ class LeafClearances {
     void find(const FaceTree::Range& leaf, Clearances& out);
 
   private:
-    struct Member {
-        FaceSurroundings around;
-        unsigned connected;
-        double height; ///< the largest bound there can be
-    };
-
     void add_member(FaceId face);
     /// Gathers what is within `radius` of the leaf.  Returns false if that is too much.
     bool gather(const FaceTree::Range& leaf, double radius);
@@ -111,11 +113,11 @@ FaceClearance LeafClearances::clearance_of(const Member& member, bool gathered_a
 {
     const FaceSurroundings& around = member.around;
     if (!gathered_all)
-        return choose_edges(around, member.connected, error_, [&](unsigned edges, double bound) {
+        return choose_edges(member, error_, [&](unsigned edges, double bound) {
             return around.distance_in_front(edges, bound);
         });
     nearby_.sort_out(around.planes(), error_);
-    return choose_edges(around, member.connected, error_, [&](unsigned edges, double bound) {
+    return choose_edges(member, error_, [&](unsigned edges, double bound) {
         return around.distance_in_front(edges, nearby_, bound);
     });
 }
