@@ -17,7 +17,7 @@ void print_summary(const PartitionSummary& summary, double angle_deg, Report& re
 {
     for (const std::string& sentence : describe(summary, angle_deg))
         report.line(sentence);
-    for (const std::string& sentence : describe_defects(summary.defects))
+    for (const std::string& sentence : describe_defects(summary))
         report.warn(sentence);
 }
 

@@ -66,8 +66,9 @@ std::vector<std::string> describe(const PartitionSummary& summary, double angle_
     return lines;
 }
 
-std::vector<std::string> describe_defects(const MeshDefects& defects)
+std::vector<std::string> describe_defects(const PartitionSummary& summary)
 {
+    const MeshDefects& defects = summary.defects;
     std::vector<std::string> lines;
     if (defects.degenerate_faces > 0)
         lines.push_back(counted(defects.degenerate_faces, "face") +
@@ -84,6 +85,10 @@ std::vector<std::string> describe_defects(const MeshDefects& defects)
     if (defects.refused_faces > 0)
         lines.push_back(counted(defects.refused_faces, "face") +
                         " that no half-edge mesh can hold: kept, without neighbours");
+    if (summary.given_up > 0)
+        lines.push_back(
+            counted(summary.given_up, "time") +
+            " a face or edge met too many faces to look at all: boundaries may be missing there");
     return lines;
 }
 
@@ -111,6 +116,7 @@ std::string summary_json(const PreprocessArguments& arguments, const SceneFrame&
     json["joined_maps"] = summary.joined_maps;
     json["bridged_edges"] = summary.bridged_edges;
     json["contacts"] = summary.contacts;
+    json["given_up"] = summary.given_up;
     json["candidates"] = summary.candidates;
     json["shared_maps"] = summary.maps.size();
     json["maps"] = nlohmann::ordered_json::array();

@@ -13,7 +13,7 @@ namespace hipmap {
 std::vector<std::string> describe(const PartitionSummary& summary, double angle_deg);
 
 /// What was wrong with the mesh and what was done about it, as sentences; empty if nothing was.
-std::vector<std::string> describe_defects(const MeshDefects& defects);
+std::vector<std::string> describe_defects(const PartitionSummary& summary);
 
 /// The same and more as JSON text; docs/partition_file.md.  Lengths in metres, areas in m2.
 std::string summary_json(const PreprocessArguments& arguments, const SceneFrame& frame,

@@ -52,31 +52,34 @@ void measure_maps(PartitionSummary& summary, const Partition& partition, const T
     }
 }
 
-/// Joins maps that go on across seams; returns how many were joined to another.
+/// Joins maps that go on across seams; returns the edges given up on the way.
 /// Changes edges.flipped and maps; fills bridged_edges of `out`, and contacts with what is open.
-std::uint32_t join_seams(const TriangleMesh& mesh, HalfEdges& edges, const EdgeClasses& classes,
-                         SharedMaps& maps, const FaceTree& tree, Partition& out)
+std::size_t join_seams(const TriangleMesh& mesh, HalfEdges& edges, const EdgeClasses& classes,
+                       SharedMaps& maps, const FaceTree& tree, Partition& out)
 {
     Seams seams = find_seams(mesh, edges, classes.edge_class, maps, tree, out.position_error);
     for (FaceId face = 0; face < mesh.face_count(); ++face)
         if (maps.map_of_face[face] != kNone)
             edges.flipped[face] ^= seams.turned[maps.map_of_face[face]];
-    const std::uint32_t joined = maps.count - seams.maps.count;
     maps = std::move(seams.maps);
     out.bridged_edges = std::move(seams.bridged_edges);
     out.contacts = std::move(seams.open_parts);
-    return joined;
+    return seams.given_up;
 }
 
-/// Adds the boundaries that are no edges to those that are open at seams; returns how many.
+/// Adds the boundaries that are no edges to those that are open at seams; returns the faces given
+/// up on the way.
 std::size_t add_contacts(const ContactScene& scene, const FaceTree& tree,
                          std::span<const float> clearance, std::vector<MapContact>& contacts)
 {
-    for (const std::vector<MapContact>& found :
-         {find_contacts(scene, tree), find_own_contacts(scene, tree, clearance)})
-        contacts.insert(contacts.end(), found.begin(), found.end());
+    std::size_t given_up = 0;
+    for (const FoundContacts& found :
+         {find_contacts(scene, tree), find_own_contacts(scene, tree, clearance)}) {
+        contacts.insert(contacts.end(), found.contacts.begin(), found.contacts.end());
+        given_up += found.given_up;
+    }
     sort_contacts(contacts);
-    return contacts.size();
+    return given_up;
 }
 
 FaceTree tree_of_maps(const TriangleMesh& mesh, const SharedMaps& maps)
@@ -115,8 +118,10 @@ PartitionResult build_partition(const Scene& scene, const PartitionOptions& opti
     // Faces in one plane differ by less than any threshold but none.
     const bool join = options.split == SplitBy::normals || options.angle_threshold > kAngleBand;
     const FaceTree tree = timed("build tree", [&] { return tree_of_maps(mesh, maps); });
-    summary.joined_maps = timed(
+    const std::uint32_t maps_by_edges = maps.count;
+    summary.given_up = timed(
         "join seams", [&] { return join ? join_seams(mesh, edges, classes, maps, tree, out) : 0; });
+    summary.joined_maps = maps_by_edges - maps.count;
     LocalCandidates locals = timed("find local candidates", [&] {
         return find_local_candidates(mesh, classes.edge_class, maps);
     });
@@ -129,7 +134,7 @@ PartitionResult build_partition(const Scene& scene, const PartitionOptions& opti
                                      maps.map_of_face,
                                      out.bridged_edges,
                                      out.position_error};
-    summary.contacts = timed("find contacts", [&] {
+    summary.given_up += timed("find contacts", [&] {
         return add_contacts(contact_scene, tree, clearances.clearance, out.contacts);
     });
 
@@ -150,6 +155,7 @@ PartitionResult build_partition(const Scene& scene, const PartitionOptions& opti
     summary.welded_vertices = weld.count;
     summary.edges_in_band = classes.edges_in_band;
     summary.defects = edges.defects;
+    summary.contacts = out.contacts.size();
     summary.bridged_edges = out.bridged_edges.size();
     summary.candidates = static_cast<std::size_t>(std::ranges::count(out.candidate, 1));
     summary.closed_faces = static_cast<std::size_t>(std::ranges::count(out.closed, 1));

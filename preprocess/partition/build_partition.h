@@ -39,6 +39,7 @@ struct PartitionSummary {
     std::size_t joined_maps = 0;        ///< that a seam joined to another one
     std::size_t bridged_edges = 0;      ///< edges without a neighbour beyond which a map goes on
     std::size_t contacts = 0;           ///< pieces of boundary where one surface stands on another
+    std::size_t given_up = 0;           ///< faces and edges that meet too many faces to look at all
     std::size_t candidates = 0;
     std::size_t closed_faces = 0;
     std::vector<Map> maps; ///< by id

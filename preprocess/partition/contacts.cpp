@@ -13,6 +13,9 @@
 namespace hipmap {
 namespace {
 
+/// More faces than this that meet one are not looked at: a bound for files made to have too many.
+constexpr int kMostPairs = 1024;
+
 bool precedes(const MapContact& l, const MapContact& r)
 {
     const auto key = [](const MapContact& c) {
@@ -108,36 +111,59 @@ class Standing {
     bool flat_;
 };
 
+/// A face with its box.
+struct BoxedFace {
+    FaceId face;
+    Bounds<glm::vec3> box;
+};
+
+/// Whether a pair of faces is looked at from `f`: from the smaller one, as a floor may meet any
+/// number of small things, but few large ones meet a small one.
+bool is_smaller(const BoxedFace& f, const BoxedFace& g)
+{
+    const glm::vec3 extent_f = f.box.extent(), extent_g = g.box.extent();
+    const float size_f = glm::dot(extent_f, extent_f), size_g = glm::dot(extent_g, extent_g);
+    return size_f < size_g || (size_f == size_g && f.face < g.face);
+}
+
 /// The contacts of pairs (f, g) of faces whose boxes meet, sorted: of those f that `starts(f)`, and
 /// those g that `wanted(f, g)` outside of the nodes that `skip(range, map of f)`.
 template <typename Starts, typename Skip, typename Wanted>
-std::vector<MapContact> contacts_of_pairs(const ContactScene& scene, const FaceTree& tree,
-                                          const Starts& starts, const Skip& skip,
-                                          const Wanted& wanted)
+FoundContacts contacts_of_pairs(const ContactScene& scene, const FaceTree& tree,
+                                const Starts& starts, const Skip& skip, const Wanted& wanted)
 {
-    tbb::enumerable_thread_specific<std::vector<MapContact>> found;
+    tbb::enumerable_thread_specific<FoundContacts> found;
     const auto face_count = static_cast<FaceId>(scene.mesh.face_count());
     tbb::parallel_for(tbb::blocked_range<FaceId>(0, face_count), [&](const auto& faces) {
-        std::vector<MapContact>& mine = found.local();
+        FoundContacts& mine = found.local();
         for (FaceId f = faces.begin(); f < faces.end(); ++f) {
             const MapId map = scene.map_of_face[f];
             if (map == kNone || !starts(f))
                 continue;
-            Bounds<glm::vec3> box = face_box(scene.mesh, f);
+            const BoxedFace own{f, face_box(scene.mesh, f)};
+            Bounds<glm::vec3> box = own.box;
             box.low = glm::vec3(glm::dvec3(box.low) - 4 * scene.error);
             box.high = glm::vec3(glm::dvec3(box.high) + 4 * scene.error);
+            int pairs = 0;
             tree.visit(
-                box, [&](const FaceTree::Range& range) { return skip(range, map); },
+                box,
+                [&](const FaceTree::Range& range) {
+                    return pairs > kMostPairs || skip(range, map);
+                },
                 [&](FaceId g) {
-                    if (wanted(f, g) && meet(box, face_box(scene.mesh, g)))
-                        append_contacts(scene, std::min(f, g), std::max(f, g), mine);
+                    const BoxedFace other{g, face_box(scene.mesh, g)};
+                    if (meet(box, other.box) && wanted(own, other) && ++pairs <= kMostPairs)
+                        append_contacts(scene, std::min(f, g), std::max(f, g), mine.contacts);
                 });
+            mine.given_up += pairs > kMostPairs;
         }
     });
-    std::vector<MapContact> out;
-    for (const std::vector<MapContact>& some : found)
-        out.insert(out.end(), some.begin(), some.end());
-    sort_contacts(out);
+    FoundContacts out;
+    for (const FoundContacts& some : found) {
+        out.contacts.insert(out.contacts.end(), some.contacts.begin(), some.contacts.end());
+        out.given_up += some.given_up;
+    }
+    sort_contacts(out.contacts);
     return out;
 }
 
@@ -154,9 +180,11 @@ void append_contacts(const ContactScene& scene, FaceId f, FaceId g, std::vector<
         return;
     const double standing = std::max(Standing(scene, f, shape_f, g, shape_g).append(out),
                                      Standing(scene, g, shape_g, f, shape_f).append(out));
-    const std::optional<ContactLine> line = crossing(shape_f, shape_g);
+    std::optional<ContactLine> line = crossing(shape_f, shape_g);
     if (!line || standing > 0.5 * glm::length(line->b - line->a))
         return;
+    if (before(line->b, line->a)) // so that a face coincident with one of them gives the same
+        std::swap(line->a, line->b);
     for (const FaceId face : {f, g})
         out.push_back({scene.map_of_face[face], glm::vec3(line->a), glm::vec3(line->b)});
 }
@@ -167,18 +195,20 @@ void sort_contacts(std::vector<MapContact>& contacts)
     contacts.erase(std::unique(contacts.begin(), contacts.end()), contacts.end());
 }
 
-std::vector<MapContact> find_contacts(const ContactScene& scene, const FaceTree& tree)
+FoundContacts find_contacts(const ContactScene& scene, const FaceTree& tree)
 {
     const auto& map_of_face = scene.map_of_face;
     const std::vector<MapId> map_of_node = tree.labels_of_nodes(map_of_face);
     return contacts_of_pairs(
         scene, tree, [](FaceId) { return true; },
         [&](const FaceTree::Range& range, MapId map) { return map_of_node[range.node] == map; },
-        [&](FaceId f, FaceId g) { return f < g && map_of_face[f] != map_of_face[g]; });
+        [&](const BoxedFace& f, const BoxedFace& g) {
+            return map_of_face[f.face] != map_of_face[g.face] && is_smaller(f, g);
+        });
 }
 
-std::vector<MapContact> find_own_contacts(const ContactScene& scene, const FaceTree& tree,
-                                          std::span<const float> clearance)
+FoundContacts find_own_contacts(const ContactScene& scene, const FaceTree& tree,
+                                std::span<const float> clearance)
 {
     const auto& map_of_face = scene.map_of_face;
     const std::vector<MapId> map_of_node = tree.labels_of_nodes(map_of_face);
@@ -189,8 +219,9 @@ std::vector<MapContact> find_own_contacts(const ContactScene& scene, const FaceT
         [&](const FaceTree::Range& range, MapId map) {
             return map_of_node[range.node] != map && map_of_node[range.node] != kNone;
         },
-        [&](FaceId f, FaceId g) {
-            return (f < g || !is_met(g)) && map_of_face[f] == map_of_face[g];
+        [&](const BoxedFace& f, const BoxedFace& g) {
+            return f.face != g.face && map_of_face[f.face] == map_of_face[g.face] &&
+                   (!is_met(g.face) || is_smaller(f, g));
         });
 }
 

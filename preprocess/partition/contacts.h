@@ -23,14 +23,19 @@ void append_contacts(const ContactScene& scene, FaceId f, FaceId g, std::vector<
 /// Orders contacts by map and place, and keeps one of equal ones.
 void sort_contacts(std::vector<MapContact>& contacts);
 
-/// The contacts of all pairs of faces of different maps, sorted, none twice.
+struct FoundContacts {
+    std::vector<MapContact> contacts; ///< sorted, none twice
+    std::size_t given_up = 0;         ///< faces that meet too many larger ones to look at all
+};
+
+/// The contacts of all pairs of faces of different maps.
 /// tree: all faces but the degenerate ones.
 /// Near linear in faces and contacts, parallel; the same at any thread count.
-std::vector<MapContact> find_contacts(const ContactScene& scene, const FaceTree& tree);
+FoundContacts find_contacts(const ContactScene& scene, const FaceTree& tree);
 
 /// The same for all pairs of faces of one map.
 /// clearance: [F] as in Partition; only faces that have none need be looked at.
-std::vector<MapContact> find_own_contacts(const ContactScene& scene, const FaceTree& tree,
-                                          std::span<const float> clearance);
+FoundContacts find_own_contacts(const ContactScene& scene, const FaceTree& tree,
+                                std::span<const float> clearance);
 
 } // namespace hipmap

@@ -9,11 +9,45 @@
 namespace hipmap {
 namespace {
 
+/// More faces than this near an edge are not looked at: a bound for files made to have too many.
+constexpr int kMostLookedAt = 1024;
+
+/// More faces than this that touch an edge join nothing more: enough to hold a stack together.
+constexpr std::size_t kMostTouches = 256;
+
+/// Edges whose touches are held at a time.
+constexpr std::size_t kEdgesAtOnce = 1 << 14;
+
 /// A face that touches an edge from within its plane.
 struct Touch {
     FaceId face = kNone;
     std::optional<Interval> beyond; ///< of the edge, where the face goes on on its other side
 };
+
+struct Touches {
+    std::vector<Touch> of; ///< by face
+    bool given_up = false; ///< there may be more
+};
+
+/// Whether a segment comes into a box; a margin of `error` covers rounding.
+bool passes(const Bounds<glm::vec3>& box, const glm::dvec3& a, const glm::dvec3& b, double error)
+{
+    const glm::dvec3 along = b - a;
+    double begin = 0, end = 1;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double low = box.low[axis] - error - a[axis];
+        const double high = box.high[axis] + error - a[axis];
+        if (along[axis] == 0) {
+            if (low > 0 || high < 0)
+                return false;
+            continue;
+        }
+        const double t0 = low / along[axis], t1 = high / along[axis];
+        begin = std::max(begin, std::min(t0, t1));
+        end = std::min(end, std::max(t0, t1));
+    }
+    return begin <= end;
+}
 
 /// Union-find over maps that also keeps which must be turned over against which.
 class TurningSets {
@@ -71,7 +105,7 @@ class SeamSearch {
         return classes_[edge] == EdgeClass::border || classes_[edge] == EdgeClass::non_manifold;
     }
 
-    std::vector<Touch> touches_of(std::uint32_t edge) const;
+    Touches touches_of(std::uint32_t edge) const;
 
     glm::dvec3 start(std::uint32_t edge) const { return corner(edge / 3, edge % 3); }
     glm::dvec3 end(std::uint32_t edge) const { return corner(edge / 3, (edge % 3 + 1) % 3); }
@@ -96,9 +130,9 @@ class SeamSearch {
     double error_;
 };
 
-std::vector<Touch> SeamSearch::touches_of(std::uint32_t edge) const
+Touches SeamSearch::touches_of(std::uint32_t edge) const
 {
-    std::vector<Touch> touches;
+    Touches touches;
     const FaceId face = edge / 3;
     const ContactFace own(mesh_, face, error_);
     if (own.too_thin())
@@ -112,9 +146,11 @@ std::vector<Touch> SeamSearch::touches_of(std::uint32_t edge) const
         box.add(glm::vec3(p + 4 * error_));
     }
     bool crossed = false;
+    int looked_at = 0;
     const auto look_at = [&](FaceId other) {
-        if (other == face || crossed)
+        if (other == face || crossed || touches.given_up)
             return;
+        touches.given_up = ++looked_at > kMostLookedAt || touches.of.size() >= kMostTouches;
         const ContactFace there(mesh_, other, error_);
         const bool same_plane = !there.too_thin() && parallel(own, there);
         if (!same_plane) {
@@ -122,13 +158,15 @@ std::vector<Touch> SeamSearch::touches_of(std::uint32_t edge) const
             return;
         }
         if (glm::dot(own.normal, there.normal) > 0 && there.part_on(a, b))
-            touches.push_back({other, there.part_on(a + outward, b + outward)});
+            touches.of.push_back({other, there.part_on(a + outward, b + outward)});
     };
-    tree_.visit(
-        box, [](const FaceTree::Range&) { return false; }, look_at);
+    const auto skip = [&](const FaceTree::Range& range) {
+        return touches.given_up || !passes(tree_.box(range), a, b, 4 * error_);
+    };
+    tree_.visit(box, skip, look_at);
     if (crossed)
-        touches.clear();
-    std::ranges::sort(touches, {}, &Touch::face);
+        touches.of.clear();
+    std::ranges::sort(touches.of, {}, &Touch::face);
     return touches;
 }
 
@@ -163,6 +201,33 @@ SharedMaps renumber(const SharedMaps& maps, TurningSets& sets)
     return out;
 }
 
+/// Joins the map of a face with those that touch one of its edges; returns which parts of the edge
+/// the joined maps cover.
+std::vector<Interval> join_across(FaceId face, std::span<const Touch> touches,
+                                  std::span<const std::uint8_t> flipped, const SharedMaps& maps,
+                                  TurningSets& sets)
+{
+    std::vector<Interval> covered;
+    for (const Touch& touch : touches) {
+        const std::uint8_t turn = flipped[face] ^ flipped[touch.face];
+        if (sets.unite(maps.map_of_face[face], maps.map_of_face[touch.face], turn) && touch.beyond)
+            covered.push_back(*touch.beyond);
+    }
+    return covered;
+}
+
+/// Notes a bridged edge and what is open of it, as contacts of its face instead of a map.
+void bridge(const SeamSearch& search, std::uint32_t edge, const std::vector<Interval>& covered,
+            double error, Seams& out)
+{
+    out.bridged_edges.push_back(edge);
+    const glm::dvec3 a = search.start(edge);
+    const glm::dvec3 along = search.end(edge) - a;
+    for (const Interval& part : uncovered(covered, 64 * error / glm::length(along)))
+        out.open_parts.push_back(
+            {edge / 3, glm::vec3(a + part.begin * along), glm::vec3(a + part.end * along)});
+}
+
 } // namespace
 
 Seams find_seams(const TriangleMesh& mesh, const HalfEdges& edges,
@@ -174,35 +239,27 @@ Seams find_seams(const TriangleMesh& mesh, const HalfEdges& edges,
     for (std::uint32_t edge = 0; edge < classes.size(); ++edge)
         if (search.may_go_on(edge))
             ends.push_back(edge);
-    std::vector<std::vector<Touch>> touches(ends.size());
-    tbb::parallel_for(std::size_t{0}, ends.size(),
-                      [&](std::size_t i) { touches[i] = search.touches_of(ends[i]); });
-
     Seams out;
     TurningSets sets(maps.count);
-    std::vector<std::vector<Interval>> covered(ends.size());
-    for (std::size_t i = 0; i < ends.size(); ++i)
-        for (const Touch& touch : touches[i]) {
-            const FaceId face = ends[i] / 3;
-            const std::uint8_t turn = edges.flipped[face] ^ edges.flipped[touch.face];
-            if (sets.unite(maps.map_of_face[face], maps.map_of_face[touch.face], turn) &&
-                touch.beyond)
-                covered[i].push_back(*touch.beyond);
+    std::vector<Touches> touches(kEdgesAtOnce);
+    for (std::size_t first = 0; first < ends.size(); first += kEdgesAtOnce) {
+        const std::size_t count = std::min(kEdgesAtOnce, ends.size() - first);
+        tbb::parallel_for(std::size_t{0}, count,
+                          [&](std::size_t i) { touches[i] = search.touches_of(ends[first + i]); });
+        for (std::size_t i = 0; i < count; ++i) {
+            const std::uint32_t edge = ends[first + i];
+            const std::vector<Interval> covered =
+                join_across(edge / 3, touches[i].of, edges.flipped, maps, sets);
+            if (!covered.empty() && classes[edge] != EdgeClass::unconnected)
+                bridge(search, edge, covered, error, out);
+            out.given_up += touches[i].given_up;
         }
+    }
     out.maps = renumber(maps, sets);
     for (MapId map = 0; map < maps.count; ++map)
         out.turned.push_back(sets.root(map).second);
-    for (std::size_t i = 0; i < ends.size(); ++i) {
-        if (covered[i].empty() || classes[ends[i]] == EdgeClass::unconnected)
-            continue;
-        out.bridged_edges.push_back(ends[i]);
-        const glm::dvec3 a = search.start(ends[i]);
-        const glm::dvec3 along = search.end(ends[i]) - a;
-        for (const Interval& part : uncovered(covered[i], 64 * error / glm::length(along)))
-            out.open_parts.push_back({out.maps.map_of_face[ends[i] / 3],
-                                      glm::vec3(a + part.begin * along),
-                                      glm::vec3(a + part.end * along)});
-    }
+    for (MapContact& part : out.open_parts)
+        part.map = out.maps.map_of_face[part.map];
     return out;
 }
 

@@ -11,6 +11,7 @@ struct Seams {
     std::vector<std::uint8_t> turned;         ///< [maps before] 1: its faces' `flipped` must change
     std::vector<std::uint32_t> bridged_edges; ///< as in Partition
     std::vector<MapContact> open_parts;       ///< of bridged edges: where their map does end
+    std::size_t given_up = 0;                 ///< edges near too many faces to look at all
 };
 
 /// Joins the maps of faces that lie in one plane, face the same way as authored, and touch along a

@@ -11,7 +11,7 @@ namespace hipmap {
 /// Loads a scene that may be anything; one that loads must be partitioned soundly, too.
 inline void load_and_partition(const std::filesystem::path& path)
 {
-    constexpr std::size_t kMostFaces = 20000; // keeps one try short
+    constexpr std::size_t kMostFaces = 5000; // keeps one try short
     try {
         const LoadedScene loaded = load_scene(path, {});
         if (loaded.scene.mesh.face_count() <= kMostFaces)

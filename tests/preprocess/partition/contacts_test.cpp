@@ -227,8 +227,8 @@ TEST_CASE("contacts: a tree of boxes finds the pairs that a loop over all pairs 
             if (p.map_of_face[f] != kNone)
                 faces.push_back(f);
         const FaceTree tree(mesh, faces);
-        std::vector<MapContact> found = find_contacts(scene, tree);
-        const std::vector<MapContact> own = find_own_contacts(scene, tree, p.clearance);
+        std::vector<MapContact> found = find_contacts(scene, tree).contacts;
+        const std::vector<MapContact> own = find_own_contacts(scene, tree, p.clearance).contacts;
         found.insert(found.end(), own.begin(), own.end());
         sort_contacts(found);
         REQUIRE(found == expected);
@@ -237,4 +237,29 @@ TEST_CASE("contacts: a tree of boxes finds the pairs that a loop over all pairs 
     }
     CHECK(total > 1000);
     CHECK(of_one_map > 300);
+}
+
+TEST_CASE("of faces that all cut through each other only so many pairs are looked at",
+          "[partition]")
+{
+    // Tall thin triangles through one vertical axis, each turned a little more, as a file made to
+    // be slow would have them.
+    constexpr int kFaces = 1500;
+    std::vector<glm::vec3> positions;
+    std::vector<glm::uvec3> corners;
+    for (std::uint32_t i = 0; i < kFaces; ++i) {
+        const float angle = static_cast<float>(i) * std::numbers::pi_v<float> / kFaces;
+        const glm::vec3 side(std::cos(angle), 0, std::sin(angle));
+        const float low = -0.5f + 1e-4f * static_cast<float>(i);
+        positions.insert(positions.end(),
+                         {side + glm::vec3(0, low, 0), -side + glm::vec3(0, low, 0),
+                          glm::vec3(0.01f * side.z, 1, 0.01f * side.x)});
+        corners.emplace_back(3 * i, 3 * i + 1, 3 * i + 2);
+    }
+    const Scene scene = tiny::make_scene(tiny::make_mesh(std::move(positions), std::move(corners)));
+    const PartitionResult result = build_partition(scene, {});
+    CHECK(result.summary.given_up > 0);
+    CHECK(result.summary.given_up <= 4 * kFaces); // faces and their edges
+    CHECK(result.summary.contacts > 0);
+    CHECK(result.summary.contacts <= 2 * 1024 * kFaces);
 }
