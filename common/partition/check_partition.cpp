@@ -19,7 +19,9 @@ std::string defect_of_sizes(const Partition& p)
         return "too many faces";
     if (p.edge_class.size() != 3 * faces || p.opposite.size() != 3 * faces ||
         p.flipped.size() != faces || p.closed.size() != faces || p.reach.size() != faces ||
-        p.candidate.size() != faces || p.kept_edges.size() != faces || p.clearance.size() != faces)
+        p.candidate.size() != faces || p.kept_edges.size() != faces ||
+        p.clearance.size() != faces || p.group_of_face.size() != faces ||
+        p.group_radius.size() != faces)
         return "its arrays differ in length";
     return {};
 }
@@ -42,6 +44,30 @@ std::string defect_of_faces(const Partition& p)
             return place() + " has no map but asks for a local one";
     }
     return next == p.map_count ? "" : "the number of its maps is wrong";
+}
+
+std::string defect_of_groups(const Partition& p)
+{
+    std::vector<MapId> map_of_group;
+    for (FaceId face = 0; face < p.face_count(); ++face) {
+        const std::uint32_t group = p.group_of_face[face];
+        const MapId map = p.map_of_face[face];
+        const auto place = [&] { return "face " + std::to_string(face); };
+        if (!(p.group_radius[face] >= 0 && std::isfinite(p.group_radius[face])))
+            return place() + " has no valid group radius";
+        if (group == kNone) {
+            if (p.group_radius[face] > 0)
+                return place() + " has a group radius but no group";
+            continue;
+        }
+        if (group > map_of_group.size())
+            return place() + " has a group id out of order";
+        if (group == map_of_group.size())
+            map_of_group.push_back(map);
+        if (map == kNone || map != map_of_group[group])
+            return place() + " is of a group in another map";
+    }
+    return map_of_group.size() == p.group_count ? "" : "the number of its groups is wrong";
 }
 
 std::string defect_of_edge(const Partition& p, std::uint32_t edge)
@@ -101,6 +127,8 @@ std::string defect_of(const Partition& p)
     if (!all_flags(p.flipped) || !all_flags(p.closed) || !all_flags(p.candidate))
         return "a flag is neither 0 nor 1";
     if (std::string defect = defect_of_faces(p); !defect.empty())
+        return defect;
+    if (std::string defect = defect_of_groups(p); !defect.empty())
         return defect;
     if (std::string defect = defect_of_boundaries(p); !defect.empty())
         return defect;

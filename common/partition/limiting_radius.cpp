@@ -26,4 +26,20 @@ float exact_limiting_radius(const TriangleMesh& mesh, const Partition& partition
     return static_cast<float>(std::max(0.0, nearest * (1 - kDistanceRounding)));
 }
 
+glm::dvec3 face_centre(const TriangleMesh& mesh, FaceId face)
+{
+    const glm::uvec3 c = mesh.corners[face];
+    return (glm::dvec3(mesh.positions[c.x]) + glm::dvec3(mesh.positions[c.y]) +
+            glm::dvec3(mesh.positions[c.z])) /
+           3.0;
+}
+
+float exact_group_radius(const TriangleMesh& mesh, const Partition& partition, FaceId face,
+                         const glm::vec3& point)
+{
+    const double off = glm::distance(glm::dvec3(point), face_centre(mesh, face));
+    const double radius = partition.group_radius[face] - off;
+    return static_cast<float>(std::max(0.0, radius * (1 - kDistanceRounding)));
+}
+
 } // namespace hipmap

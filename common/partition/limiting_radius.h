@@ -37,4 +37,14 @@ inline EdgePlane edge_plane(const TriangleMesh& mesh, FaceId face, int corner)
 float exact_limiting_radius(const TriangleMesh& mesh, const Partition& partition, FaceId face,
                             const glm::vec3& point);
 
+/// Where equation (5) has the clearance of a face in a group: the mean of its corners.
+glm::dvec3 face_centre(const TriangleMesh& mesh, FaceId face);
+
+/// Distance from a point within which its shared map has photons of the face's group alone,
+///     r_G(x) = D - |x - c|
+/// docs/partition_file.md (5), less rounding, as exact_limiting_radius is.  point: any.
+/// Returns at least 0; 0 for a face without a group.
+float exact_group_radius(const TriangleMesh& mesh, const Partition& partition, FaceId face,
+                         const glm::vec3& point);
+
 } // namespace hipmap

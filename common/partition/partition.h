@@ -51,6 +51,12 @@ struct Partition {
         kept_edges; ///< [F] bit c: the plane through edge c bounds the exact limiting radius
     std::vector<float> clearance; ///< [F] what else bounds it, scene units; infinity: nothing, 0 if
                                   ///<     degenerate; see exact_limiting_radius
+    std::uint32_t group_count = 0;            ///< ids 0..group_count-1 by lowest face
+    std::vector<std::uint32_t> group_of_face; ///< [F] patch worth a group map; kNone if there is
+                                              ///<     none
+    std::vector<float> group_radius; ///< [F] how near the face's centre its map comes outside the
+                                     ///<     group, scene units, 0 without group; see
+                                     ///<     exact_group_radius
     std::vector<std::uint32_t> bridged_edges; ///< ascending; border and non-manifold edges beyond
                                               ///<     which their map goes on: no boundary
     std::vector<MapContact> contacts;         ///< by map; boundaries where no edge is

@@ -18,7 +18,7 @@
 namespace hipmap {
 namespace {
 
-constexpr std::uint32_t kVersion = 2;
+constexpr std::uint32_t kVersion = 3;
 
 /// FlatBuffers offsets are 31 bits, and its Release builder writes past them without a word.
 constexpr std::size_t kMaxBytes = std::size_t{1} << 30;
@@ -53,6 +53,9 @@ std::uint64_t checksum(const Partition& p)
     add(std::array{p.position_error});
     add(p.bridged_edges);
     add(p.contacts);
+    add(std::array{p.group_count});
+    add(p.group_of_face);
+    add(p.group_radius);
     return XXH3_64bits_digest(state.get());
 }
 
@@ -101,6 +104,9 @@ Partition unpack(const file::Partition& stored)
     p.position_error = stored.position_error();
     copy_array(p.bridged_edges, stored.bridged_edges());
     unpack_contacts(p.contacts, stored);
+    p.group_count = stored.group_count();
+    copy_array(p.group_of_face, stored.group_of_face());
+    copy_array(p.group_radius, stored.group_radius());
     return p;
 }
 
@@ -127,10 +133,13 @@ flatbuffers::Offset<file::Partition> pack(flatbuffers::FlatBufferBuilder& builde
     }
     const auto contact_map = builder.CreateVector(maps);
     const auto contact_points = builder.CreateVector(points);
+    const auto group_of_face = builder.CreateVector(p.group_of_face);
+    const auto group_radius = builder.CreateVector(p.group_radius);
     return file::CreatePartition(builder, kVersion, checksum(p), p.scene.words[0], p.scene.words[1],
                                  p.angle_threshold, p.map_count, map_of_face, edge_class, opposite,
                                  flipped, closed, reach, candidate, kept_edges, clearance,
-                                 p.position_error, bridged, contact_map, contact_points);
+                                 p.position_error, bridged, contact_map, contact_points,
+                                 p.group_count, group_of_face, group_radius);
 }
 
 InputError unreadable(const std::filesystem::path& path, const std::string& what)
@@ -143,8 +152,8 @@ InputError unreadable(const std::filesystem::path& path, const std::string& what
 void write_partition(const std::filesystem::path& path, const Partition& p)
 {
     constexpr std::size_t kBytesPerFace = 3 * (sizeof(EdgeClass) + sizeof(std::uint32_t)) +
-                                          sizeof(MapId) + 2 * sizeof(float) +
-                                          4 * sizeof(std::uint8_t);
+                                          sizeof(MapId) + sizeof(std::uint32_t) +
+                                          3 * sizeof(float) + 4 * sizeof(std::uint8_t);
     constexpr std::size_t kBytesPerContact = sizeof(MapId) + 6 * sizeof(float);
     const std::size_t bytes = p.face_count() * kBytesPerFace +
                               p.contacts.size() * kBytesPerContact +

@@ -4,6 +4,7 @@
 #include "common/stopwatch.h"
 #include "preprocess/partition/clearance.h"
 #include "preprocess/partition/contacts.h"
+#include "preprocess/partition/group_candidates.h"
 #include "preprocess/partition/local_candidates.h"
 
 #include <algorithm>
@@ -138,6 +139,10 @@ PartitionResult build_partition(const Scene& scene, const PartitionOptions& opti
         return add_contacts(contact_scene, tree, clearances.clearance, out.contacts);
     });
 
+    GroupCandidates groups = timed("find group candidates", [&] {
+        return find_group_candidates(mesh, maps, tree, out.position_error);
+    });
+
     out.angle_threshold = options.angle_threshold;
     out.map_count = maps.count;
     out.map_of_face = std::move(maps.map_of_face);
@@ -149,6 +154,9 @@ PartitionResult build_partition(const Scene& scene, const PartitionOptions& opti
     out.candidate = std::move(locals.candidate);
     out.kept_edges = std::move(clearances.kept_edges);
     out.clearance = std::move(clearances.clearance);
+    out.group_count = groups.count;
+    out.group_of_face = std::move(groups.group_of_face);
+    out.group_radius = std::move(groups.group_radius);
 
     summary.faces = mesh.face_count();
     summary.vertices = mesh.positions.size();
@@ -158,6 +166,9 @@ PartitionResult build_partition(const Scene& scene, const PartitionOptions& opti
     summary.contacts = out.contacts.size();
     summary.bridged_edges = out.bridged_edges.size();
     summary.candidates = static_cast<std::size_t>(std::ranges::count(out.candidate, 1));
+    summary.groups = out.group_count;
+    summary.grouped_faces =
+        mesh.face_count() - static_cast<std::size_t>(std::ranges::count(out.group_of_face, kNone));
     summary.closed_faces = static_cast<std::size_t>(std::ranges::count(out.closed, 1));
     count_edges(summary, out);
     measure_maps(summary, out, mesh);

@@ -41,6 +41,8 @@ struct PartitionSummary {
     std::size_t contacts = 0;           ///< pieces of boundary where one surface stands on another
     std::size_t given_up = 0;           ///< faces and edges that meet too many faces to look at all
     std::size_t candidates = 0;
+    std::size_t groups = 0;        ///< candidates for group maps
+    std::size_t grouped_faces = 0; ///< faces of them all
     std::size_t closed_faces = 0;
     std::vector<Map> maps; ///< by id
     MeshDefects defects;

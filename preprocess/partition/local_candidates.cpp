@@ -73,6 +73,11 @@ double reach_of(const Corners& corners, const std::array<bool, 3>& connected)
     return area2_of(corners) / perimeter;
 }
 
+double widest_filter_radius(double area)
+{
+    return std::sqrt(area / (kPhotonsPerNeighbour * std::numbers::pi));
+}
+
 LocalCandidates find_local_candidates(const TriangleMesh& mesh,
                                       std::span<const EdgeClass> edge_class, const SharedMaps& maps)
 {
@@ -95,9 +100,9 @@ LocalCandidates find_local_candidates(const TriangleMesh& mesh,
         }
         const double reach = reach_of(corners, connected);
         const double area = face_area(mesh, static_cast<FaceId>(face));
-        const double filter_radius = std::sqrt(area / (kPhotonsPerNeighbour * std::numbers::pi));
         out.reach[face] = static_cast<float>(reach);
-        out.candidate[face] = faces_of_map[maps.map_of_face[face]] > 1 && reach > filter_radius;
+        out.candidate[face] =
+            faces_of_map[maps.map_of_face[face]] > 1 && reach > widest_filter_radius(area);
     });
     return out;
 }

@@ -17,6 +17,10 @@ struct LocalCandidates {
 /// see docs/partition_file.md (2).
 double reach_of(const std::array<glm::dvec3, 3>& corners, const std::array<bool, 3>& connected);
 
+/// The filter radius of the smallest map that is kept, 10 k photons spread evenly over `area`,
+/// docs/partition_file.md (3).  area: square scene units.
+double widest_filter_radius(double area);
+
 /// Faces on which the search of a local map can end within its limiting radius: those that are not
 /// alone in their shared map, and whose reach exceeds the filter radius that the fewest photons a
 /// local map may have, 10 k, would give it, docs/partition_file.md (3).

@@ -49,6 +49,9 @@ Partition sample(const Scene& scene)
     p.clearance = {std::numeric_limits<float>::infinity(), 0.125f, 3, 0};
     p.position_error = 1e-6f;
     p.bridged_edges = {2, 8};
+    p.group_count = 1;
+    p.group_of_face = {kNone, 0, kNone, kNone};
+    p.group_radius = {0, 0.0625f, 0, 0};
     p.contacts = {{0, {1, 2, 3}, {4, 5, 6}}, {1, {0, 0, 0}, {0, -1, 0}}};
     return p;
 }
@@ -91,6 +94,9 @@ TEST_CASE("partition file: every field survives", "[partition]")
     CHECK(read.position_error == written.position_error);
     CHECK(read.bridged_edges == written.bridged_edges);
     CHECK(read.contacts == written.contacts);
+    CHECK(read.group_count == written.group_count);
+    CHECK(read.group_of_face == written.group_of_face);
+    CHECK(read.group_radius == written.group_radius);
 }
 
 TEST_CASE("partition file: an empty partition survives", "[partition]")
@@ -189,6 +195,20 @@ TEST_CASE("partition file: values that contradict each other are refused", "[par
         [](Partition& p) { p.contacts[0].map = 1, p.contacts[1].map = 0; },
         [](Partition& p) { p.contacts[0].b.y = std::numeric_limits<float>::infinity(); },
         [](Partition& p) { p.position_error = std::numeric_limits<float>::infinity(); },
+        [](Partition& p) { p.group_count = 2; },
+        [](Partition& p) { p.group_of_face[1] = 1; },
+        [](Partition& p) { p.group_of_face[0] = 1; },
+        [](Partition& p) { p.group_of_face[2] = 0; },
+        [](Partition& p) {
+            p.group_of_face = {kNone, kNone, kNone, 0}, p.group_radius[1] = 0;
+        },
+        [](Partition& p) { p.group_of_face[1] = kNone, p.group_count = 0; },
+        [](Partition& p) { p.group_of_face.pop_back(); },
+        [](Partition& p) { p.group_radius[1] = -1; },
+        [](Partition& p) { p.group_radius[0] = 1; },
+        [](Partition& p) { p.group_radius[1] = std::numeric_limits<float>::quiet_NaN(); },
+        [](Partition& p) { p.group_radius[1] = std::numeric_limits<float>::infinity(); },
+        [](Partition& p) { p.group_radius.pop_back(); },
         [](Partition& p) { p.angle_threshold = 4; },
         [](Partition& p) { p.angle_threshold = std::numeric_limits<double>::quiet_NaN(); },
     };
