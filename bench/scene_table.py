@@ -20,7 +20,8 @@ import time
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PREPROCESS = ROOT / "build/release/bin/preprocess"
 SUFFIXES = {".glb", ".gltf", ".obj"}
-HEADERS = ["scene", "legal", "exit", "seconds", "faces", "maps", "connected", "warnings", "remark"]
+HEADERS = ["scene", "legal", "exit", "seconds", "faces", "maps", "groups", "connected", "warnings",
+           "remark"]
 
 
 def legality(folder):
@@ -71,9 +72,10 @@ def row_of(scene, name, legal, limit):
     cells = [name, {True: "yes", False: "no"}.get(legal, "-"), "-" if code is None else str(code),
              f"{seconds:.2f}"]
     if found:
-        cells += [str(found["faces"]), str(found["shared_maps"]), str(found["edges"]["connected"])]
+        cells += [str(found["faces"]), str(found["shared_maps"]), str(found["groups"]),
+                  str(found["edges"]["connected"])]
     else:
-        cells += ["", "", ""]
+        cells += ["", "", "", ""]
     return cells + [str(warnings), f"WRONG: {wrong}" if wrong else refusal[:60]], bool(wrong)
 
 

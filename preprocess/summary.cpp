@@ -63,6 +63,9 @@ std::vector<std::string> describe(const PartitionSummary& summary, double angle_
                         " of boundary where one surface stands on another or cuts through it");
     lines.push_back("local maps: " + counted(summary.candidates, "candidate") + " among " +
                     counted(summary.faces, "face"));
+    if (summary.groups > 0)
+        lines.push_back("group maps: " + counted(summary.groups, "candidate") + " over " +
+                        counted(summary.grouped_faces, "face"));
     return lines;
 }
 
@@ -118,6 +121,8 @@ std::string summary_json(const PreprocessArguments& arguments, const SceneFrame&
     json["contacts"] = summary.contacts;
     json["given_up"] = summary.given_up;
     json["candidates"] = summary.candidates;
+    json["groups"] = summary.groups;
+    json["grouped_faces"] = summary.grouped_faces;
     json["shared_maps"] = summary.maps.size();
     json["maps"] = nlohmann::ordered_json::array();
     const double square_metres = frame.metres_per_unit * frame.metres_per_unit;

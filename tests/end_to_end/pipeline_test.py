@@ -19,6 +19,7 @@ FACES = 7960
 SHARED_MAPS = 5 + 6 + 2 + 1  # sides of room and block, spheres, lamp
 EDGES = {"connected": 2 * 3968 * 3 // 2 + 5 + 6 + 1,  # spheres; diagonals of the sides and the lamp
          "unconnected": 8 + 12, "border": 4 + 4, "non_manifold": 0, "degenerate": 0}
+GROUPS = 2 * 64  # on each sphere
 AREA = 5 * 4 + 2.5 + LAMP_AREA + 4 * math.pi * (0.4 ** 2 + 0.32 ** 2)
 PICTURES = ("shared_maps.png", "edges.png", "candidates.png")
 
@@ -39,8 +40,9 @@ class Pipeline(ToolsTestCase):
 
     def test_as_pipeline_sh_calls_it(self):
         name = self.path("cornell")
-        self.succeed("preprocess", Tools.scene, "-o", name + ".hpm", "--images", self.folder,
-                     "--json", self.path("partition.json"))
+        said = self.succeed("preprocess", Tools.scene, "-o", name + ".hpm", "--images",
+                            self.folder, "--json", self.path("partition.json"))
+        self.assertIn(f"group maps: {GROUPS} candidates over {2 * 3968} faces\n", said)
         self.succeed("render", Tools.scene, name + ".hpm", "-o", name + ".png", "-o",
                      name + ".exr", "-o", name + ".pfm", "--size", f"{SIZE}x{SIZE}", "--photons",
                      20000, "--passes", 4, "--stats", self.path("stats.json"))
@@ -95,6 +97,8 @@ class Pipeline(ToolsTestCase):
         self.assertEqual(found["faces"], FACES)
         self.assertEqual(found["shared_maps"], SHARED_MAPS)
         self.assertEqual({name: found["edges"][name] for name in EDGES}, EDGES)
+        self.assertEqual(found["groups"], GROUPS)
+        self.assertEqual(found["grouped_faces"], 2 * 3968, "the spheres")
         self.assertEqual(len(found["maps"]), SHARED_MAPS)
         self.assertEqual(sum(part["faces"] for part in found["maps"]), FACES)
         self.assertAlmostEqual(sum(part["area_m2"] for part in found["maps"]), AREA, delta=0.02)

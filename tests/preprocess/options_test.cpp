@@ -106,6 +106,8 @@ TEST_CASE("summary: areas in square metres, a sentence for every defect", "[prep
     const auto json = nlohmann::json::parse(summary_json(arguments, scene.frame, summary));
     CHECK(json["faces"] == 6);
     CHECK(json["shared_maps"] == 2);
+    CHECK(json["groups"] == 0);
+    CHECK(json["grouped_faces"] == 0);
     REQUIRE(json["maps"].size() == 2);
     CHECK(json["maps"][0]["area_m2"].get<double>() == Approx(16));
     CHECK(json["edges"]["connected"] == 2);
