@@ -11,4 +11,7 @@ namespace hipmap {
 /// Greedy colouring in order of falling degree (Welsh and Powell 1967).
 std::vector<Rgb> map_colours(const Partition& partition);
 
+/// The same for every candidate for a group map.  Returns [group_count].
+std::vector<Rgb> group_colours(const Partition& partition);
+
 } // namespace hipmap

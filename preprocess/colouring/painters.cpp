@@ -1,5 +1,6 @@
 #include "preprocess/colouring/painters.h"
 
+#include "common/partition/limiting_radius.h"
 #include "preprocess/colouring/map_colours.h"
 
 #include <algorithm>
@@ -9,6 +10,9 @@
 namespace hipmap {
 
 namespace {
+
+/// What a group's colour is multiplied by where its limiting radius is 0.
+constexpr float kRim = 0.2f;
 
 /// Half the width of a line, scene units.  A line between two visible faces is drawn half on each;
 /// a border has one face for all of it.  Lines within a map are thinner, and thinner still on faces
@@ -107,6 +111,22 @@ Painter paint_candidates(const Partition& partition)
         const double octaves = std::log2(double{range.largest} / range.least);
         const double above = std::log2(double{partition.reach[point.face]} / range.least);
         return scale_colour(octaves > 0 ? above / octaves : 1.0);
+    };
+}
+
+Painter paint_groups(const TriangleMesh& mesh, const Partition& partition)
+{
+    std::vector<float> largest(partition.group_count, 0.0f);
+    for (FaceId face = 0; face < partition.face_count(); ++face)
+        if (const std::uint32_t group = partition.group_of_face[face]; group != kNone)
+            largest[group] = std::max(largest[group], partition.group_radius[face]);
+    return [&mesh, &partition, largest = std::move(largest),
+            colours = group_colours(partition)](const SeenPoint& point) {
+        const std::uint32_t group = partition.group_of_face[point.face];
+        if (group == kNone)
+            return kPlainFace;
+        const float radius = exact_group_radius(mesh, partition, point.face, point.position);
+        return colours[group] * (kRim + (1 - kRim) * radius / largest[group]);
     };
 }
 

@@ -19,6 +19,9 @@ Painter paint_edges(const TriangleMesh& mesh, const Partition& partition);
 /// Candidates by reach on a logarithmic scale from the least to the largest of them, other faces
 /// grey.
 Painter paint_candidates(const Partition& partition);
+/// Candidates for group maps in a colour each, the darker the nearer the limiting radius is to 0,
+/// other faces grey.
+Painter paint_groups(const TriangleMesh& mesh, const Partition& partition);
 
 /// Least and largest reach of the candidates, scene units; both 0 if there is none.
 struct ReachRange {

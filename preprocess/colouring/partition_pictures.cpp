@@ -58,6 +58,14 @@ Legend legend_of_candidates(const Partition& partition, double metres_per_unit)
     return legend;
 }
 
+Legend legend_of_groups(const Partition& partition)
+{
+    return {{{},
+             std::to_string(partition.group_count) +
+                 " candidates for group maps, a colour each, darker toward the rim"},
+            {{kPlainFace}, "in no group"}};
+}
+
 } // namespace
 
 std::vector<std::filesystem::path> write_partition_pictures(const std::filesystem::path& folder,
@@ -74,11 +82,13 @@ std::vector<std::filesystem::path> write_partition_pictures(const std::filesyste
     const PictureView view{scene.mesh, rays, scene.cameras[scene.camera], width, height};
     const std::vector<Image> images =
         colour_images(view, {paint_maps(partition), paint_edges(scene.mesh, partition),
-                             paint_candidates(partition)});
+                             paint_candidates(partition), paint_groups(scene.mesh, partition)});
     const std::vector<Legend> legends{legend_of_maps(partition), legend_of_edges(partition),
-                                      legend_of_candidates(partition, scene.frame.metres_per_unit)};
+                                      legend_of_candidates(partition, scene.frame.metres_per_unit),
+                                      legend_of_groups(partition)};
     const std::vector<std::filesystem::path> paths{folder / "shared_maps.png", folder / "edges.png",
-                                                   folder / "candidates.png"};
+                                                   folder / "candidates.png",
+                                                   folder / "groups.png"};
     for (std::size_t i = 0; i < paths.size(); ++i)
         write_display_png(paths[i], add_legend(images[i], legends[i]));
     return paths;

@@ -8,8 +8,8 @@
 
 namespace hipmap {
 
-/// Writes three pictures of a partition, as the scene's camera sees it, into `folder`:
-/// shared_maps.png, edges.png and candidates.png, each with a legend below.
+/// Writes four pictures of a partition, as the scene's camera sees it, into `folder`:
+/// shared_maps.png, edges.png, candidates.png and groups.png, each with a legend below.
 /// width, height: of the picture without its legend, pixels, at least one.  The folder is made if
 /// it is missing.  Throws InputError if a file cannot be written.
 /// Returns the paths.  Parallel; the same at any thread count.

@@ -28,6 +28,24 @@ TEST_CASE("map_colours: maps that meet at an edge are never alike", "[colouring]
     }
 }
 
+TEST_CASE("group_colours: groups that meet at an edge are never alike", "[colouring]")
+{
+    const TriangleMesh mesh = tiny::uv_sphere(60, 40);
+    const Partition p = build_partition(tiny::make_scene(mesh), {}).partition;
+    const std::vector<Rgb> colours = group_colours(p);
+    REQUIRE(colours.size() == p.group_count);
+    int rims = 0;
+    for (std::uint32_t edge = 0; edge < p.opposite.size(); ++edge) {
+        const std::uint32_t mine = p.group_of_face[edge / 3];
+        const std::uint32_t other = p.group_of_face[p.opposite[edge] / 3];
+        if (mine == other || mine == kNone || other == kNone)
+            continue;
+        ++rims;
+        REQUIRE(glm::length(colours[mine] - colours[other]) > 0.03f);
+    }
+    CHECK(rims > 100);
+}
+
 TEST_CASE("palette_colour: the distinct colours are, and all can be shown", "[colouring]")
 {
     for (std::uint32_t i = 0; i < 200; ++i) {

@@ -1,11 +1,13 @@
 #include "common/file/output_file.h"
 #include "common/image/srgb.h"
+#include "common/partition/limiting_radius.h"
 #include "preprocess/colouring/legend.h"
+#include "preprocess/colouring/map_colours.h"
 #include "preprocess/colouring/painters.h"
 #include "preprocess/colouring/palette.h"
 #include "preprocess/colouring/partition_pictures.h"
 #include "preprocess/partition/build_partition.h"
-#include "tests/support/tiny_meshes.h"
+#include "tests/support/hard_surfaces.h"
 
 #include <catch2/catch.hpp>
 #include <tbb/global_control.h>
@@ -100,7 +102,25 @@ TEST_CASE("paint_candidates: candidates by reach, the rest grey", "[colouring]")
     CHECK(reach_of_candidates(partition).least == 0.4f);
 }
 
-TEST_CASE("write_partition_pictures: three pictures of the size asked for, legend below",
+TEST_CASE("paint_groups: a colour for each group, full where it is widest, dark at its rim",
+          "[colouring]")
+{
+    const Scene scene =
+        tiny::make_scene(tiny::bent_grid(32, 32, [](glm::vec2 p) { return glm::vec3(p, 0); }));
+    Partition partition = build_partition(scene, {}).partition;
+    REQUIRE(partition.group_count == 64);
+    const auto widest = static_cast<FaceId>(std::ranges::max_element(partition.group_radius) -
+                                            partition.group_radius.begin());
+    const Rgb colour = group_colours(partition)[partition.group_of_face[widest]];
+    const Painter painter = paint_groups(scene.mesh, partition);
+    const glm::vec3 centre(face_centre(scene.mesh, widest));
+    CHECK(near(painter({widest, centre, {}, 1}), colour));
+    CHECK(near(painter({widest, centre + 1.0f, {}, 1}), 0.2f * colour));
+    partition.group_of_face[widest] = kNone;
+    CHECK(painter({widest, centre, {}, 1}) == kPlainFace);
+}
+
+TEST_CASE("write_partition_pictures: four pictures of the size asked for, legend below",
           "[colouring]")
 {
     const auto folder = std::filesystem::temp_directory_path() /
@@ -108,7 +128,7 @@ TEST_CASE("write_partition_pictures: three pictures of the size asked for, legen
     const Scene scene = quad_scene();
     const Partition partition = build_partition(scene, {}).partition;
     const auto paths = write_partition_pictures(folder, scene, partition, 120, 80);
-    REQUIRE(paths.size() == 3);
+    REQUIRE(paths.size() == 4);
     for (const std::filesystem::path& path : paths) {
         // Width and height are the first words of a PNG's header, big-endian.
         const std::vector<std::byte> png = read_file(path);
