@@ -1,6 +1,8 @@
-"""Runs the scripts under assets/ again and compares what they build with what is committed.
+"""Builds the scenes of some folders again and compares them with what is committed.
 
-    rebuild_assets_test.py ASSETS
+    rebuild_assets_test.py FOLDER...
+
+NAME.glb is built by NAME.py beside it.
 
 Exits 77 (skipped) where Blender is not installed, or has no numpy, without which it exports nothing.
 """
@@ -44,8 +46,8 @@ def near(a, b, tolerance):
 
 
 def compare(committed, rebuilt):
-    for key in ("scenes", "nodes", "meshes", "materials", "cameras", "accessors"):
-        old, new = committed.json[key], rebuilt.json[key]
+    for key in ("scenes", "nodes", "meshes", "materials", "cameras", "accessors", "extensions"):
+        old, new = committed.json.get(key), rebuilt.json.get(key)
         assert near(old, new, POSITION_TOLERANCE), f"{key} differ:\n{old}\n{new}"
     for mesh in committed.json["meshes"]:
         for primitive in mesh["primitives"]:
@@ -58,8 +60,17 @@ def compare(committed, rebuilt):
                     f"{name} of {mesh['name']} differ"
 
 
+def rebuild(blender, folder, name):
+    """name: of a scene, without suffix."""
+    committed = os.path.join(folder, name + ".glb")
+    with tempfile.TemporaryDirectory() as temporary:
+        rebuilt = os.path.join(temporary, name + ".glb")
+        build(blender, os.path.join(folder, name + ".py"), rebuilt)
+        compare(GlbFile(committed), GlbFile(rebuilt))
+    print(f"{name}.glb: the script builds what is committed")
+
+
 def main():
-    assets = sys.argv[1]
     blender = shutil.which("blender")
     if blender is None:
         print("SKIP: Blender is not installed")
@@ -67,14 +78,11 @@ def main():
     if run_blender(blender, ["--python-expr", "import numpy"]).returncode != 0:
         print("SKIP: Blender's exporter has no numpy (Debian: python3-numpy)")
         return SKIPPED
-    with tempfile.TemporaryDirectory() as folder:
-        scripts = sorted(name for name in os.listdir(assets) if name.endswith(".py"))
-        assert scripts, f"no script in {assets}"
-        for script in scripts:
-            name = script[:-3] + ".glb"
-            build(blender, os.path.join(assets, script), os.path.join(folder, name))
-            compare(GlbFile(os.path.join(assets, name)), GlbFile(os.path.join(folder, name)))
-            print(f"{name}: the script builds what is committed")
+    for folder in sys.argv[1:]:
+        names = sorted(name[:-4] for name in os.listdir(folder) if name.endswith(".glb"))
+        assert names, f"no scene in {folder}"
+        for name in names:
+            rebuild(blender, folder, name)
     return 0
 
 
