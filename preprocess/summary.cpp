@@ -3,7 +3,9 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <functional>
 #include <iomanip>
+#include <span>
 #include <sstream>
 
 namespace hipmap {
@@ -95,8 +97,49 @@ std::vector<std::string> describe_defects(const PartitionSummary& summary)
     return lines;
 }
 
-std::string summary_json(const PreprocessArguments& arguments, const SceneFrame& frame,
-                         const PartitionSummary& summary)
+namespace {
+
+/// [maps] the names of what the faces of each map have, in order of id, none twice.
+/// id_of_face: [F].
+std::vector<std::vector<std::string>>
+names_by_map(const Partition& partition, std::span<const std::uint32_t> id_of_face,
+             const std::function<std::string(std::uint32_t)>& name)
+{
+    std::vector<std::pair<MapId, std::uint32_t>> pairs;
+    for (std::size_t face = 0; face < id_of_face.size(); ++face)
+        if (partition.map_of_face[face] != kNone)
+            pairs.emplace_back(partition.map_of_face[face], id_of_face[face]);
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    std::vector<std::vector<std::string>> out(partition.map_count);
+    for (const auto& [map, id] : pairs)
+        out[map].push_back(name(id));
+    return out;
+}
+
+nlohmann::ordered_json maps_json(const Scene& scene, const Partition& partition,
+                                 const PartitionSummary& summary)
+{
+    const auto objects = names_by_map(partition, scene.mesh.object_of_face, [&](std::uint32_t id) {
+        return scene.mesh.object_names[id];
+    });
+    const auto materials = names_by_map(partition, scene.mesh.material_of_face,
+                                        [&](std::uint32_t id) { return scene.materials[id].name; });
+    const double square_metres = scene.frame.metres_per_unit * scene.frame.metres_per_unit;
+    nlohmann::ordered_json out = nlohmann::ordered_json::array();
+    for (const PartitionSummary::Map& map : summary.maps)
+        out.push_back({{"id", map.id},
+                       {"faces", map.faces},
+                       {"area_m2", map.area * square_metres},
+                       {"objects", objects[map.id]},
+                       {"materials", materials[map.id]}});
+    return out;
+}
+
+} // namespace
+
+std::string summary_json(const PreprocessArguments& arguments, const Scene& scene,
+                         const Partition& partition, const PartitionSummary& summary)
 {
     nlohmann::ordered_json json;
     json["scene"] = arguments.scene.string();
@@ -124,11 +167,7 @@ std::string summary_json(const PreprocessArguments& arguments, const SceneFrame&
     json["groups"] = summary.groups;
     json["grouped_faces"] = summary.grouped_faces;
     json["shared_maps"] = summary.maps.size();
-    json["maps"] = nlohmann::ordered_json::array();
-    const double square_metres = frame.metres_per_unit * frame.metres_per_unit;
-    for (const PartitionSummary::Map& map : summary.maps)
-        json["maps"].push_back(
-            {{"id", map.id}, {"faces", map.faces}, {"area_m2", map.area * square_metres}});
+    json["maps"] = maps_json(scene, partition, summary);
     for (const PartitionPass& pass : summary.passes)
         json["seconds"][std::string(pass.name)] = pass.seconds;
     return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";

@@ -16,7 +16,8 @@ std::vector<std::string> describe(const PartitionSummary& summary, double angle_
 std::vector<std::string> describe_defects(const PartitionSummary& summary);
 
 /// The same and more as JSON text; docs/partition_file.md.  Lengths in metres, areas in m2.
-std::string summary_json(const PreprocessArguments& arguments, const SceneFrame& frame,
-                         const PartitionSummary& summary);
+/// partition: of the scene.  O(n log n) in faces.
+std::string summary_json(const PreprocessArguments& arguments, const Scene& scene,
+                         const Partition& partition, const PartitionSummary& summary);
 
 } // namespace hipmap

@@ -99,22 +99,26 @@ TEST_CASE("summary: areas in square metres, a sentence for every defect", "[prep
     for (std::size_t v = 5; v < scene.mesh.positions.size(); ++v)
         scene.mesh.positions[v].z = 1;
     scene.frame.metres_per_unit = 4;
-    const PartitionSummary summary = build_partition(scene, {}).summary;
+    scene.mesh.object_names = {"desk"};
+    scene.materials[0].name = "oak";
+    const auto [partition, summary] = build_partition(scene, {});
     PreprocessArguments arguments = parse("desk.glb -o desk.hpm");
     arguments.scene = "bad utf-8 \xff";
 
-    const auto json = nlohmann::json::parse(summary_json(arguments, scene.frame, summary));
+    const auto json = nlohmann::json::parse(summary_json(arguments, scene, partition, summary));
     CHECK(json["faces"] == 6);
     CHECK(json["shared_maps"] == 2);
     CHECK(json["groups"] == 0);
     CHECK(json["grouped_faces"] == 0);
     REQUIRE(json["maps"].size() == 2);
     CHECK(json["maps"][0]["area_m2"].get<double>() == Approx(16));
+    CHECK(json["maps"][0]["objects"] == nlohmann::json{"desk"});
+    CHECK(json["maps"][1]["materials"] == nlohmann::json{"oak"});
     CHECK(json["edges"]["connected"] == 2);
     CHECK(json["edges"]["border"] == 8);
     CHECK(json["defects"]["degenerate_faces"] == 2);
     CHECK(json["seconds"].contains("share maps"));
-    CHECK(describe_defects(summary.defects).size() == 2);
+    CHECK(describe_defects(summary).size() == 2);
     CHECK(describe_defects({}).empty());
     CHECK(describe(summary, 30).size() == 4);
 }
