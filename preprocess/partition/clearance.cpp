@@ -88,7 +88,8 @@ void LeafClearances::add_member(FaceId face)
     unsigned connected = 0;
     for (unsigned c = 0; c < 3; ++c)
         connected |= unsigned{edge_class_[std::size_t{3} * face + c] == EdgeClass::connected} << c;
-    Member& member = members_.emplace_back(FaceSurroundings(maps_, face, error_), connected, 0.0);
+    members_.push_back({FaceSurroundings(maps_, face, error_), connected, 0.0});
+    Member& member = members_.back();
     member.height = member.around.largest_height(connected);
 }
 
