@@ -15,6 +15,7 @@
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <glm/gtc/constants.hpp>
 #include <tiny_gltf.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -206,8 +207,8 @@ void measure_mesh(const char* name, TriangleMesh&& made, const std::filesystem::
 
 int partition_scale(const std::vector<double>& sizes)
 {
-    const std::filesystem::path folder =
-        std::filesystem::temp_directory_path() / "hipmap-partition-scale";
+    const std::filesystem::path folder = std::filesystem::temp_directory_path() /
+                                         ("hipmap-partition-scale-" + std::to_string(getpid()));
     std::filesystem::create_directories(folder);
     for (const double size : sizes) {
         const auto n = static_cast<std::uint32_t>(std::lround(std::sqrt(size / 2)));

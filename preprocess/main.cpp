@@ -57,7 +57,8 @@ int preprocess(const PreprocessArguments& arguments)
         result.summary.passes.push_back({"write coloured model", writing.seconds()});
     }
     if (!arguments.json.empty()) {
-        write_file(arguments.json, summary_json(arguments, scene, result.partition, result.summary));
+        write_file(arguments.json,
+                   summary_json(arguments, scene, result.partition, result.summary));
         report.line("wrote " + arguments.json.string());
     }
     return kExitDone;

@@ -13,7 +13,10 @@ using Targets = std::vector<TargetSphere>;
 EmittedPath aim_from_light(const PunctualLight& light, const Targets& targets,
                            RandomSequence& random)
 {
-    const AimedRay aimed = aim_from_point(targets, light.position, random);
+    LightCone cone;
+    if (light.kind == LightKind::spot)
+        cone = {light.direction, std::acos(light.cos_outer)};
+    const AimedRay aimed = aim_from_point(targets, light.position, cone, random);
     EmittedPath out;
     out.ray.origin = light.position;
     out.ray.direction = aimed.direction;
@@ -39,8 +42,11 @@ EmittedPath aim_from_face(const RenderScene& scene, double u_face, const Targets
 {
     const EmissivePoint from =
         sample_emissive_point(scene.lights, scene.mesh(), u_face, random.next2());
-    const AimedRay aimed = aim_from_point(targets, from.surface.position, random);
     const Bsdf& bsdf = scene.bsdfs[scene.mesh().material_of_face[from.surface.face]];
+    LightCone cone;
+    if (!bsdf.emits_behind)
+        cone = {from.surface.geometric_normal, kPi / 2};
+    const AimedRay aimed = aim_from_point(targets, from.surface.position, cone, random);
     const float cosine = std::abs(glm::dot(aimed.direction, from.surface.geometric_normal));
     EmittedPath out;
     out.ray.direction = aimed.direction;

@@ -6,20 +6,21 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <span>
 
 namespace hipmap {
 
 namespace {
 
-constexpr std::size_t kMostTargets = 32;
+constexpr std::size_t kMostTargets = 32; // 2 to the power of kHalvings
 
 /// Room for rounding, so that no face reaches out of its sphere.
 constexpr float kMargin = 1 + 1e-5f;
+constexpr float kAngleMargin = 1e-3f; ///< radians
 
-struct Cluster {
-    std::vector<FaceId> faces;
-    Bounds<glm::vec3> box; ///< of the faces
-};
+/// Halvings of the specular faces; no more than 2 to this power of spheres.
+constexpr int kHalvings = 5;
 
 /// Whether any point of the material can have a specular lobe.
 bool may_be_specular(const Material& material, const Bsdf& bsdf)
@@ -35,66 +36,66 @@ glm::vec3 centroid(const TriangleMesh& mesh, FaceId face)
     return (mesh.positions[c.x] + mesh.positions[c.y] + mesh.positions[c.z]) / 3.0f;
 }
 
-void add_face(const TriangleMesh& mesh, FaceId face, Cluster& to)
+Bounds<glm::vec3> box_of(const TriangleMesh& mesh, std::span<const FaceId> faces)
 {
-    to.faces.push_back(face);
-    const glm::uvec3 corners = mesh.corners[face];
-    for (int c = 0; c < 3; ++c)
-        to.box.add(mesh.positions[corners[c]]);
+    Bounds<glm::vec3> box;
+    for (const FaceId face : faces)
+        for (int c = 0; c < 3; ++c)
+            box.add(mesh.positions[mesh.corners[face][c]]);
+    return box;
 }
 
-float radius(const Cluster& cluster)
+TargetSphere sphere_around(const TriangleMesh& mesh, std::span<const FaceId> faces)
 {
-    return 0.5f * glm::length(cluster.box.extent());
-}
-
-/// The faces on either side of the middle of the longest side; one of them may be empty.
-std::array<Cluster, 2> halve(const TriangleMesh& mesh, const Cluster& whole)
-{
-    const glm::vec3 extent = whole.box.extent();
-    const int axis =
-        extent.x >= extent.y ? (extent.x >= extent.z ? 0 : 2) : (extent.y >= extent.z ? 1 : 2);
-    const float middle = whole.box.centre()[axis];
-    std::array<Cluster, 2> out;
-    for (const FaceId face : whole.faces)
-        add_face(mesh, face, out[centroid(mesh, face)[axis] < middle ? 0 : 1]);
+    TargetSphere out{box_of(mesh, faces).centre()};
+    for (const FaceId face : faces)
+        for (int c = 0; c < 3; ++c)
+            out.radius = std::max(out.radius,
+                                  glm::distance(out.centre, mesh.positions[mesh.corners[face][c]]));
+    out.radius *= kMargin;
     return out;
 }
 
-/// Halves the largest cluster again and again, while that makes its parts smaller.
-std::vector<Cluster> split(const TriangleMesh& mesh, Cluster all)
+float squared_radii(std::span<const TargetSphere> spheres)
 {
-    std::vector<Cluster> open{std::move(all)}, done;
-    while (!open.empty() && open.size() + done.size() < kMostTargets) {
-        const auto largest =
-            std::max_element(open.begin(), open.end(), [](const Cluster& a, const Cluster& b) {
-                return radius(a) < radius(b);
-            });
-        const Cluster whole = std::move(*largest);
-        open.erase(largest);
-        std::array<Cluster, 2> halves = halve(mesh, whole);
-        const bool smaller = !halves[0].faces.empty() && !halves[1].faces.empty() &&
-                             std::max(radius(halves[0]), radius(halves[1])) < 0.9f * radius(whole);
-        if (!smaller) {
-            done.push_back(whole);
-            continue;
-        }
-        open.push_back(std::move(halves[0]));
-        open.push_back(std::move(halves[1]));
-    }
-    done.insert(done.end(), std::make_move_iterator(open.begin()),
-                std::make_move_iterator(open.end()));
-    return done;
+    float sum = 0;
+    for (const TargetSphere& sphere : spheres)
+        sum += sphere.radius * sphere.radius;
+    return sum;
 }
 
-/// Solid angle of the cone around a sphere over 2 pi; 2 from inside.
-float cone_height(const TargetSphere& target, const glm::vec3& origin)
+/// Spheres around the faces: those around their halves on either side of the middle of their
+/// longest axis, if those are narrower together, or one.  Reorders the faces.
+std::vector<TargetSphere> cover(const TriangleMesh& mesh, std::span<FaceId> faces, int halvings)
+{
+    const TargetSphere whole = sphere_around(mesh, faces);
+    const Bounds<glm::vec3> box = box_of(mesh, faces);
+    const glm::vec3 extent = box.extent();
+    const int axis =
+        extent.x >= extent.y ? (extent.x >= extent.z ? 0 : 2) : (extent.y >= extent.z ? 1 : 2);
+    const auto middle = std::partition(faces.begin(), faces.end(), [&](FaceId face) {
+        return centroid(mesh, face)[axis] < box.centre()[axis];
+    });
+    if (halvings == 0 || middle == faces.begin() || middle == faces.end())
+        return {whole};
+    std::vector<TargetSphere> parts = cover(mesh, {faces.begin(), middle}, halvings - 1);
+    const std::vector<TargetSphere> rest = cover(mesh, {middle, faces.end()}, halvings - 1);
+    parts.insert(parts.end(), rest.begin(), rest.end());
+    return squared_radii(parts) < squared_radii({&whole, 1}) ? parts : std::vector{whole};
+}
+
+/// Solid angle of the cone around a sphere over 2 pi; 2 from inside, 0 if the light misses it.
+float cone_height(const TargetSphere& target, const glm::vec3& origin, const LightCone& light)
 {
     const glm::vec3 way = target.centre - origin;
     const float distance2 = glm::dot(way, way), radius2 = target.radius * target.radius;
     if (distance2 <= radius2)
         return 2;
     const float sin2 = radius2 / distance2;
+    const float off_axis =
+        std::acos(std::clamp(glm::dot(way, light.axis) / std::sqrt(distance2), -1.0f, 1.0f));
+    if (off_axis > light.half_angle + std::asin(std::sqrt(sin2)) + kAngleMargin)
+        return 0;
     return sin2 / (1 + std::sqrt(1 - sin2)); // 1 - cos without cancellation
 }
 
@@ -121,33 +122,40 @@ bool in_cylinder(const TargetSphere& target, const glm::vec3& point, const glm::
     return glm::dot(across, across) < target.radius * target.radius;
 }
 
+/// Roulette where `count` cones or cylinders overlap: all that is aimed has the same weight then,
+/// and no photon stands out.
+bool survives(int count, RandomSequence& random)
+{
+    return random.next() * static_cast<float>(count) < 1;
+}
+
 } // namespace
 
 std::vector<TargetSphere> find_specular_targets(const RenderScene& scene)
 {
     const TriangleMesh& mesh = scene.mesh();
-    Cluster all;
+    std::vector<FaceId> faces;
     for (FaceId face = 0; face < mesh.face_count(); ++face) {
         const MaterialId material = mesh.material_of_face[face];
         if (may_be_specular(scene.scene.materials[material], scene.bsdfs[material]))
-            add_face(mesh, face, all);
+            faces.push_back(face);
     }
     std::vector<TargetSphere> out;
-    if (all.faces.empty())
-        return out;
-    for (const Cluster& cluster : split(mesh, std::move(all)))
-        if (radius(cluster) > 0)
-            out.push_back({cluster.box.centre(), kMargin * radius(cluster)});
+    if (!faces.empty())
+        out = cover(mesh, faces, kHalvings);
+    std::erase_if(out, [](const TargetSphere& sphere) { return !(sphere.radius > 0); });
     return out;
 }
 
 AimedRay aim_from_point(const std::vector<TargetSphere>& targets, const glm::vec3& origin,
-                        RandomSequence& random)
+                        const LightCone& light, RandomSequence& random)
 {
     std::array<float, kMostTargets> heights;
     float sum = 0;
     for (std::size_t i = 0; i < targets.size(); ++i)
-        sum += heights[i] = cone_height(targets[i], origin);
+        sum += heights[i] = cone_height(targets[i], origin, light);
+    if (!(sum > 0))
+        return {};
     float drawn = random.next() * sum;
     std::size_t chosen = 0;
     while (chosen + 1 < targets.size() && drawn >= heights[chosen])
@@ -161,7 +169,7 @@ AimedRay aim_from_point(const std::vector<TargetSphere>& targets, const glm::vec
     int cones = 1; // the chosen one, whatever rounding says
     for (std::size_t i = 0; i < targets.size(); ++i)
         cones += i != chosen && in_cone(targets[i], heights[i], origin, out.direction) ? 1 : 0;
-    out.weight = 2 * kPi * sum / static_cast<float>(cones);
+    out.weight = survives(cones, random) ? 2 * kPi * sum : 0;
     return out;
 }
 
@@ -182,7 +190,7 @@ AimedPoint aim_parallel(const std::vector<TargetSphere>& targets, const glm::vec
     int cylinders = 1;
     for (std::size_t i = 0; i < targets.size(); ++i)
         cylinders += i != chosen && in_cylinder(targets[i], out.position, direction) ? 1 : 0;
-    out.weight = kPi * sum / static_cast<float>(cylinders);
+    out.weight = survives(cylinders, random) ? kPi * sum : 0;
     return out;
 }
 

@@ -21,18 +21,25 @@ std::vector<TargetSphere> find_specular_targets(const RenderScene& scene);
 /// A ray towards some sphere.
 struct AimedRay {
     glm::vec3 direction; ///< unit
-    float weight = 0.0f; ///< 1 over its density per solid angle; 0: nothing is to be hit
+    float weight = 0.0f; ///< 1 over its density per solid angle; 0: the ray is not to be sent
 };
 
-/// Draws a direction from a point, uniformly from the cones around the spheres; where cones
-/// overlap, all their densities count.  docs/light_transport.md (15).  Cost: linear in spheres.
+/// Where a light shines at all.
+struct LightCone {
+    glm::vec3 axis{0, 0, 1}; ///< unit
+    float half_angle = 4.0f; ///< radians; at least pi: everywhere
+};
+
+/// Draws a direction from a point, uniformly from the union of the cones around the spheres.
+/// docs/light_transport.md (15).  Cost: linear in spheres. Spheres that the light's cone misses are
+/// left out.
 AimedRay aim_from_point(const std::vector<TargetSphere>& targets, const glm::vec3& origin,
-                        RandomSequence& random);
+                        const LightCone& light, RandomSequence& random);
 
 /// A point in the cylinders around the spheres along a direction.
 struct AimedPoint {
     glm::vec3 position;
-    float weight = 0.0f; ///< 1 over its density per area across the direction
+    float weight = 0.0f; ///< 1 over its density per area across the direction, or 0 as above
 };
 
 /// Draws a point by which parallel light along `direction` (unit) passes into some sphere,

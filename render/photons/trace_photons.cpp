@@ -203,7 +203,8 @@ TracedPhotons trace_photons(const RenderScene& scene, const PhotonOptions& optio
     TracedPhotons caustics = trace_paths(aimed.paths, [&](std::uint64_t i, TracedPhotons& photons) {
         RandomSequence random(options.seed, RandomStream::caustics, options.pass, i);
         const EmittedPath start = emit_aimed_path(scene, aimed, targets, i, random);
-        trace_path(scene, {false, true, false}, start, random, photons);
+        if (max_channel(start.power) > 0)
+            trace_path(scene, {false, true, false}, start, random, photons);
     });
     out.aimed = aimed.paths;
     out.caustic = std::move(caustics.caustic);

@@ -38,8 +38,7 @@ TEST_CASE("specular targets hold every face with a specular lobe, and no scene w
     const auto ready = tiny::ready(tiny::room());
     const TriangleMesh& mesh = ready->scene.mesh;
     const std::vector<TargetSphere> targets = find_specular_targets(*ready->render);
-    CHECK(targets.size() > 8);
-    CHECK(targets.size() <= 32);
+    CHECK(targets.size() == 2); // the balls
     for (FaceId face = 0; face < mesh.face_count(); ++face) {
         const Bsdf& bsdf = ready->render->bsdfs[mesh.material_of_face[face]];
         const bool specular = bsdf.metal > 0 || bsdf.glass > 0;
@@ -59,7 +58,7 @@ TEST_CASE("specular targets: aimed directions measure solid angles, from outside
             RunningMean mean;
             for (std::uint64_t i = 0; i < 20000; ++i) {
                 RandomSequence random(5, RandomStream::caustics, 0, i);
-                const AimedRay aimed = aim_from_point(kOverlapping, origin, random);
+                const AimedRay aimed = aim_from_point(kOverlapping, origin, {}, random);
                 CHECK(std::abs(glm::length(aimed.direction) - 1) < 1e-5f);
                 const bool hit = meets(origin, aimed.direction, ball.centre, ball.radius);
                 mean.add(hit ? aimed.weight : 0);
