@@ -1,0 +1,22 @@
+#pragma once
+
+#include "render/maps/wide_search.h"
+
+namespace hipmap::tree_search {
+
+/// Fills blocks and rows with at least k photons near the point, of which the k-th nearest bounds
+/// the k-th of all, and returns their number.  The tree has k photons.
+std::size_t collect_near(const WideTree& tree, const glm::vec3& point, std::size_t k,
+                         TreeScratch& scratch);
+
+/// The k-th smallest of the collected distances up to radius2, of which there are `inside` >= k.
+float kth_distance2(std::size_t k, float radius2, std::size_t inside, TreeScratch& scratch);
+
+/// The greatest collected distance up to radius2; zero if there is none.
+float greatest_distance2(float radius2, const TreeScratch& scratch);
+
+/// Puts the slots nearer than `farthest2` into scratch.found and returns their number; those as far
+/// go to scratch.ties.
+std::size_t emit_nearer(const WideTree& tree, float farthest2, TreeScratch& scratch);
+
+} // namespace hipmap::tree_search

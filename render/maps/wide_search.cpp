@@ -1,0 +1,69 @@
+#include "render/maps/wide_search.h"
+
+#include "render/maps/wide_kernels.h"
+
+namespace hipmap::tree_search {
+
+namespace {
+
+/// Of the last radius: after a step farther than this the last search bounds the next one badly.
+constexpr float kNear = 0.5f;
+
+/// Or the farthest, if no more than k are inside.
+float kth_of_collected(std::size_t k, float radius2, std::size_t inside, TreeScratch& scratch)
+{
+    return inside > k ? kth_distance2(k, radius2, inside, scratch)
+                      : greatest_distance2(radius2, scratch);
+}
+
+} // namespace
+
+float limit2(const WideTree& tree, const TreeQuery& query)
+{
+    // Rounding is monotonic, so no photon of the tree is farther than the farthest corner.
+    const glm::vec3 d = glm::max(query.point - tree.low, tree.high - query.point);
+    return std::min(query.radius2, glm::dot(d, d));
+}
+
+float bound2(const WideTree& tree, const TreeQuery& query, float most2, TreeScratch& scratch)
+{
+    if (tree.size <= query.photons)
+        return most2;
+    const float step = glm::distance(query.point, scratch.last_point);
+    if (scratch.last_tree == &tree && step < kNear * scratch.last_radius) {
+        const float radius = scratch.last_radius + step;
+        return std::min(most2, radius * radius);
+    }
+    const std::size_t near = collect_near(tree, query.point, query.photons, scratch);
+    const float far2 = greatest_distance2(std::numeric_limits<float>::max(), scratch);
+    return std::min(most2, kth_of_collected(query.photons, far2, near, scratch));
+}
+
+float wider2(const TreeQuery& query, float radius2, std::size_t inside, float most2)
+{
+    const float missing = static_cast<float>(query.photons) / static_cast<float>(inside + 1);
+    const float wider = radius2 * std::clamp(1.3f * missing, 1.5f, 4.0f);
+    return wider > radius2 && wider < most2 ? wider : most2;
+}
+
+FoundSlots select(const WideTree& tree, const TreeQuery& query, float radius2, std::size_t inside,
+                  TreeScratch& scratch)
+{
+    if (inside == 0)
+        return {};
+    const float farthest2 = kth_of_collected(query.photons, radius2, inside, scratch);
+    const std::size_t nearer = emit_nearer(tree, farthest2, scratch);
+    std::vector<TreeScratch::Tie>& ties = scratch.ties;
+    if (ties.size() > 1)
+        std::sort(ties.begin(), ties.end());
+    const std::size_t count = std::min(nearer + ties.size(), query.photons);
+    for (std::size_t i = nearer; i < count; ++i)
+        scratch.found[i] = ties[i - nearer].slot;
+
+    scratch.last_tree = &tree;
+    scratch.last_point = query.point;
+    scratch.last_radius = std::sqrt(farthest2);
+    return {{scratch.found.data(), count}, farthest2};
+}
+
+} // namespace hipmap::tree_search

@@ -1,0 +1,121 @@
+#pragma once
+
+#include "render/maps/wide_tree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <type_traits>
+
+namespace hipmap {
+
+/// What is looked for in a tree.
+struct TreeQuery {
+    glm::vec3 point;                                        ///< scene units, finite
+    std::size_t photons;                                    ///< k, the most wanted, >= 1
+    float radius2 = std::numeric_limits<float>::infinity(); ///< nothing farther counts
+};
+
+/// Memory that one thread lends to its searches: it grows, and is then reused.  It remembers the
+/// last search, which makes a near one faster but never changes what is found.
+struct TreeScratch {
+    struct alignas(64) Row {
+        float distance2[kTreeWidth];
+    };
+    struct Tie {
+        std::uint32_t photon, slot;
+        bool operator<(const Tie& other) const { return photon < other.photon; }
+    };
+    std::vector<std::uint32_t> nodes;  ///< that the ball touches, of one level
+    std::vector<std::uint32_t> blocks; ///< that the ball touches, in tree order
+    std::vector<Row> rows;             ///< square distances of their photons
+    std::size_t filled = 0;            ///< blocks and rows in use
+    std::vector<float> band;           ///< square distances among which the k-th is
+    std::vector<std::uint32_t> found;  ///< slots
+    std::vector<Tie> ties;             ///< as far as the k-th
+
+    const WideTree* last_tree = nullptr;
+    glm::vec3 last_point{0.0f};
+    float last_radius = 0.0f; ///< of the last k-th photon
+};
+
+/// What a search found; valid until its scratch is used again.
+struct FoundSlots {
+    std::span<std::uint32_t> slots; ///< by slot, save that the farthest comes last
+    float farthest2 = 0.0f;         ///< square distance of the last
+};
+
+/// Lets every photon through.
+struct AcceptAll {
+    bool operator()(std::uint32_t) const { return true; }
+};
+
+/// The steps of find_nearest.
+namespace tree_search {
+
+/// Square of the distance beyond which no photon of the tree counts.
+float limit2(const WideTree& tree, const TreeQuery& query);
+
+/// A radius within which the k-th photon is, were all accepted, but for rounding: by the last
+/// search or by some photons near the point; at most `most2`.
+float bound2(const WideTree& tree, const TreeQuery& query, float most2, TreeScratch& scratch);
+
+/// The next radius after one in which only `inside` of the k photons were; at most `most2`.
+float wider2(const TreeQuery& query, float radius2, std::size_t inside, float most2);
+
+/// Fills blocks and rows with the photons in a ball and returns their number.
+std::size_t collect(const WideTree& tree, const glm::vec3& point, float radius2,
+                    TreeScratch& scratch);
+
+/// Puts collected photons that `accept` turns down infinitely far; returns how many are left.
+template <typename Accept>
+std::size_t drop_rejected(float radius2, const Accept& accept, TreeScratch& scratch)
+{
+    std::size_t left = 0;
+    for (std::size_t b = 0; b < scratch.filled; ++b)
+        for (std::uint32_t lane = 0; lane < kTreeWidth; ++lane) {
+            float& distance2 = scratch.rows[b].distance2[lane];
+            if (!(distance2 <= radius2))
+                continue;
+            if (accept(kTreeWidth * scratch.blocks[b] + lane))
+                ++left;
+            else
+                distance2 = std::numeric_limits<float>::infinity();
+        }
+    return left;
+}
+
+/// The k nearest of the `inside` collected photons within radius2, or all if there are fewer.
+FoundSlots select(const WideTree& tree, const TreeQuery& query, float radius2, std::size_t inside,
+                  TreeScratch& scratch);
+
+} // namespace tree_search
+
+/// The k nearest photons that `accept(slot)` lets through, fewer if there are no more within the
+/// radius; of equally near ones those with the lower number.  Exact, whatever the scratch
+/// remembers, and in the same order on every processor.  Thread-safe with a scratch for each
+/// thread. Cost: O(k + log n) typically; nothing is allocated once the scratch has grown.
+template <typename Accept = AcceptAll>
+FoundSlots find_nearest(const WideTree& tree, const TreeQuery& query, TreeScratch& scratch,
+                        const Accept& accept = {})
+{
+    const float most2 = tree_search::limit2(tree, query);
+    float radius2 = tree_search::bound2(tree, query, most2, scratch);
+    for (;;) {
+        std::size_t inside = tree_search::collect(tree, query.point, radius2, scratch);
+        if constexpr (!std::is_same_v<Accept, AcceptAll>)
+            inside = tree_search::drop_rejected(radius2, accept, scratch);
+        if (inside >= query.photons || !(radius2 < most2))
+            return tree_search::select(tree, query, radius2, inside, scratch);
+        radius2 = tree_search::wider2(query, radius2, inside, most2);
+    }
+}
+
+/// Kernels that this processor can run, best first: "AVX3", "AVX2", "SSE4", ...
+std::vector<const char*> simd_targets();
+
+/// Makes all threads use one of the above; for tests and measurements.  False: there is no such
+/// one.
+bool use_simd_target(const char* name);
+
+} // namespace hipmap

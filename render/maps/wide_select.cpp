@@ -1,0 +1,179 @@
+#include "render/maps/wide_kernels.h"
+
+#include <bit>
+#include <cmath>
+
+// foreach_target compiles what follows it once for each instruction set.
+// clang-format off
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "render/maps/wide_select.cpp"
+#include <hwy/foreach_target.h>
+#include "render/maps/wide_simd-inl.h"
+// clang-format on
+
+HWY_BEFORE_NAMESPACE();
+namespace hipmap::tree_search::HWY_NAMESPACE {
+
+constexpr float kFar = std::numeric_limits<float>::infinity();
+
+/// Values with low <= value < high: `count` of them, of which the k-th is wanted.
+struct Bracket {
+    float low, high;
+    std::size_t count, k;
+};
+
+HWY_INLINE std::uint32_t bits(float value)
+{
+    return std::bit_cast<std::uint32_t>(value);
+}
+
+/// The part of the bracket where the k-th value is likely to be, were they spread evenly: photons
+/// on a surface are, by their square distances.  After `kAims` passes the lower half of the
+/// floating-point numbers in the bracket, which ends whatever the values are.
+HWY_INLINE Bracket aim(const Bracket& b, int pass)
+{
+    constexpr int kAims = 6;
+    if (b.count <= kTreeWidth)
+        return b;
+    const float count = static_cast<float>(b.count), rank = static_cast<float>(b.k) - 0.5f;
+    const float spread = 1.0f + 1.5f * std::sqrt(rank * (1.0f - rank / count));
+    const float step = (b.high - b.low) / count;
+    const float low = std::max(b.low, b.low + step * (rank - spread));
+    const float high = std::min(b.high, b.low + step * (rank + spread));
+    if (pass < kAims && low < high)
+        return {low, high, 0, 0};
+    const std::uint32_t middle = bits(b.low) + (bits(b.high) - bits(b.low)) / 2;
+    return {b.low, std::bit_cast<float>(middle), 0, 0};
+}
+
+/// What narrow found.
+struct Counts {
+    std::size_t below, within;
+};
+
+/// Copies the values in [to.low, to.high) to `out`, which may be `in`, and infinities behind them;
+/// counts those, and those in [from, to.low).
+HWY_INLINE Counts narrow(std::span<const float> in, float from, const Bracket& to, float* out)
+{
+    const Floats d;
+    const FloatVec first = hn::Set(d, from), low = hn::Set(d, to.low), high = hn::Set(d, to.high);
+    Counts counts{0, 0};
+    for (std::size_t i = 0; i < in.size(); i += hn::Lanes(d)) {
+        const FloatVec value = hn::LoadU(d, in.data() + i);
+        const Mask above = hn::Ge(value, low);
+        const Mask within = hn::And(above, hn::Lt(value, high));
+        counts.below += hn::CountTrue(d, hn::AndNot(above, hn::Ge(value, first)));
+        hn::StoreU(squeeze(value, within), d, out + counts.within);
+        counts.within += hn::CountTrue(d, within);
+    }
+    for (std::size_t lane = 0; lane < kTreeWidth; lane += hn::Lanes(d))
+        hn::StoreU(hn::Set(d, kFar), d, out + counts.within + lane);
+    return counts;
+}
+
+/// The k-th smallest of 16 values.
+HWY_INLINE float kth_of_few(const float* values, std::size_t k)
+{
+    const Floats d;
+    const FloatVec wanted = hn::Set(d, static_cast<float>(k)), one = hn::Set(d, 1.0f);
+    FloatVec kth = hn::Set(d, kFar);
+    for (std::size_t lane = 0; lane < kTreeWidth; lane += hn::Lanes(d)) {
+        const FloatVec value = hn::LoadU(d, values + lane);
+        FloatVec rank = hn::Zero(d);
+        for (std::size_t i = 0; i < kTreeWidth; ++i)
+            rank = hn::Add(rank, hn::IfThenElseZero(hn::Le(hn::Set(d, values[i]), value), one));
+        kth = hn::Min(kth, hn::IfThenElse(hn::Ge(rank, wanted), value, hn::Set(d, kFar)));
+    }
+    return hn::GetLane(hn::MinOfLanes(d, kth));
+}
+
+float KthDistance2(std::size_t k, float radius2, std::size_t inside, TreeScratch& scratch)
+{
+    const std::span<const float> all(scratch.rows.data()->distance2, kTreeWidth * scratch.filled);
+    grow(scratch.band, all.size() + kTreeWidth);
+    float* const band = scratch.band.data();
+    std::span<const float> values = all;
+    Bracket b{0.0f, std::nextafter(radius2, kFar), inside, k};
+    for (int pass = 0; bits(b.high) - bits(b.low) > 1; ++pass) {
+        const Bracket to = aim(b, pass);
+        const Counts counts = narrow(values, b.low, to, band);
+        if (b.k <= counts.below) {
+            b = {b.low, to.low, counts.below, b.k};
+            values = all;
+        } else if (b.k <= counts.below + counts.within) {
+            b = {to.low, to.high, counts.within, b.k - counts.below};
+            if (b.count <= kTreeWidth)
+                return kth_of_few(band, b.k);
+            values = {band, (counts.within + kTreeWidth - 1) / kTreeWidth * kTreeWidth};
+        } else {
+            const std::size_t passed = counts.below + counts.within;
+            b = {to.high, b.high, b.count - passed, b.k - passed};
+            values = all;
+        }
+    }
+    return b.low;
+}
+
+float GreatestDistance2(float radius2, const TreeScratch& scratch)
+{
+    const Floats d;
+    FloatVec greatest = hn::Zero(d);
+    for (std::size_t b = 0; b < scratch.filled; ++b)
+        for (std::size_t lane = 0; lane < kTreeWidth; lane += hn::Lanes(d)) {
+            const FloatVec value = hn::Load(d, scratch.rows[b].distance2 + lane);
+            const Mask inside = hn::Le(value, hn::Set(d, radius2));
+            greatest = hn::Max(greatest, hn::IfThenElseZero(inside, value));
+        }
+    return hn::GetLane(hn::MaxOfLanes(d, greatest));
+}
+
+std::size_t EmitNearer(const WideTree& tree, float farthest2, TreeScratch& scratch)
+{
+    const Floats d;
+    const FloatVec farthest = hn::Set(d, farthest2);
+    grow(scratch.found, kTreeWidth * (scratch.filled + 1));
+    scratch.ties.clear();
+    std::size_t count = 0;
+    for (std::size_t b = 0; b < scratch.filled; ++b) {
+        const std::uint32_t block = scratch.blocks[b];
+        for (std::uint32_t lane = 0; lane < kTreeWidth; lane += hn::Lanes(d)) {
+            const FloatVec value = hn::Load(d, scratch.rows[b].distance2 + lane);
+            count += write_lanes(kTreeWidth * block + lane, hn::Lt(value, farthest),
+                                 scratch.found.data() + count);
+            if (HWY_LIKELY(hn::AllFalse(d, hn::Eq(value, farthest))))
+                continue;
+            for (std::uint32_t i = lane; i < lane + hn::Lanes(d); ++i)
+                if (scratch.rows[b].distance2[i] == farthest2)
+                    scratch.ties.push_back({tree.blocks[block].photon[i], kTreeWidth * block + i});
+        }
+    }
+    return count;
+}
+
+} // namespace hipmap::tree_search::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace hipmap::tree_search {
+
+HWY_EXPORT(KthDistance2);
+HWY_EXPORT(GreatestDistance2);
+HWY_EXPORT(EmitNearer);
+
+float kth_distance2(std::size_t k, float radius2, std::size_t inside, TreeScratch& scratch)
+{
+    return HWY_DYNAMIC_DISPATCH(KthDistance2)(k, radius2, inside, scratch);
+}
+
+float greatest_distance2(float radius2, const TreeScratch& scratch)
+{
+    return HWY_DYNAMIC_DISPATCH(GreatestDistance2)(radius2, scratch);
+}
+
+std::size_t emit_nearer(const WideTree& tree, float farthest2, TreeScratch& scratch)
+{
+    return HWY_DYNAMIC_DISPATCH(EmitNearer)(tree, farthest2, scratch);
+}
+
+} // namespace hipmap::tree_search
+#endif

@@ -1,0 +1,153 @@
+#include "render/maps/wide_tree.h"
+
+#include "common/math/bounds.h"
+
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
+
+#include <algorithm>
+#include <cassert>
+#include <limits>
+
+namespace hipmap {
+
+namespace {
+
+using Box = Bounds<glm::vec3>;
+
+/// Below this a range is ordered by one thread.
+constexpr std::size_t kParallelSize = 1 << 14;
+
+int widest_axis(std::span<const TreePoint> points)
+{
+    Box box;
+    for (const TreePoint& point : points)
+        box.add(point.position);
+    const glm::vec3 extent = box.extent();
+    if (extent.x >= extent.y && extent.x >= extent.z)
+        return 0;
+    return extent.y >= extent.z ? 1 : 2;
+}
+
+/// Halves a range of children of `child_size` points each (the last may have fewer) until each is
+/// one child, then goes on inside.  So every child but the last of a level is full.
+void order_blocks(std::span<TreePoint> points, std::size_t child_size)
+{
+    while (points.size() <= child_size) {
+        if (child_size == kTreeWidth)
+            return;
+        child_size /= kTreeWidth;
+    }
+    const std::size_t children = (points.size() + child_size - 1) / child_size;
+    const std::size_t middle = children / 2 * child_size;
+    const int axis = widest_axis(points);
+    std::nth_element(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(middle),
+                     points.end(), [axis](const TreePoint& a, const TreePoint& b) {
+                         for (int i : {axis, (axis + 1) % 3, (axis + 2) % 3})
+                             if (a.position[i] != b.position[i])
+                                 return a.position[i] < b.position[i];
+                         return a.photon < b.photon;
+                     });
+    const auto low = [&] { order_blocks(points.first(middle), child_size); };
+    const auto high = [&] { order_blocks(points.subspan(middle), child_size); };
+    if (points.size() >= kParallelSize) {
+        tbb::parallel_invoke(low, high);
+    } else {
+        low();
+        high();
+    }
+}
+
+Box fill_block(std::span<const TreePoint> points, PhotonBlock& block)
+{
+    Box box;
+    for (std::size_t lane = 0; lane < kTreeWidth; ++lane) {
+        const bool there = lane < points.size();
+        if (there)
+            box.add(points[lane].position);
+        for (int axis = 0; axis < 3; ++axis)
+            block.position[axis][lane] =
+                there ? points[lane].position[axis] : std::numeric_limits<float>::infinity();
+        block.photon[lane] = there ? points[lane].photon : 0;
+    }
+    return box;
+}
+
+Box fill_node(std::span<const Box> children, BoxNode& node)
+{
+    Box box;
+    for (std::size_t lane = 0; lane < kTreeWidth; ++lane) {
+        const bool there = lane < children.size();
+        if (there) {
+            box.add(children[lane].low);
+            box.add(children[lane].high);
+        }
+        for (int axis = 0; axis < 3; ++axis) {
+            constexpr float kFar = std::numeric_limits<float>::infinity();
+            node.low[axis][lane] = there ? children[lane].low[axis] : kFar;
+            node.high[axis][lane] = there ? children[lane].high[axis] : -kFar;
+        }
+    }
+    return box;
+}
+
+/// out[i] and its box from the i-th 16 of `in`.
+template <typename In, typename Out, typename Fill>
+std::vector<Box> fill_level(std::span<const In> in, std::span<Out> out, const Fill& fill)
+{
+    std::vector<Box> boxes(out.size());
+    tbb::parallel_for(std::size_t{0}, out.size(), [&](std::size_t i) {
+        const std::size_t begin = kTreeWidth * i;
+        boxes[i] =
+            fill(in.subspan(begin, std::min<std::size_t>(kTreeWidth, in.size() - begin)), out[i]);
+    });
+    return boxes;
+}
+
+/// Finds out how many nodes each level has, and where they begin.
+void lay_out_levels(WideTree& tree)
+{
+    std::array<std::size_t, 7> sizes{}; // leaves first
+    std::size_t size = tree.blocks.size();
+    do {
+        size = (size + kTreeWidth - 1) / kTreeWidth;
+        sizes[tree.levels++] = size;
+    } while (size > 1);
+    std::size_t begin = 0;
+    for (std::uint32_t level = 0; level < tree.levels; ++level) {
+        tree.first_node[level] = static_cast<std::uint32_t>(begin);
+        begin += sizes[tree.levels - 1 - level];
+    }
+    tree.nodes.resize(begin);
+}
+
+} // namespace
+
+WideTree build_wide_tree(std::span<TreePoint> points)
+{
+    assert(points.size() <= std::numeric_limits<std::uint32_t>::max());
+    WideTree tree;
+    tree.size = points.size();
+    if (points.empty())
+        return tree;
+    std::size_t child_size = kTreeWidth;
+    while (child_size * kTreeWidth < points.size())
+        child_size *= kTreeWidth;
+    order_blocks(points, child_size);
+
+    tree.blocks.resize((points.size() + kTreeWidth - 1) / kTreeWidth);
+    std::vector<Box> boxes = fill_level<TreePoint, PhotonBlock>(points, tree.blocks, fill_block);
+    lay_out_levels(tree);
+    std::size_t end = tree.nodes.size();
+    for (std::uint32_t level = tree.levels; level-- > 0;) {
+        const std::size_t begin = tree.first_node[level];
+        boxes = fill_level<Box, BoxNode>(boxes, std::span(tree.nodes).subspan(begin, end - begin),
+                                         fill_node);
+        end = begin;
+    }
+    tree.low = boxes[0].low;
+    tree.high = boxes[0].high;
+    return tree;
+}
+
+} // namespace hipmap

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "render/maps/photon_tree.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace hipmap {
+
+/// Photons of a block, and children of a node.
+inline constexpr std::uint32_t kTreeWidth = 16;
+
+/// Photons that lie together; lanes without one are infinitely far.
+struct alignas(64) PhotonBlock {
+    float position[3][kTreeWidth];
+    std::uint32_t photon[kTreeWidth]; ///< the caller's numbers
+};
+
+/// The boxes of a node's children; of a child that is not there, low is +inf and high is -inf.
+struct alignas(64) BoxNode {
+    float low[3][kTreeWidth];
+    float high[3][kTreeWidth];
+};
+
+/// A tree of boxes, 16 children to a node, over blocks of 16 photons, docs/photon_maps.md.  It has
+/// no pointers: child j of node i of a level is node (or block) 16 i + j of the next.  A photon's
+/// slot is its place in the order of the blocks.  About 17.6 bytes a photon.
+/// Read-only once built: any number of threads may search.
+struct WideTree {
+    std::uint64_t size = 0;                    ///< photons
+    std::vector<PhotonBlock> blocks;           ///< all but the last are full
+    std::vector<BoxNode> nodes;                ///< the root, then level by level
+    std::array<std::uint32_t, 7> first_node{}; ///< of each level
+    std::uint32_t levels = 0;
+    glm::vec3 low{0.0f}, high{0.0f}; ///< box of all photons
+
+    /// Bytes of the arrays.
+    std::size_t bytes() const
+    {
+        return blocks.size() * sizeof(PhotonBlock) + nodes.size() * sizeof(BoxNode);
+    }
+};
+
+/// Orders `points` by slot and builds their tree, in parallel.  O(n log n).
+/// Same points in the same order, same tree, at any thread count.  Positions must be finite and
+/// below 1e18, points fewer than 2^32.  None: a tree that finds nothing.
+WideTree build_wide_tree(std::span<TreePoint> points);
+
+} // namespace hipmap

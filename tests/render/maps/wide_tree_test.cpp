@@ -1,0 +1,198 @@
+#include "common/math/random.h"
+#include "render/maps/wide_search.h"
+#include "tests/support/brute_force.h"
+
+#include <catch2/catch.hpp>
+#include <tbb/global_control.h>
+
+#include <cstring>
+#include <functional>
+
+using namespace hipmap;
+
+namespace {
+
+constexpr float kFar = std::numeric_limits<float>::infinity();
+
+using Points = std::vector<glm::vec3>;
+using Place = std::function<glm::vec3(RandomSequence&)>;
+
+glm::vec3 anywhere(RandomSequence& random)
+{
+    return {random.next(), random.next(), random.next()};
+}
+
+/// Sets on which a tree could go wrong.
+const std::vector<std::pair<const char*, Place>> kPlaces = {
+    {"cloud", anywhere},
+    {"plane", [](RandomSequence& r) { return glm::vec3(r.next(), 0.5f, r.next()); }},
+    {"line", [](RandomSequence& r) { return glm::vec3(0.25f, 0.5f, r.next()); }},
+    {"lattice", [](RandomSequence& r) { return glm::floor(8.0f * anywhere(r)) / 8.0f; }},
+    {"one point", [](RandomSequence&) { return glm::vec3(0.5f); }},
+    {"clusters",
+     [](RandomSequence& r) {
+         const float size = r.next() < 0.9f ? 1e-6f : 1.0f;
+         return glm::vec3(0.3f) + size * anywhere(r);
+     }},
+    {"far away", [](RandomSequence& r) { return glm::vec3(1e6f) + anywhere(r); }},
+};
+
+Points make_points(const Place& place, std::uint64_t seed, std::size_t count)
+{
+    Points points;
+    for (std::size_t i = 0; i < count; ++i) {
+        RandomSequence random(seed, RandomStream::pictures, 0, i);
+        points.push_back(place(random));
+    }
+    return points;
+}
+
+struct OwnedTree {
+    std::vector<TreePoint> points; ///< by slot
+    WideTree tree;
+
+    explicit OwnedTree(const Points& positions)
+    {
+        for (std::size_t i = 0; i < positions.size(); ++i)
+            points.push_back({positions[i], static_cast<std::uint32_t>(i)});
+        tree = build_wide_tree(points);
+    }
+    std::uint32_t photon(std::uint32_t slot) const { return points[slot].photon; }
+};
+
+/// What was found as brute force would list it; fails if the farthest is not the last.
+std::vector<Neighbour> sorted(const OwnedTree& owner, const glm::vec3& query,
+                              const FoundSlots& found)
+{
+    std::vector<Neighbour> out;
+    for (const std::uint32_t slot : found.slots) {
+        const glm::vec3 d = owner.points[slot].position - query;
+        out.push_back({glm::dot(d, d), owner.photon(slot)});
+    }
+    if (!out.empty()) {
+        const Neighbour last = out.back();
+        CHECK(last.distance2 == found.farthest2);
+        std::sort(out.begin(), out.end());
+        CHECK(last.photon == out.back().photon);
+    }
+    return out;
+}
+
+/// Queries on the points, near them, and outside.
+Points make_queries(const Points& points, const Place& place)
+{
+    Points queries = make_points(place, 77, 4);
+    for (const glm::vec3& p : make_points(anywhere, 78, 2))
+        queries.push_back(p);
+    queries.emplace_back(3.0f, -2.0f, 0.5f);
+    if (!points.empty())
+        queries.push_back(points[points.size() / 2]);
+    return queries;
+}
+
+/// Number of searches compared with brute force.
+int compare(const Points& points, const Points& queries)
+{
+    const OwnedTree owner(points);
+    TreeScratch scratch;
+    const auto odd = [&](std::uint32_t slot) { return owner.photon(slot) % 2 == 1; };
+    const auto pass = [](std::uint32_t) { return true; };
+    const auto pass_odd = [](std::uint32_t i) { return i % 2 == 1; };
+    int compared = 0;
+    for (const glm::vec3& query : queries)
+        for (const std::size_t k : {1, 2, 15, 50, 600, 30000})
+            for (const float radius : {0.0f, 0.1f, kFar}) {
+                const TreeQuery wanted{query, k, radius * radius};
+                CHECK(brute_force::same(
+                    sorted(owner, query, find_nearest(owner.tree, wanted, scratch)),
+                    brute_force::k_nearest(points, query, k, radius, pass)));
+                CHECK(brute_force::same(
+                    sorted(owner, query, find_nearest(owner.tree, wanted, scratch, odd)),
+                    brute_force::k_nearest(points, query, k, radius, pass_odd)));
+                compared += 2;
+            }
+    return compared;
+}
+
+} // namespace
+
+TEST_CASE("wide tree: every kernel matches brute force, with ties", "[maps]")
+{
+    const std::vector<const char*> targets = simd_targets();
+    REQUIRE(targets.size() >= 1);
+    for (const char* target : targets) {
+        REQUIRE(use_simd_target(target));
+        int compared = 0;
+        for (const auto& [name, place] : kPlaces)
+            for (const std::size_t count :
+                 {0, 1, 2, 15, 16, 17, 49, 50, 51, 100, 255, 256, 257, 300, 1000, 4096, 5000}) {
+                INFO(target << ", " << name << ", " << count << " photons");
+                const Points points = make_points(place, count, count);
+                compared += compare(points, make_queries(points, place));
+            }
+        WARN(target << ": " << compared << " searches compared with brute force");
+    }
+    CHECK_FALSE(use_simd_target("no such target"));
+    use_simd_target(targets.front());
+}
+
+TEST_CASE("wide tree: a search finds the same after any other", "[maps]")
+{
+    const Points points = make_points(kPlaces[1].second, 3, 20000);
+    const OwnedTree owner(points), other(make_points(anywhere, 4, 300));
+    TreeScratch used;
+    for (std::uint64_t i = 0; i < 500; ++i) {
+        RandomSequence random(8, RandomStream::pictures, 0, i);
+        const std::size_t k = i % 3 == 0 ? 20 : 80;
+        const float radius2 = i % 7 == 0 ? 1e-4f : kFar;
+        const float step = i % 5 == 0 ? 1.0f : 1e-3f;
+        const TreeQuery query{glm::vec3(0.5f) + step * (anywhere(random) - 0.5f), k, radius2};
+        if (i % 11 == 0)
+            find_nearest(other.tree, query, used);
+        TreeScratch fresh;
+        const FoundSlots a = find_nearest(owner.tree, query, used);
+        const FoundSlots b = find_nearest(owner.tree, query, fresh);
+        CHECK(std::equal(a.slots.begin(), a.slots.end(), b.slots.begin(), b.slots.end()));
+        CHECK(a.farthest2 == b.farthest2);
+    }
+}
+
+TEST_CASE("wide tree: a search that is not a number ends", "[maps]")
+{
+    const OwnedTree owner(make_points(anywhere, 3, 2000));
+    TreeScratch scratch;
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    CHECK(find_nearest(owner.tree, {glm::vec3(nan), 50}, scratch).slots.empty());
+    CHECK(find_nearest(owner.tree, {glm::vec3(0.5f), 50}, scratch).slots.size() == 50);
+}
+
+TEST_CASE("wide tree: the same at any thread count, every photon once, 18 bytes each", "[maps]")
+{
+    constexpr std::size_t kCount = 100003;
+    const Points points = make_points(kPlaces[3].second, 5, kCount);
+    std::vector<OwnedTree> trees;
+    for (const std::size_t threads : {1, 2, 7}) {
+        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+        trees.emplace_back(points);
+    }
+    const WideTree& first = trees[0].tree;
+    for (const OwnedTree& owner : trees) {
+        const WideTree& tree = owner.tree;
+        REQUIRE(tree.blocks.size() == first.blocks.size());
+        CHECK(std::memcmp(tree.blocks.data(), first.blocks.data(),
+                          tree.blocks.size() * sizeof(PhotonBlock)) == 0);
+        CHECK(std::memcmp(tree.nodes.data(), first.nodes.data(),
+                          tree.nodes.size() * sizeof(BoxNode)) == 0);
+    }
+    CHECK(first.bytes() < 18 * kCount);
+    std::vector<bool> seen(kCount, false);
+    for (std::uint32_t slot = 0; slot < kCount; ++slot) {
+        const PhotonBlock& block = first.blocks[slot / kTreeWidth];
+        const std::uint32_t lane = slot % kTreeWidth, photon = block.photon[lane];
+        CHECK(photon == trees[0].photon(slot));
+        CHECK_FALSE(seen[photon]);
+        seen[photon] = true;
+        CHECK(points[photon] ==
+              glm::vec3(block.position[0][lane], block.position[1][lane], block.position[2][lane]));
+    }
+}
