@@ -1,0 +1,247 @@
+#include "bench/query_methods.h"
+
+#include "render/maps/photon_tree.h"
+#include "render/maps/wide_search.h"
+
+#include <nanoflann.hpp>
+
+#include <cmath>
+#include <ctime>
+
+namespace hipmap {
+
+namespace {
+
+using Photons = std::vector<RoomPoint>;
+
+std::vector<std::uint32_t> photons_of(std::span<const Neighbour> found)
+{
+    std::vector<std::uint32_t> out;
+    for (const Neighbour& neighbour : found)
+        out.push_back(neighbour.photon);
+    return out;
+}
+
+/// The photons of each map, or all of them as one.
+std::vector<std::vector<TreePoint>> points_by_map(const Photons& photons, bool by_map)
+{
+    std::vector<std::vector<TreePoint>> points(by_map ? kRoomMaps : 1);
+    for (std::uint32_t i = 0; i < photons.size(); ++i)
+        points[by_map ? photons[i].map : 0].push_back({photons[i].position, i});
+    return points;
+}
+
+/// What nanoflann asks of points.
+struct PositionsForNanoflann {
+    std::vector<glm::vec3> positions;
+
+    std::size_t kdtree_get_point_count() const { return positions.size(); }
+    float kdtree_get_pt(std::uint32_t i, std::size_t axis) const
+    {
+        return positions[i][static_cast<int>(axis)];
+    }
+    template <class Box>
+    bool kdtree_get_bbox(Box&) const
+    {
+        return false;
+    }
+};
+
+using NanoflannTree =
+    nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<float, PositionsForNanoflann>,
+                                        PositionsForNanoflann, 3, std::uint32_t>;
+
+struct NanoflannIndex {
+    PositionsForNanoflann points;
+    std::unique_ptr<NanoflannTree> tree;
+
+    explicit NanoflannIndex(const Photons& photons)
+    {
+        for (const RoomPoint& photon : photons)
+            points.positions.push_back(photon.position);
+        tree = std::make_unique<NanoflannTree>(3, points);
+    }
+    std::size_t bytes() const
+    {
+        return tree->usedMemory(*tree) + points.positions.size() * sizeof(glm::vec3);
+    }
+};
+
+class Nanoflann : public QueryMethod {
+  public:
+    explicit Nanoflann(const Photons& photons) : index_(photons) {}
+    const char* name() const override { return "nanoflann, KNNResultSet"; }
+    void prepare(std::size_t k) override
+    {
+        photons_.resize(k);
+        distances2_.resize(k);
+    }
+    void search(const RoomPoint& query) override
+    {
+        nanoflann::KNNResultSet<float, std::uint32_t> result(photons_.size());
+        result.init(photons_.data(), distances2_.data());
+        index_.tree->findNeighbors(result, &query.position[0], {});
+        found_ = result.size();
+    }
+    std::vector<std::uint32_t> found() const override
+    {
+        return {photons_.begin(), photons_.begin() + static_cast<std::ptrdiff_t>(found_)};
+    }
+    std::size_t bytes() const override { return index_.bytes(); }
+    bool breaks_ties() const override { return false; }
+
+  private:
+    NanoflannIndex index_;
+    std::vector<std::uint32_t> photons_;
+    std::vector<float> distances2_;
+    std::size_t found_ = 0;
+};
+
+/// A heap as nanoflann's result set.
+struct HeapResultSet {
+    using DistanceType = float;
+    NeighbourHeap heap;
+
+    std::size_t size() const { return heap.size(); }
+    bool full() const { return heap.full(); }
+    bool addPoint(float distance2, std::uint32_t photon)
+    {
+        heap.offer({distance2, photon});
+        return true;
+    }
+    float worstDist() const { return heap.bound2(); }
+};
+
+/// The radius of a search begins at that of the last one and the step from there.
+class SeededNanoflann : public QueryMethod {
+  public:
+    explicit SeededNanoflann(const Photons& photons) : index_(photons) {}
+    const char* name() const override { return "nanoflann, seeded heap"; }
+    void prepare(std::size_t k) override
+    {
+        storage_.resize(k);
+        last_radius_ = std::numeric_limits<float>::infinity();
+    }
+    void search(const RoomPoint& query) override
+    {
+        const float radius = last_radius_ + glm::distance(query.position, last_point_);
+        HeapResultSet result{{storage_, radius * radius * 1.00001f}};
+        index_.tree->findNeighbors(result, &query.position[0], {});
+        found_ = result.heap.sorted();
+        last_point_ = query.position;
+        if (found_.size() == storage_.size())
+            last_radius_ = std::sqrt(found_.back().distance2);
+    }
+    std::vector<std::uint32_t> found() const override { return photons_of(found_); }
+    std::size_t bytes() const override { return index_.bytes(); }
+    bool breaks_ties() const override { return false; }
+
+  private:
+    NanoflannIndex index_;
+    std::vector<Neighbour> storage_;
+    std::span<const Neighbour> found_;
+    glm::vec3 last_point_{0.0f};
+    float last_radius_ = 0;
+};
+
+/// The left-balanced tree with a heap.
+class Textbook : public QueryMethod {
+  public:
+    Textbook(const Photons& photons, bool by_map)
+        : by_map_(by_map), points_(points_by_map(photons, by_map))
+    {
+        for (std::vector<TreePoint>& points : points_) {
+            axes_.emplace_back(points.size());
+            order_tree(points, axes_.back());
+        }
+    }
+    const char* name() const override { return by_map_ ? "textbook, by map" : "textbook"; }
+    void prepare(std::size_t k) override { storage_.resize(k); }
+    void search(const RoomPoint& query) override
+    {
+        const std::size_t map = by_map_ ? query.map : 0;
+        NeighbourHeap heap(storage_, std::numeric_limits<float>::infinity());
+        search_tree({points_[map], axes_[map]}, query.position, AcceptAll(), heap);
+        found_ = heap.sorted();
+    }
+    std::vector<std::uint32_t> found() const override { return photons_of(found_); }
+    std::size_t bytes() const override
+    {
+        std::size_t bytes = 0;
+        for (const std::vector<TreePoint>& points : points_)
+            bytes += points.size() * (sizeof(TreePoint) + 1);
+        return bytes;
+    }
+    bool by_map() const override { return by_map_; }
+
+  private:
+    bool by_map_;
+    std::vector<std::vector<TreePoint>> points_;
+    std::vector<std::vector<std::uint8_t>> axes_;
+    std::vector<Neighbour> storage_;
+    std::span<const Neighbour> found_;
+};
+
+class Wide : public QueryMethod {
+  public:
+    Wide(const Photons& photons, bool by_map) : by_map_(by_map)
+    {
+        for (std::vector<TreePoint>& points : points_by_map(photons, by_map))
+            trees_.push_back(build_wide_tree(points));
+    }
+    const char* name() const override { return by_map_ ? "wide, by map" : "wide"; }
+    void prepare(std::size_t k) override { k_ = k; }
+    void search(const RoomPoint& query) override
+    {
+        tree_ = &trees_[by_map_ ? query.map : 0];
+        slots_ = find_nearest(*tree_, {query.position, k_}, scratch_).slots;
+    }
+    std::vector<std::uint32_t> found() const override
+    {
+        std::vector<std::uint32_t> out;
+        for (const std::uint32_t slot : slots_)
+            out.push_back(tree_->blocks[slot / kTreeWidth].photon[slot % kTreeWidth]);
+        return out;
+    }
+    std::size_t bytes() const override
+    {
+        std::size_t bytes = 0;
+        for (const WideTree& tree : trees_)
+            bytes += tree.bytes();
+        return bytes;
+    }
+    bool by_map() const override { return by_map_; }
+
+  private:
+    bool by_map_;
+    std::vector<WideTree> trees_;
+    const WideTree* tree_ = nullptr;
+    std::size_t k_ = 0;
+    TreeScratch scratch_;
+    std::span<const std::uint32_t> slots_;
+};
+
+template <typename Method, typename... Arguments>
+BuiltMethod build(const Photons& photons, Arguments... arguments)
+{
+    const std::clock_t start = std::clock();
+    auto method = std::make_unique<Method>(photons, arguments...);
+    const double seconds = double(std::clock() - start) / CLOCKS_PER_SEC;
+    return {std::move(method), seconds};
+}
+
+} // namespace
+
+std::vector<BuiltMethod> build_methods(const std::vector<RoomPoint>& photons)
+{
+    std::vector<BuiltMethod> methods;
+    methods.push_back(build<Nanoflann>(photons));
+    methods.push_back(build<SeededNanoflann>(photons));
+    methods.push_back(build<Textbook>(photons, false));
+    methods.push_back(build<Textbook>(photons, true));
+    methods.push_back(build<Wide>(photons, false));
+    methods.push_back(build<Wide>(photons, true));
+    return methods;
+}
+
+} // namespace hipmap

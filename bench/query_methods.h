@@ -1,0 +1,36 @@
+#pragma once
+
+#include "bench/query_scene.h"
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace hipmap {
+
+/// A way to find the k photons nearest to a point.
+class QueryMethod {
+  public:
+    virtual ~QueryMethod() = default;
+    virtual const char* name() const = 0;
+    /// Wants k photons of each search from now on.
+    virtual void prepare(std::size_t k) = 0;
+    virtual void search(const RoomPoint& query) = 0;
+    /// Numbers of the photons of the last search, in any order.
+    virtual std::vector<std::uint32_t> found() const = 0;
+    virtual std::size_t bytes() const = 0;
+    /// Whether it searches the query's map alone.
+    virtual bool by_map() const { return false; }
+    /// Whether equally far photons are told apart by their numbers.
+    virtual bool breaks_ties() const { return true; }
+};
+
+struct BuiltMethod {
+    std::unique_ptr<QueryMethod> method;
+    double build_seconds;
+};
+
+/// Every method over the same photons, built one after the other.  Borrows the photons.
+std::vector<BuiltMethod> build_methods(const std::vector<RoomPoint>& photons);
+
+} // namespace hipmap
