@@ -1,6 +1,6 @@
 #include "bench/query_methods.h"
 
-#include "render/maps/photon_tree.h"
+#include "bench/textbook_tree.h"
 #include "render/maps/wide_search.h"
 
 #include <nanoflann.hpp>

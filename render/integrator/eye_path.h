@@ -25,11 +25,6 @@ struct PassMaps {
 struct EyeScratch {
     EstimateScratch caustic;
     EstimateScratch global;
-
-    explicit EyeScratch(const PassMaps& maps)
-        : caustic(maps.caustic.options), global(maps.global.options)
-    {
-    }
 };
 
 /// Radiance that arrives along an eye ray, W/(m2 sr): emission, and at every diffuse surface seen

@@ -48,7 +48,7 @@ class TileRenderer {
     /// Writes the mean of the samples of each pixel of the tile.
     void render(int tile, Image& out, ThreadCounts& counts) const
     {
-        EyeScratch scratch(maps_);
+        EyeScratch scratch;
         const int x0 = tile % across_ * kTile, y0 = tile / across_ * kTile;
         for (int y = y0; y < std::min(y0 + kTile, options_.height); ++y)
             for (int x = x0; x < std::min(x0 + kTile, options_.width); ++x)
@@ -117,9 +117,8 @@ PassMapSet make_maps(const RenderScene& scene, const RenderOptions& options, std
     statistics.seconds_photons += watch.seconds();
 
     const Stopwatch building;
-    PassMapSet maps{
-        build_photon_maps(std::move(traced.caustic), scene.mesh(), scene.partition, options.maps),
-        build_photon_maps(std::move(traced.global), scene.mesh(), scene.partition, options.maps)};
+    PassMapSet maps{build_photon_maps(traced.caustic, scene.mesh(), scene.partition, options.maps),
+                    build_photon_maps(traced.global, scene.mesh(), scene.partition, options.maps)};
     count_kind(statistics.caustic, maps.caustic);
     count_kind(statistics.global, maps.global);
     statistics.seconds_maps += building.seconds();

@@ -7,7 +7,7 @@ namespace hipmap {
 
 namespace {
 
-using Found = std::span<const Neighbour>;
+using Photons = std::span<const std::uint32_t>;
 
 /// How far beyond the k-th photon to look once boundaries hide some of them: in a right-angled
 /// corner a quarter of the disc is left, so that twice the radius holds as many.
@@ -30,22 +30,22 @@ Rgb gathered_power(const Photon& photon, const PhotonQuery& query)
            diffuse_shape(*query.bsdf, query.shading_normal, photon.direction, query.toward_eye);
 }
 
-Rgb density(const PhotonMaps& maps, const PhotonQuery& query, Found photons, double area)
+Rgb density(const PhotonMaps& maps, const PhotonQuery& query, Photons photons, double area)
 {
     Rgb sum(0.0f);
-    for (const Neighbour& neighbour : photons)
-        sum += gathered_power(maps.photons[neighbour.photon], query);
+    for (const std::uint32_t photon : photons)
+        sum += gathered_power(maps.photons[photon], query);
     return per_area(sum, area);
 }
 
 /// docs/photon_maps.md (4): of an area measured in the plane of the query's face.
 Rgb projected_density(const PhotonMaps& maps, const MapSurfaces& surfaces, const PhotonQuery& query,
-                      Found photons, double area)
+                      Photons photons, double area)
 {
     const glm::vec3& up = surfaces.normals[query.face];
     Rgb sum(0.0f);
-    for (const Neighbour& neighbour : photons) {
-        const Photon& photon = maps.photons[neighbour.photon];
+    for (const std::uint32_t i : photons) {
+        const Photon& photon = maps.photons[i];
         const float cosine =
             photon.face == query.face ? 1.0f : glm::dot(surfaces.normals[photon.face], up);
         sum += gathered_power(photon, query) * std::max(0.0f, cosine);
@@ -58,15 +58,15 @@ double disc_area(float radius)
     return std::numbers::pi * (double{radius} * radius);
 }
 
-float farthest(Found found)
+float farthest(const FoundPhotons& found)
 {
-    return std::sqrt(found.back().distance2);
+    return std::sqrt(found.farthest2);
 }
 
 /// docs/photon_maps.md (2): the k-th photon gives the radius and is left out of the sum.
-Found all_but_last(Found found)
+Photons all_but_last(const FoundPhotons& found)
 {
-    return found.first(found.size() - 1);
+    return found.photons.first(found.photons.size() - 1);
 }
 
 void look_around(const MapSurfaces& surfaces, const PhotonQuery& query, float radius,
@@ -80,10 +80,10 @@ void look_around(const MapSurfaces& surfaces, const PhotonQuery& query, float ra
     scratch.disc.look({{p[c.x], p[c.y], p[c.z]}, query.position, radius}, scratch.segments);
 }
 
-bool sees_all(const PhotonMaps& maps, Found found, const VisibleDisc& disc)
+bool sees_all(const PhotonMaps& maps, Photons photons, const VisibleDisc& disc)
 {
-    for (const Neighbour& neighbour : found)
-        if (!disc.sees(maps.photons[neighbour.photon].position))
+    for (const std::uint32_t photon : photons)
+        if (!disc.sees(maps.photons[photon].position))
             return false;
     return true;
 }
@@ -95,28 +95,29 @@ Rgb estimate_visible(const PhotonMaps& maps, const MapSurfaces& surfaces, Photon
     query.radius = radius;
     look_around(surfaces, query, radius, scratch);
     const auto seen = [&](std::uint32_t i) { return scratch.disc.sees(maps.photons[i].position); };
-    const Found found = find_in_shared(maps, surfaces.partition, query, scratch.search, seen);
-    if (found.size() == maps.options.neighbours)
+    const FoundPhotons found =
+        find_in_shared(maps, surfaces.partition, query, scratch.search.accepted, seen);
+    if (found.photons.size() == maps.options.neighbours)
         return projected_density(maps, surfaces, query, all_but_last(found),
                                  scratch.disc.area(farthest(found)));
     if (scratch.segments.empty())
-        return density(maps, query, found, disc_area(radius));
-    return projected_density(maps, surfaces, query, found, scratch.disc.area(radius));
+        return density(maps, query, found.photons, disc_area(radius));
+    return projected_density(maps, surfaces, query, found.photons, scratch.disc.area(radius));
 }
 
 /// docs/photon_maps.md (3): too few photons for (2).
 Rgb estimate_sparse(const PhotonMaps& maps, const MapSurfaces& surfaces, const PhotonQuery& query,
-                    Found found, EstimateScratch& scratch)
+                    const FoundPhotons& found, EstimateScratch& scratch)
 {
     if (std::isfinite(query.radius)) {
         if (maps.options.mode == MapMode::global)
-            return density(maps, query, found, disc_area(query.radius));
+            return density(maps, query, found.photons, disc_area(query.radius));
         return estimate_visible(maps, surfaces, query, query.radius, scratch);
     }
     if (maps.options.mode == MapMode::global)
         return density(maps, query, all_but_last(found), disc_area(farthest(found)));
     const MapId map = surfaces.partition.map_of_face[query.face];
-    return density(maps, query, found, maps.map_area[maps.map_index(map, query.side)]);
+    return density(maps, query, found.photons, maps.map_area[maps.map_index(map, query.side)]);
 }
 
 } // namespace
@@ -136,11 +137,11 @@ MapSurfaces::MapSurfaces(const TriangleMesh& of_mesh, const Partition& of_partit
 Rgb estimate_irradiance(const PhotonMaps& maps, const MapSurfaces& surfaces,
                         const PhotonQuery& query, EstimateScratch& scratch)
 {
-    const Found found =
+    const FoundPhotons found =
         find_photons(maps, surfaces.mesh, surfaces.partition, query, scratch.search);
-    if (found.empty())
+    if (found.photons.empty())
         return Rgb(0);
-    if (found.size() < maps.options.neighbours)
+    if (found.photons.size() < maps.options.neighbours)
         return estimate_sparse(maps, surfaces, query, found, scratch);
 
     const float radius = farthest(found);
@@ -151,7 +152,7 @@ Rgb estimate_irradiance(const PhotonMaps& maps, const MapSurfaces& surfaces,
     look_around(surfaces, query, radius, scratch);
     if (scratch.segments.empty())
         return density(maps, query, all_but_last(found), disc_area(radius));
-    if (sees_all(maps, found, scratch.disc))
+    if (sees_all(maps, found.photons, scratch.disc))
         return projected_density(maps, surfaces, query, all_but_last(found),
                                  scratch.disc.area(radius));
     return estimate_visible(maps, surfaces, query, std::min(kWiden * radius, query.radius),

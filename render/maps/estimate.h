@@ -11,8 +11,6 @@ struct EstimateScratch {
     SearchScratch search;
     std::vector<BoundarySegment> segments;
     VisibleDisc disc;
-
-    explicit EstimateScratch(const MapOptions& options) : search(options) {}
 };
 
 /// The surfaces that photons lie on and where their maps end.  Borrows mesh and partition.

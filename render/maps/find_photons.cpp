@@ -7,8 +7,6 @@ namespace hipmap {
 
 namespace {
 
-constexpr auto kAcceptAll = [](std::uint32_t) { return true; };
-
 double distance_to_segment(const glm::dvec3& point, const glm::dvec3& a, const glm::dvec3& b)
 {
     const glm::dvec3 along = b - a;
@@ -18,8 +16,8 @@ double distance_to_segment(const glm::dvec3& point, const glm::dvec3& a, const g
 }
 
 /// Algorithm 4 of the thesis up to where it turns to the shared map; empty: it does turn there.
-std::span<const Neighbour> find_in_local(const PhotonMaps& maps, const PhotonQuery& query,
-                                         float limit, SearchScratch& scratch)
+FoundPhotons find_in_local(const PhotonMaps& maps, const PhotonQuery& query, float limit,
+                           SearchScratch& scratch)
 {
     const std::uint32_t index = maps.local_of_face[2 * std::size_t{query.face} + query.side];
     if (index == kNone)
@@ -32,12 +30,16 @@ std::span<const Neighbour> find_in_local(const PhotonMaps& maps, const PhotonQue
     ++scratch.statistics.local_searches;
     // A photon at the limiting radius itself is already too far.
     const float below = std::nextafter(limit * limit, 0.0f);
-    NeighbourHeap heap(scratch.heap, std::min(below, query.radius * query.radius));
-    search_tree(local.tree, query.position, kAcceptAll, heap);
-    if (heap.full() || limit > query.radius)
-        return heap.sorted();
-    ++scratch.statistics.abandoned;
-    return {};
+    const TreeQuery wanted{query.position, maps.options.neighbours,
+                           std::min(below, query.radius * query.radius)};
+    const FoundSlots found = find_nearest(local.tree, wanted, scratch.local);
+    if (found.slots.size() < wanted.photons && limit <= query.radius) {
+        ++scratch.statistics.abandoned;
+        return {};
+    }
+    for (std::uint32_t& photon : found.slots)
+        photon = local.photons[photon];
+    return {found.slots, found.farthest2};
 }
 
 } // namespace
@@ -73,25 +75,24 @@ float even_radius(const PhotonMaps& maps, const Partition& partition, const Phot
     if (id == kNone)
         return std::numeric_limits<float>::infinity();
     const std::size_t map = maps.map_index(id, query.side);
-    return filter_radius(maps.map_area[map], maps.options.neighbours,
-                         maps.first_point[map + 1] - maps.first_point[map]);
+    return filter_radius(maps.map_area[map], maps.options.neighbours, maps.trees[map].size);
 }
 
-std::span<const Neighbour> find_photons(const PhotonMaps& maps, const TriangleMesh& mesh,
-                                        const Partition& partition, const PhotonQuery& query,
-                                        SearchScratch& scratch)
+FoundPhotons find_photons(const PhotonMaps& maps, const TriangleMesh& mesh,
+                          const Partition& partition, const PhotonQuery& query,
+                          SearchScratch& scratch)
 {
     if (maps.photons.empty())
         return {};
     ++scratch.statistics.queries;
-    std::span<const Neighbour> found;
-    if (maps.options.mode == MapMode::thesis && maps.options.neighbours > 0) {
+    FoundPhotons found;
+    if (maps.options.mode == MapMode::thesis) {
         const float limit = limiting_radius(mesh, partition, query.face, query.position);
         found = find_in_local(maps, query, limit, scratch);
     }
-    if (found.empty())
-        found = find_in_shared(maps, partition, query, scratch, kAcceptAll);
-    scratch.statistics.photons_found += found.size();
+    if (found.photons.empty())
+        found = find_in_shared(maps, partition, query, scratch.shared);
+    scratch.statistics.photons_found += found.photons.size();
     return found;
 }
 

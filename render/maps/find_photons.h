@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/maps/photon_maps.h"
+#include "render/maps/wide_search.h"
 #include "render/shading/bsdf.h"
 
 #include <limits>
@@ -32,12 +33,19 @@ struct SearchStatistics {
     SearchStatistics& operator+=(const SearchStatistics& other);
 };
 
-/// Memory that one thread lends to its searches, so that none allocates.
+/// Memory that one thread lends to its searches, so that none allocates.  Each kind of search
+/// remembers the last of its own kind.
 struct SearchScratch {
-    std::vector<Neighbour> heap; ///< [k]
+    TreeScratch shared;
+    TreeScratch local;
+    TreeScratch accepted; ///< of searches that turn photons down
     SearchStatistics statistics;
+};
 
-    explicit SearchScratch(const MapOptions& options) : heap(options.neighbours) {}
+/// The photons that a search found; valid until its scratch is used again.
+struct FoundPhotons {
+    std::span<const std::uint32_t> photons; ///< in the order of the tree, but the farthest is last
+    float farthest2 = 0.0f;                 ///< square distance of the last, square scene units
 };
 
 /// Distance from a point of `face` to the nearest edge across which its shared map goes on;
@@ -49,38 +57,43 @@ float limiting_radius(const TriangleMesh& mesh, const Partition& partition, Face
 /// docs/photon_maps.md (5); infinite for an empty map or a face without one.
 float even_radius(const PhotonMaps& maps, const Partition& partition, const PhotonQuery& query);
 
-/// The k nearest photons of the query's map (fewer if there are no more within the radius), nearest
-/// first; valid until the scratch is used again.  A face without a map has none.
-/// Mode thesis looks in the face's local map first; what it returns is what the shared map would.
-std::span<const Neighbour> find_photons(const PhotonMaps& maps, const TriangleMesh& mesh,
-                                        const Partition& partition, const PhotonQuery& query,
-                                        SearchScratch& scratch);
+/// The k nearest photons of the query's map, fewer if there are no more within the radius; of
+/// equally near ones those with the lower (path, bounce).  A face without a map has none.
+/// Mode thesis looks in the face's local map first; what it returns is what the shared map would,
+/// in another order.
+FoundPhotons find_photons(const PhotonMaps& maps, const TriangleMesh& mesh,
+                          const Partition& partition, const PhotonQuery& query,
+                          SearchScratch& scratch);
 
 /// The same from the first tier alone, of the photons that `accept(photon index)` lets through.
-template <typename Accept>
-std::span<const Neighbour> find_in_shared(const PhotonMaps& maps, const Partition& partition,
-                                          const PhotonQuery& query, SearchScratch& scratch,
-                                          const Accept& accept)
+template <typename Accept = AcceptAll>
+FoundPhotons find_in_shared(const PhotonMaps& maps, const Partition& partition,
+                            const PhotonQuery& query, TreeScratch& scratch,
+                            const Accept& accept = {})
 {
     const bool one_map = maps.options.mode == MapMode::global;
-    const MapId map = one_map ? 0 : partition.map_of_face[query.face];
-    if (map == kNone)
+    const MapId id = one_map ? 0 : partition.map_of_face[query.face];
+    if (id == kNone)
         return {};
-    NeighbourHeap heap(scratch.heap, query.radius * query.radius);
-    const PhotonTree tree = maps.tree(maps.map_index(map, query.side));
+    const std::size_t map = maps.map_index(id, query.side);
+    const auto first = static_cast<std::uint32_t>(maps.first_photon[map]);
+    const TreeQuery wanted{query.position, maps.options.neighbours, query.radius * query.radius};
+    FoundSlots found;
     if (one_map) {
         // Photons of all surfaces are in one map: only light that fell on the side looked at
         // counts.
-        search_tree(
-            tree, query.position,
-            [&](std::uint32_t i) {
-                return glm::dot(maps.photons[i].direction, query.normal) > 0 && accept(i);
-            },
-            heap);
+        found = find_nearest(maps.trees[map], wanted, scratch, [&](std::uint32_t i) {
+            return glm::dot(maps.photons[i].direction, query.normal) > 0 && accept(i);
+        });
+    } else if constexpr (std::is_same_v<Accept, AcceptAll>) {
+        found = find_nearest(maps.trees[map], wanted, scratch);
     } else {
-        search_tree(tree, query.position, accept, heap);
+        found = find_nearest(maps.trees[map], wanted, scratch,
+                             [&](std::uint32_t slot) { return accept(first + slot); });
     }
-    return heap.sorted();
+    for (std::uint32_t& photon : found.slots)
+        photon += first;
+    return {found.slots, found.farthest2};
 }
 
 } // namespace hipmap

@@ -1,94 +1,110 @@
 #include "render/maps/photon_maps.h"
 
+#include "common/input_error.h"
+
 #include <tbb/parallel_for.h>
 
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <string>
 
 namespace hipmap {
 
 namespace {
 
-/// Stable counting sort of photon indices by key; keys[i] < key_count.
-std::vector<std::uint64_t> group_by_key(const std::vector<Photon>& photons,
-                                        const std::vector<std::uint32_t>& keys,
-                                        std::size_t key_count, std::vector<TreePoint>& grouped)
+/// Photons by key, in a stable order.
+struct Groups {
+    std::vector<TreePoint> points;
+    std::vector<std::uint64_t> first; ///< [keys + 1]: group g is points [first[g], first[g+1])
+
+    std::span<TreePoint> of(std::size_t key)
+    {
+        return {points.data() + first[key], static_cast<std::size_t>(first[key + 1] - first[key])};
+    }
+};
+
+/// key_of(photon) < key_count.  A counting sort.
+template <typename KeyOf>
+Groups group_by_key(const std::vector<Photon>& photons, std::size_t key_count, const KeyOf& key_of)
 {
-    std::vector<std::uint64_t> first(key_count + 1, 0);
-    for (const std::uint32_t key : keys)
-        ++first[key + 1];
+    Groups groups;
+    groups.first.assign(key_count + 1, 0);
+    for (const Photon& photon : photons)
+        ++groups.first[key_of(photon) + 1];
     for (std::size_t k = 0; k < key_count; ++k)
-        first[k + 1] += first[k];
-    std::vector<std::uint64_t> next(first.begin(), first.end() - 1);
-    grouped.resize(photons.size());
+        groups.first[k + 1] += groups.first[k];
+    std::vector<std::uint64_t> next(groups.first.begin(), groups.first.end() - 1);
+    groups.points.resize(photons.size());
     for (std::size_t i = 0; i < photons.size(); ++i)
-        grouped[next[keys[i]]++] = {photons[i].position, static_cast<std::uint32_t>(i)};
-    return first;
+        groups.points[next[key_of(photons[i])]++] = {photons[i].position,
+                                                     static_cast<std::uint32_t>(i)};
+    return groups;
 }
 
-void split_into_maps(PhotonMaps& maps, const TriangleMesh& mesh, const Partition& partition)
+std::vector<float> areas_of_maps(const PhotonMaps& maps, const TriangleMesh& mesh,
+                                 const Partition& partition, std::size_t map_count)
 {
-    const bool one_map = maps.options.mode == MapMode::global;
-    const std::size_t map_count = one_map ? 1 : 2 * std::size_t{partition.map_count};
-    std::vector<std::uint32_t> keys;
-    keys.reserve(maps.photons.size());
-    for (const Photon& photon : maps.photons)
-        keys.push_back(static_cast<std::uint32_t>(
-            maps.map_index(partition.map_of_face[photon.face], photon.side)));
-    maps.first_point = group_by_key(maps.photons, keys, map_count, maps.points);
-
     std::vector<double> area(map_count, 0.0);
     for (FaceId face = 0; face < mesh.face_count(); ++face) {
         if (partition.map_of_face[face] == kNone)
             continue;
         const std::size_t map = maps.map_index(partition.map_of_face[face], 0);
         area[map] += face_area(mesh, face);
-        if (!one_map)
+        if (maps.options.mode != MapMode::global)
             area[map + 1] = area[map];
     }
-    maps.map_area.assign(area.begin(), area.end());
+    return {area.begin(), area.end()};
 }
 
-void order_all_trees(PhotonMaps& maps)
+/// Returns the photons' numbers in the order of the trees.
+Groups build_trees(PhotonMaps& maps, const std::vector<Photon>& photons, const Partition& partition)
 {
-    maps.axes.resize(maps.points.size());
-    tbb::parallel_for(std::size_t{0}, maps.map_area.size(), [&](std::size_t m) {
-        const std::size_t begin = maps.first_point[m], count = maps.first_point[m + 1] - begin;
-        order_tree({maps.points.data() + begin, count}, {maps.axes.data() + begin, count});
+    const std::size_t map_count = maps.map_area.size();
+    Groups groups = group_by_key(photons, map_count, [&](const Photon& photon) {
+        return maps.map_index(partition.map_of_face[photon.face], photon.side);
     });
+    maps.trees.resize(map_count);
+    tbb::parallel_for(std::size_t{0}, map_count,
+                      [&](std::size_t m) { maps.trees[m] = build_wide_tree(groups.of(m)); });
+    maps.first_photon = groups.first;
+    maps.photons.resize(photons.size());
+    tbb::parallel_for(std::size_t{0}, photons.size(),
+                      [&](std::size_t i) { maps.photons[i] = photons[groups.points[i].photon]; });
+    return groups;
 }
 
 /// Algorithm 3 of the thesis: every face keeps references to its photons; then faces with fewer
 /// than local_min lose their map, the others get their filter radius.
-void build_local_maps(PhotonMaps& maps, const TriangleMesh& mesh)
+void build_local_maps(PhotonMaps& maps, const std::vector<Photon>& photons,
+                      const std::vector<TreePoint>& ordered, const TriangleMesh& mesh)
 {
-    std::vector<std::uint32_t> keys;
-    keys.reserve(maps.photons.size());
-    for (const Photon& photon : maps.photons)
-        keys.push_back(2 * photon.face + photon.side);
-    const std::vector<std::uint64_t> first =
-        group_by_key(maps.photons, keys, 2 * mesh.face_count(), maps.local_points);
-    maps.local_axes.resize(maps.local_points.size());
-    maps.local_of_face.assign(2 * mesh.face_count(), kNone);
-    for (std::size_t key = 0; key + 1 < first.size(); ++key) {
-        const std::size_t begin = first[key], count = first[key + 1] - begin;
+    std::vector<std::uint32_t> place(photons.size());
+    for (std::size_t i = 0; i < ordered.size(); ++i)
+        place[ordered[i].photon] = static_cast<std::uint32_t>(i);
+    const std::size_t keys = 2 * mesh.face_count();
+    Groups groups = group_by_key(photons, keys, [](const Photon& photon) {
+        return 2 * std::size_t{photon.face} + photon.side;
+    });
+    maps.local_of_face.assign(keys, kNone);
+    std::vector<std::size_t> key_of_local;
+    for (std::size_t key = 0; key < keys; ++key) {
+        const std::size_t count = groups.of(key).size();
         if (count == 0 || count < maps.options.local_min)
             continue;
-        LocalMap local;
-        local.tree.points = {maps.local_points.data() + begin, count};
-        local.tree.axes = {maps.local_axes.data() + begin, count};
-        local.filter_radius = filter_radius(face_area(mesh, static_cast<FaceId>(key / 2)),
-                                            maps.options.neighbours, count);
-        maps.local_of_face[key] = static_cast<std::uint32_t>(maps.locals.size());
-        maps.locals.push_back(local);
+        maps.local_of_face[key] = static_cast<std::uint32_t>(key_of_local.size());
+        key_of_local.push_back(key);
     }
+    maps.locals.resize(key_of_local.size());
     tbb::parallel_for(std::size_t{0}, maps.locals.size(), [&](std::size_t i) {
-        const PhotonTree& tree = maps.locals[i].tree;
-        const std::size_t begin =
-            static_cast<std::size_t>(tree.points.data() - maps.local_points.data());
-        order_tree({maps.local_points.data() + begin, tree.points.size()},
-                   {maps.local_axes.data() + begin, tree.points.size()});
+        const std::span<TreePoint> points = groups.of(key_of_local[i]);
+        LocalMap& local = maps.locals[i];
+        local.tree = build_wide_tree(points);
+        for (const TreePoint& point : points)
+            local.photons.push_back(place[point.photon]);
+        local.filter_radius =
+            filter_radius(face_area(mesh, static_cast<FaceId>(key_of_local[i] / 2)),
+                          maps.options.neighbours, points.size());
     });
 }
 
@@ -105,21 +121,25 @@ float filter_radius(double area, std::uint32_t neighbours, std::uint64_t photons
 std::size_t PhotonMaps::filled_maps() const
 {
     std::size_t filled = 0;
-    for (std::size_t m = 0; m + 1 < first_point.size(); ++m)
-        filled += first_point[m + 1] > first_point[m] ? 1 : 0;
+    for (std::size_t m = 0; m + 1 < first_photon.size(); ++m)
+        filled += first_photon[m + 1] > first_photon[m] ? 1 : 0;
     return filled;
 }
 
-PhotonMaps build_photon_maps(std::vector<Photon> photons, const TriangleMesh& mesh,
+PhotonMaps build_photon_maps(const std::vector<Photon>& photons, const TriangleMesh& mesh,
                              const Partition& partition, const MapOptions& options)
 {
+    if (photons.size() > std::numeric_limits<std::uint32_t>::max())
+        throw InputError("a pass stores " + std::to_string(photons.size()) +
+                         " photons of one kind, more than 4294967295; ask for fewer --photons");
     PhotonMaps maps;
     maps.options = options;
-    maps.photons = std::move(photons);
-    split_into_maps(maps, mesh, partition);
-    order_all_trees(maps);
+    const bool one_map = options.mode == MapMode::global;
+    maps.map_area =
+        areas_of_maps(maps, mesh, partition, one_map ? 1 : 2 * std::size_t{partition.map_count});
+    const Groups groups = build_trees(maps, photons, partition);
     if (options.mode == MapMode::thesis)
-        build_local_maps(maps, mesh);
+        build_local_maps(maps, photons, groups.points, mesh);
     return maps;
 }
 

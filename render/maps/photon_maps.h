@@ -1,7 +1,7 @@
 #pragma once
 
 #include "common/partition/partition.h"
-#include "render/maps/photon_tree.h"
+#include "render/maps/wide_tree.h"
 #include "render/photons/photon.h"
 
 #include <cstdint>
@@ -26,39 +26,28 @@ struct MapOptions {
 
 /// The photons of a face and side that has many of them, by reference into the photons of the set.
 struct LocalMap {
-    PhotonTree tree;
-    float filter_radius = 0.0f; ///< docs/photon_maps.md (5), scene units
+    WideTree tree;
+    std::vector<std::uint32_t> photons; ///< [n] by slot
+    float filter_radius = 0.0f;         ///< docs/photon_maps.md (5), scene units
 };
 
 /// All maps of one kind of photon (caustic or global).  Read-only once built: any number of threads
-/// may search.  Not copyable: trees refer to the arrays.
+/// may search.
 struct PhotonMaps {
     MapOptions options;
-    std::vector<Photon> photons;    ///< [n], by (path, bounce)
-    std::vector<TreePoint> points;  ///< [n], map by map
-    std::vector<std::uint8_t> axes; ///< [n]
+    std::vector<Photon> photons; ///< [n] map by map, by slot of its tree
     std::vector<std::uint64_t>
-        first_point;             ///< [maps + 1]: map m owns points [first[m], first[m+1])
+        first_photon;            ///< [maps + 1]: map m owns photons [first[m], first[m+1])
+    std::vector<WideTree> trees; ///< [maps]; numbers are places in the order of (path, bounce)
     std::vector<float> map_area; ///< [maps] of the faces, square scene units
-    std::vector<TreePoint> local_points;
-    std::vector<std::uint8_t> local_axes;
     std::vector<std::uint32_t>
         local_of_face; ///< [2F] by face and side; kNone; empty without locals
     std::vector<LocalMap> locals;
-
-    PhotonMaps() = default;
-    PhotonMaps(PhotonMaps&&) = default;
-    PhotonMaps& operator=(PhotonMaps&&) = default;
 
     /// The map of a face and side: 0 in mode global.
     std::size_t map_index(MapId map, std::uint8_t side) const
     {
         return options.mode == MapMode::global ? 0 : 2 * std::size_t{map} + side;
-    }
-    PhotonTree tree(std::size_t map) const
-    {
-        const std::size_t begin = first_point[map], count = first_point[map + 1] - begin;
-        return {{points.data() + begin, count}, {axes.data() + begin, count}};
     }
     /// Maps of the first tier that hold a photon.
     std::size_t filled_maps() const;
@@ -67,9 +56,10 @@ struct PhotonMaps {
 /// sqrt(A k / (pi N)), docs/photon_maps.md (5); infinite without photons.
 float filter_radius(double area, std::uint32_t neighbours, std::uint64_t photons);
 
-/// Splits `photons` into maps and orders their trees, in parallel.  O(n log n).
-/// Same photons, same maps, at any thread count.  No photons: empty maps, which find nothing.
-PhotonMaps build_photon_maps(std::vector<Photon> photons, const TriangleMesh& mesh,
+/// Splits `photons`, in the order of (path, bounce), into maps and builds their trees, in parallel.
+/// O(n log n).  Same photons, same maps, at any thread count.  No photons: empty maps, which find
+/// nothing.  Throws InputError for 2^32 photons or more.
+PhotonMaps build_photon_maps(const std::vector<Photon>& photons, const TriangleMesh& mesh,
                              const Partition& partition, const MapOptions& options);
 
 } // namespace hipmap

@@ -9,6 +9,9 @@ namespace {
 /// Of the last radius: after a step farther than this the last search bounds the next one badly.
 constexpr float kNear = 0.5f;
 
+/// More than the roundings of a few operations take away.
+constexpr float kRoundedUp = 1.00001f;
+
 /// Or the farthest, if no more than k are inside.
 float kth_of_collected(std::size_t k, float radius2, std::size_t inside, TreeScratch& scratch)
 {
@@ -32,7 +35,7 @@ float bound2(const WideTree& tree, const TreeQuery& query, float most2, TreeScra
     const float step = glm::distance(query.point, scratch.last_point);
     if (scratch.last_tree == &tree && step < kNear * scratch.last_radius) {
         const float radius = scratch.last_radius + step;
-        return std::min(most2, radius * radius);
+        return std::min(most2, radius * radius * kRoundedUp);
     }
     const std::size_t near = collect_near(tree, query.point, query.photons, scratch);
     const float far2 = greatest_distance2(std::numeric_limits<float>::max(), scratch);
@@ -49,21 +52,24 @@ float wider2(const TreeQuery& query, float radius2, std::size_t inside, float mo
 FoundSlots select(const WideTree& tree, const TreeQuery& query, float radius2, std::size_t inside,
                   TreeScratch& scratch)
 {
-    if (inside == 0)
-        return {};
-    const float farthest2 = kth_of_collected(query.photons, radius2, inside, scratch);
-    const std::size_t nearer = emit_nearer(tree, farthest2, scratch);
-    std::vector<TreeScratch::Tie>& ties = scratch.ties;
-    if (ties.size() > 1)
-        std::sort(ties.begin(), ties.end());
-    const std::size_t count = std::min(nearer + ties.size(), query.photons);
-    for (std::size_t i = nearer; i < count; ++i)
-        scratch.found[i] = ties[i - nearer].slot;
-
+    FoundSlots found;
+    if (inside > 0) {
+        found.farthest2 = kth_of_collected(query.photons, radius2, inside, scratch);
+        const std::size_t nearer = emit_nearer(tree, found.farthest2, scratch);
+        std::vector<TreeScratch::Tie>& ties = scratch.ties;
+        if (ties.size() > 1)
+            std::sort(ties.begin(), ties.end());
+        const std::size_t count = std::min(nearer + ties.size(), query.photons);
+        for (std::size_t i = nearer; i < count; ++i)
+            scratch.found[i] = ties[i - nearer].slot;
+        found.slots = {scratch.found.data(), count};
+    }
     scratch.last_tree = &tree;
     scratch.last_point = query.point;
-    scratch.last_radius = std::sqrt(farthest2);
-    return {{scratch.found.data(), count}, farthest2};
+    scratch.last_radius = found.slots.size() == query.photons
+                              ? std::sqrt(found.farthest2)
+                              : std::numeric_limits<float>::infinity();
+    return found;
 }
 
 } // namespace hipmap::tree_search

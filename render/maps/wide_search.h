@@ -36,7 +36,7 @@ struct TreeScratch {
 
     const WideTree* last_tree = nullptr;
     glm::vec3 last_point{0.0f};
-    float last_radius = 0.0f; ///< of the last k-th photon
+    float last_radius = 0.0f; ///< of the last k-th photon; infinite if there were fewer
 };
 
 /// What a search found; valid until its scratch is used again.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/maps/photon_tree.h"
+#include <glm/glm.hpp>
 
 #include <array>
 #include <cstddef>
@@ -12,6 +12,12 @@ namespace hipmap {
 
 /// Photons of a block, and children of a node.
 inline constexpr std::uint32_t kTreeWidth = 16;
+
+/// A photon's place in a tree.
+struct TreePoint {
+    glm::vec3 position; ///< scene units
+    std::uint32_t photon;
+};
 
 /// Photons that lie together; lanes without one are infinitely far.
 struct alignas(64) PhotonBlock {

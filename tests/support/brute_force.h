@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/maps/find_photons.h"
+#include "bench/textbook_tree.h"
 
 #include <algorithm>
 #include <functional>

@@ -15,7 +15,7 @@ RunningMean estimated_irradiance(const tiny::ReadyScene& ready, MapMode mode)
 {
     const MapOptions options{mode, 50, 100};
     const MapSurfaces surfaces(ready.scene.mesh, ready.partition);
-    EstimateScratch scratch(options);
+    EstimateScratch scratch;
     RunningMean mean;
     for (std::uint64_t pass = 0; pass < 100; ++pass) {
         TracedPhotons traced = trace_photons(*ready.render, {20000, 3, pass, true});

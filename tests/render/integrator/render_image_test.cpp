@@ -101,7 +101,11 @@ TEST_CASE("render: thesis and shared maps make the same image of a room of flat 
     const RenderedImage thesis = render_image(*ready->render, options, {});
     CHECK(thesis.statistics.global.local_maps > 0);
     CHECK(thesis.statistics.global.searches.local_searches > 0);
-    CHECK(thesis.image.pixels == shared.pixels);
+    // The same photons, summed in another order.
+    REQUIRE(thesis.image.pixels.size() == shared.pixels.size());
+    for (std::size_t i = 0; i < shared.pixels.size(); ++i)
+        CHECK(glm::all(glm::lessThanEqual(glm::abs(thesis.image.pixels[i] - shared.pixels[i]),
+                                          1e-5f * shared.pixels[i])));
 }
 
 TEST_CASE("render: a mirror shows the sky by its reflectance, clear glass passes it whole",

@@ -31,7 +31,7 @@ RunningMean estimates_at(const glm::vec2& at, const MapOptions& options, std::si
 {
     const auto ready = tiny::ready(tiny::make_scene(tiny::quad()));
     const MapSurfaces surfaces(ready->scene.mesh, ready->partition);
-    EstimateScratch scratch(options);
+    EstimateScratch scratch;
     RunningMean mean;
     for (std::uint64_t seed = 0; seed < 400; ++seed) {
         const PhotonMaps maps = build_photon_maps(even_square(count, seed), ready->scene.mesh,
@@ -89,7 +89,7 @@ TEST_CASE("estimate: coincident photons give a finite number", "[maps]")
     for (const MapMode mode : {MapMode::global, MapMode::shared, MapMode::thesis}) {
         const PhotonMaps maps =
             build_photon_maps(photons, ready->scene.mesh, ready->partition, {mode, 50, 10});
-        EstimateScratch scratch(maps.options);
+        EstimateScratch scratch;
         const Rgb value =
             estimate_irradiance(maps, surfaces, {{0.5f, 0.25f, 0}, {0, 0, 1}, 0, 0}, scratch);
         CHECK(is_finite(value));

@@ -1,4 +1,4 @@
-#include "render/maps/photon_tree.h"
+#include "bench/textbook_tree.h"
 
 #include "common/math/bounds.h"
 

@@ -1,5 +1,5 @@
+#include "bench/textbook_tree.h"
 #include "common/math/random.h"
-#include "render/maps/photon_tree.h"
 #include "tests/support/brute_force.h"
 
 #include <catch2/catch.hpp>
@@ -24,7 +24,7 @@ struct OwnedTree {
             points.push_back({positions[i], static_cast<std::uint32_t>(i)});
         order_tree(points, axes);
     }
-    PhotonTree view() const { return {points, axes}; }
+    TextbookTree view() const { return {points, axes}; }
 };
 
 /// step > 0: coordinates are multiples of it, so that many distances are equal.
@@ -42,7 +42,7 @@ std::vector<glm::vec3> random_points(std::uint64_t seed, std::size_t count, floa
 }
 
 template <typename Accept>
-std::vector<Neighbour> search(const PhotonTree& tree, const glm::vec3& query, std::size_t k,
+std::vector<Neighbour> search(const TextbookTree& tree, const glm::vec3& query, std::size_t k,
                               float radius, const Accept& accept)
 {
     std::vector<Neighbour> storage(k);
@@ -54,7 +54,7 @@ std::vector<Neighbour> search(const PhotonTree& tree, const glm::vec3& query, st
 
 } // namespace
 
-TEST_CASE("photon tree: matches brute force, with ties", "[maps]")
+TEST_CASE("textbook tree: matches brute force, with ties", "[bench]")
 {
     const auto all = [](std::uint32_t) { return true; };
     const auto odd = [](std::uint32_t i) { return i % 2 == 1; };
@@ -80,7 +80,7 @@ TEST_CASE("photon tree: matches brute force, with ties", "[maps]")
     CHECK(compared == 4320);
 }
 
-TEST_CASE("photon tree: holds every point once", "[maps]")
+TEST_CASE("textbook tree: holds every point once", "[bench]")
 {
     const std::vector<glm::vec3> points = random_points(5, 50000, 0.125f);
     const OwnedTree tree(points);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <glm/glm.hpp>
+#include "render/maps/wide_tree.h"
 
 #include <cstdint>
 #include <span>
@@ -43,15 +43,9 @@ class NeighbourHeap {
     float bound2_;
 };
 
-/// A photon's place in a tree.
-struct TreePoint {
-    glm::vec3 position; ///< scene units
-    std::uint32_t photon;
-};
-
 /// A balanced kd-tree without pointers over a range of points: the middle of a range is its root,
 /// the halves are its subtrees.  Borrows both arrays.  Source: Jensen 2001, chapter 6.
-struct PhotonTree {
+struct TextbookTree {
     std::span<const TreePoint> points;
     std::span<const std::uint8_t> axes; ///< [points] split axis of each inner node
 };
@@ -66,7 +60,7 @@ inline constexpr std::size_t kLeafSize = 8;
 /// Offers every photon of the tree that can matter and that `accept(photon index)` lets through.
 /// point: scene units, finite.  Cost: O(k log n) typically; nothing is allocated.  Thread-safe.
 template <typename Accept>
-void search_tree(const PhotonTree& tree, const glm::vec3& point, const Accept& accept,
+void search_tree(const TextbookTree& tree, const glm::vec3& point, const Accept& accept,
                  NeighbourHeap& heap)
 {
     const auto offer = [&](const TreePoint& candidate) {
