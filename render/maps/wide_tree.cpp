@@ -18,15 +18,87 @@ using Box = Bounds<glm::vec3>;
 /// Below this a range is ordered by one thread.
 constexpr std::size_t kParallelSize = 1 << 14;
 
+/// Of the box of some 256 of the points.
 int widest_axis(std::span<const TreePoint> points)
 {
     Box box;
-    for (const TreePoint& point : points)
-        box.add(point.position);
+    for (std::size_t i = 0; i < points.size(); i += points.size() / 256 + 1)
+        box.add(points[i].position);
     const glm::vec3 extent = box.extent();
     if (extent.x >= extent.y && extent.x >= extent.z)
         return 0;
     return extent.y >= extent.z ? 1 : 2;
+}
+
+/// Along an axis; then along the others, so that photons of a wall across the axis are not split at
+/// random; then by number.
+template <int axis>
+struct AlongAxis {
+    bool operator()(const TreePoint& a, const TreePoint& b) const
+    {
+        bool less = a.position[axis] < b.position[axis];
+        if (a.position[axis] == b.position[axis]) [[unlikely]]
+            less = breaks_tie(a, b);
+        return less;
+    }
+    bool breaks_tie(const TreePoint& a, const TreePoint& b) const
+    {
+        for (const int other : {(axis + 1) % 3, (axis + 2) % 3})
+            if (a.position[other] != b.position[other])
+                return a.position[other] < b.position[other];
+        return a.photon < b.photon;
+    }
+};
+
+/// A point near the one of the given rank: that of evenly spaced samples.
+template <typename Less>
+TreePoint pivot_near(std::span<const TreePoint> points, std::size_t rank, const Less& less)
+{
+    std::array<TreePoint, 31> samples;
+    const std::size_t count = points.size() > 4096 ? 31 : points.size() > 256 ? 7 : 3;
+    for (std::size_t i = 0; i < count; ++i)
+        samples[i] = points[i * (points.size() - 1) / (count - 1)];
+    const auto pivot = samples.begin() + static_cast<std::ptrdiff_t>(count * rank / points.size());
+    std::nth_element(samples.begin(), pivot, samples.begin() + static_cast<std::ptrdiff_t>(count),
+                     less);
+    return *pivot;
+}
+
+/// Moves what is less than the pivot to the front and returns how much that is.  Without a branch
+/// on the outcome, which no processor could foresee.
+template <typename Less>
+std::size_t partition(std::span<TreePoint> points, const TreePoint& pivot, const Less& less)
+{
+    std::size_t front = 0;
+    for (TreePoint& point : points) {
+        const TreePoint moved = point;
+        point = points[front];
+        points[front] = moved;
+        front += less(moved, pivot) ? 1 : 0;
+    }
+    return front;
+}
+
+/// As std::nth_element: the lowest `count` come first.
+template <typename Less>
+void split(std::span<TreePoint> points, std::size_t count, const Less& less)
+{
+    constexpr std::size_t kFew = 16;
+    constexpr int kMostRounds = 32; // pivots of any use need far fewer
+    for (int round = 0; points.size() > kFew && round < kMostRounds; ++round) {
+        if (count == 0 || count == points.size())
+            return;
+        const TreePoint pivot = pivot_near(points, count, less);
+        const std::size_t lower = partition(points, pivot, less);
+        if (count <= lower) {
+            points = points.first(lower);
+        } else {
+            points = points.subspan(lower);
+            count -= lower;
+        }
+    }
+    std::nth_element(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(count),
+                     points.end(), less);
 }
 
 /// Halves a range of children of `child_size` points each (the last may have fewer) until each is
@@ -40,14 +112,16 @@ void order_blocks(std::span<TreePoint> points, std::size_t child_size)
     }
     const std::size_t children = (points.size() + child_size - 1) / child_size;
     const std::size_t middle = children / 2 * child_size;
-    const int axis = widest_axis(points);
-    std::nth_element(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(middle),
-                     points.end(), [axis](const TreePoint& a, const TreePoint& b) {
-                         for (int i : {axis, (axis + 1) % 3, (axis + 2) % 3})
-                             if (a.position[i] != b.position[i])
-                                 return a.position[i] < b.position[i];
-                         return a.photon < b.photon;
-                     });
+    switch (widest_axis(points)) {
+    case 0:
+        split(points, middle, AlongAxis<0>());
+        break;
+    case 1:
+        split(points, middle, AlongAxis<1>());
+        break;
+    default:
+        split(points, middle, AlongAxis<2>());
+    }
     const auto low = [&] { order_blocks(points.first(middle), child_size); };
     const auto high = [&] { order_blocks(points.subspan(middle), child_size); };
     if (points.size() >= kParallelSize) {
