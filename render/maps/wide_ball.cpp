@@ -89,39 +89,47 @@ std::size_t find_blocks(const WideTree& tree, const PointVec& point, FloatVec ra
     return count;
 }
 
-/// Writes the distances of the photons of the first `count` blocks; keeps those blocks that have
-/// one in the ball, and returns how many are.
-std::size_t measure(const WideTree& tree, const PointVec& point, FloatVec radius2,
+/// Writes the distances of the photons of the first `count` blocks, and those between the bounds
+/// once more into the band; keeps those blocks that have one in the ball, and returns how many are.
+std::size_t measure(const WideTree& tree, const PointVec& point, const Bounds2& bounds,
                     std::size_t count, TreeScratch& scratch)
 {
     const Floats d;
+    const FloatVec low2 = hn::Set(d, bounds.low2), high2 = hn::Set(d, bounds.high2);
     grow(scratch.rows, count + 1);
-    std::size_t inside = 0, filled = 0;
+    grow(scratch.band, kTreeWidth * (count + 2));
+    std::size_t inside = 0, filled = 0, in_band = 0;
     for (std::size_t i = 0; i < count; ++i) {
         const std::uint32_t block = scratch.blocks[i];
         std::size_t of_block = 0;
         for (std::size_t lane = 0; lane < kTreeWidth; lane += hn::Lanes(d)) {
             const FloatVec distance2 = photon_distance2(tree.blocks[block], lane, point);
+            const Mask near = hn::Le(distance2, high2);
             hn::Store(distance2, d, scratch.rows[filled].distance2 + lane);
-            of_block += hn::CountTrue(d, hn::Le(distance2, radius2));
+            of_block += hn::CountTrue(d, near);
+            in_band += write_values(distance2, hn::And(near, hn::Ge(distance2, low2)),
+                                    scratch.band.data() + in_band);
         }
         inside += of_block;
         scratch.blocks[filled] = block;
         filled += of_block > 0 ? 1 : 0;
     }
+    pad(scratch.band.data() + in_band);
     scratch.filled = filled;
+    scratch.in_band = in_band;
     return inside;
 }
 
-std::size_t Collect(const WideTree& tree, const glm::vec3& at, float radius2, TreeScratch& scratch)
+std::size_t Collect(const WideTree& tree, const glm::vec3& at, const Bounds2& bounds,
+                    TreeScratch& scratch)
 {
     scratch.filled = 0;
+    scratch.in_band = 0;
     if (tree.size == 0)
         return 0;
     const PointVec point = spread(at);
-    const FloatVec bound2 = hn::Set(Floats(), radius2);
-    const std::size_t count = find_blocks(tree, point, bound2, scratch);
-    return measure(tree, point, bound2, count, scratch);
+    const std::size_t count = find_blocks(tree, point, hn::Set(Floats(), bounds.high2), scratch);
+    return measure(tree, point, bounds, count, scratch);
 }
 
 /// A child of a node.
@@ -178,8 +186,7 @@ std::size_t CollectNear(const WideTree& tree, const glm::vec3& at, std::size_t k
         if (kTreeWidth * count > 2 * k + kTreeWidth)
             break;
     }
-    return measure(tree, point, hn::Set(Floats(), std::numeric_limits<float>::max()), count,
-                   scratch);
+    return measure(tree, point, {0.0f, std::numeric_limits<float>::max()}, count, scratch);
 }
 
 } // namespace hipmap::tree_search::HWY_NAMESPACE
@@ -193,10 +200,10 @@ namespace tree_search {
 HWY_EXPORT(Collect);
 HWY_EXPORT(CollectNear);
 
-std::size_t collect(const WideTree& tree, const glm::vec3& point, float radius2,
+std::size_t collect(const WideTree& tree, const glm::vec3& point, const Bounds2& bounds,
                     TreeScratch& scratch)
 {
-    return HWY_DYNAMIC_DISPATCH(Collect)(tree, point, radius2, scratch);
+    return HWY_DYNAMIC_DISPATCH(Collect)(tree, point, bounds, scratch);
 }
 
 std::size_t collect_near(const WideTree& tree, const glm::vec3& point, std::size_t k,

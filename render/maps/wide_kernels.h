@@ -9,8 +9,9 @@ namespace hipmap::tree_search {
 std::size_t collect_near(const WideTree& tree, const glm::vec3& point, std::size_t k,
                          TreeScratch& scratch);
 
-/// The k-th smallest of the collected distances up to radius2, of which there are `inside` >= k.
-float kth_distance2(std::size_t k, float radius2, std::size_t inside, TreeScratch& scratch);
+/// The k-th smallest of the collected distances up to bounds.high2, of which there are `inside` >=
+/// k.
+float kth_distance2(std::size_t k, const Bounds2& bounds, std::size_t inside, TreeScratch& scratch);
 
 /// The greatest collected distance up to radius2; zero if there is none.
 float greatest_distance2(float radius2, const TreeScratch& scratch);

@@ -13,10 +13,11 @@ constexpr float kNear = 0.5f;
 constexpr float kRoundedUp = 1.00001f;
 
 /// Or the farthest, if no more than k are inside.
-float kth_of_collected(std::size_t k, float radius2, std::size_t inside, TreeScratch& scratch)
+float kth_of_collected(std::size_t k, const Bounds2& bounds, std::size_t inside,
+                       TreeScratch& scratch)
 {
-    return inside > k ? kth_distance2(k, radius2, inside, scratch)
-                      : greatest_distance2(radius2, scratch);
+    return inside > k ? kth_distance2(k, bounds, inside, scratch)
+                      : greatest_distance2(bounds.high2, scratch);
 }
 
 } // namespace
@@ -28,18 +29,18 @@ float limit2(const WideTree& tree, const TreeQuery& query)
     return std::min(query.radius2, glm::dot(d, d));
 }
 
-float bound2(const WideTree& tree, const TreeQuery& query, float most2, TreeScratch& scratch)
+Bounds2 bounds2(const WideTree& tree, const TreeQuery& query, float most2, TreeScratch& scratch)
 {
     if (tree.size <= query.photons)
-        return most2;
-    const float step = glm::distance(query.point, scratch.last_point);
-    if (scratch.last_tree == &tree && step < kNear * scratch.last_radius) {
-        const float radius = scratch.last_radius + step;
-        return std::min(most2, radius * radius * kRoundedUp);
+        return {0.0f, most2};
+    const float step = glm::distance(query.point, scratch.last_point), last = scratch.last_radius;
+    if (scratch.last_tree == &tree && step < kNear * last) {
+        const float low = std::isfinite(last) ? last - step : 0.0f, high = last + step;
+        return {low * low / kRoundedUp, std::min(most2, high * high * kRoundedUp)};
     }
     const std::size_t near = collect_near(tree, query.point, query.photons, scratch);
     const float far2 = greatest_distance2(std::numeric_limits<float>::max(), scratch);
-    return std::min(most2, kth_of_collected(query.photons, far2, near, scratch));
+    return {0.0f, std::min(most2, kth_of_collected(query.photons, {0.0f, far2}, near, scratch))};
 }
 
 float wider2(const TreeQuery& query, float radius2, std::size_t inside, float most2)
@@ -49,12 +50,12 @@ float wider2(const TreeQuery& query, float radius2, std::size_t inside, float mo
     return wider > radius2 && wider < most2 ? wider : most2;
 }
 
-FoundSlots select(const WideTree& tree, const TreeQuery& query, float radius2, std::size_t inside,
-                  TreeScratch& scratch)
+FoundSlots select(const WideTree& tree, const TreeQuery& query, const Bounds2& bounds,
+                  std::size_t inside, TreeScratch& scratch)
 {
     FoundSlots found;
     if (inside > 0) {
-        found.farthest2 = kth_of_collected(query.photons, radius2, inside, scratch);
+        found.farthest2 = kth_of_collected(query.photons, bounds, inside, scratch);
         const std::size_t nearer = emit_nearer(tree, found.farthest2, scratch);
         std::vector<TreeScratch::Tie>& ties = scratch.ties;
         if (ties.size() > 1)

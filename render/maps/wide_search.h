@@ -31,6 +31,7 @@ struct TreeScratch {
     std::vector<Row> rows;             ///< square distances of their photons
     std::size_t filled = 0;            ///< blocks and rows in use
     std::vector<float> band;           ///< square distances among which the k-th is
+    std::size_t in_band = 0;           ///< values in use
     std::vector<std::uint32_t> found;  ///< slots
     std::vector<Tie> ties;             ///< as far as the k-th
 
@@ -56,15 +57,19 @@ namespace tree_search {
 /// Square of the distance beyond which no photon of the tree counts.
 float limit2(const WideTree& tree, const TreeQuery& query);
 
-/// A radius within which the k-th photon is, were all accepted, but for rounding: by the last
-/// search or by some photons near the point; at most `most2`.
-float bound2(const WideTree& tree, const TreeQuery& query, float most2, TreeScratch& scratch);
+/// Squares of two distances between which the k-th photon is, were all accepted: by the last search
+/// or by some photons near the point.
+struct Bounds2 {
+    float low2, high2;
+};
+Bounds2 bounds2(const WideTree& tree, const TreeQuery& query, float most2, TreeScratch& scratch);
 
 /// The next radius after one in which only `inside` of the k photons were; at most `most2`.
 float wider2(const TreeQuery& query, float radius2, std::size_t inside, float most2);
 
-/// Fills blocks and rows with the photons in a ball and returns their number.
-std::size_t collect(const WideTree& tree, const glm::vec3& point, float radius2,
+/// Fills blocks and rows with the photons within bounds.high2 and returns their number; puts
+/// those not nearer than bounds.low2 into the band.
+std::size_t collect(const WideTree& tree, const glm::vec3& point, const Bounds2& bounds,
                     TreeScratch& scratch);
 
 /// Puts collected photons that `accept` turns down infinitely far; returns how many are left.
@@ -72,6 +77,7 @@ template <typename Accept>
 std::size_t drop_rejected(float radius2, const Accept& accept, TreeScratch& scratch)
 {
     std::size_t left = 0;
+    scratch.in_band = 0; // has rejected ones too
     for (std::size_t b = 0; b < scratch.filled; ++b)
         for (std::uint32_t lane = 0; lane < kTreeWidth; ++lane) {
             float& distance2 = scratch.rows[b].distance2[lane];
@@ -85,9 +91,9 @@ std::size_t drop_rejected(float radius2, const Accept& accept, TreeScratch& scra
     return left;
 }
 
-/// The k nearest of the `inside` collected photons within radius2, or all if there are fewer.
-FoundSlots select(const WideTree& tree, const TreeQuery& query, float radius2, std::size_t inside,
-                  TreeScratch& scratch);
+/// The k nearest of the `inside` collected photons, or all if there are fewer.
+FoundSlots select(const WideTree& tree, const TreeQuery& query, const Bounds2& bounds,
+                  std::size_t inside, TreeScratch& scratch);
 
 } // namespace tree_search
 
@@ -100,14 +106,14 @@ FoundSlots find_nearest(const WideTree& tree, const TreeQuery& query, TreeScratc
                         const Accept& accept = {})
 {
     const float most2 = tree_search::limit2(tree, query);
-    float radius2 = tree_search::bound2(tree, query, most2, scratch);
+    tree_search::Bounds2 bounds = tree_search::bounds2(tree, query, most2, scratch);
     for (;;) {
-        std::size_t inside = tree_search::collect(tree, query.point, radius2, scratch);
+        std::size_t inside = tree_search::collect(tree, query.point, bounds, scratch);
         if constexpr (!std::is_same_v<Accept, AcceptAll>)
-            inside = tree_search::drop_rejected(radius2, accept, scratch);
-        if (inside >= query.photons || !(radius2 < most2))
-            return tree_search::select(tree, query, radius2, inside, scratch);
-        radius2 = tree_search::wider2(query, radius2, inside, most2);
+            inside = tree_search::drop_rejected(bounds.high2, accept, scratch);
+        if (inside >= query.photons || !(bounds.high2 < most2))
+            return tree_search::select(tree, query, bounds, inside, scratch);
+        bounds.high2 = tree_search::wider2(query, bounds.high2, inside, most2);
     }
 }
 

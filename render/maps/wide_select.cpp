@@ -63,11 +63,9 @@ HWY_INLINE Counts narrow(std::span<const float> in, float from, const Bracket& t
         const Mask above = hn::Ge(value, low);
         const Mask within = hn::And(above, hn::Lt(value, high));
         counts.below += hn::CountTrue(d, hn::AndNot(above, hn::Ge(value, first)));
-        hn::StoreU(squeeze(value, within), d, out + counts.within);
-        counts.within += hn::CountTrue(d, within);
+        counts.within += write_values(value, within, out + counts.within);
     }
-    for (std::size_t lane = 0; lane < kTreeWidth; lane += hn::Lanes(d))
-        hn::StoreU(hn::Set(d, kFar), d, out + counts.within + lane);
+    pad(out + counts.within);
     return counts;
 }
 
@@ -87,26 +85,33 @@ HWY_INLINE float kth_of_few(const float* values, std::size_t k)
     return hn::GetLane(hn::MinOfLanes(d, kth));
 }
 
-float KthDistance2(std::size_t k, float radius2, std::size_t inside, TreeScratch& scratch)
+float KthDistance2(std::size_t k, const Bounds2& bounds, std::size_t inside, TreeScratch& scratch)
 {
     const std::span<const float> all(scratch.rows.data()->distance2, kTreeWidth * scratch.filled);
-    grow(scratch.band, all.size() + kTreeWidth);
     float* const band = scratch.band.data();
+    const auto first = [&](std::size_t count) {
+        return std::span<const float>(band, (count + kTreeWidth - 1) / kTreeWidth * kTreeWidth);
+    };
+    const std::size_t below = inside - scratch.in_band;
     std::span<const float> values = all;
-    Bracket b{0.0f, std::nextafter(radius2, kFar), inside, k};
+    Bracket b{0.0f, std::nextafter(bounds.high2, kFar), inside, k};
+    if (k > below && scratch.in_band > 0) {
+        b = {bounds.low2, b.high, scratch.in_band, k - below};
+        values = first(b.count);
+    }
     for (int pass = 0; bits(b.high) - bits(b.low) > 1; ++pass) {
+        if (b.count <= kTreeWidth && values.data() == band)
+            return kth_of_few(band, b.k);
         const Bracket to = aim(b, pass);
         const Counts counts = narrow(values, b.low, to, band);
+        const std::size_t passed = counts.below + counts.within;
         if (b.k <= counts.below) {
             b = {b.low, to.low, counts.below, b.k};
             values = all;
-        } else if (b.k <= counts.below + counts.within) {
+        } else if (b.k <= passed) {
             b = {to.low, to.high, counts.within, b.k - counts.below};
-            if (b.count <= kTreeWidth)
-                return kth_of_few(band, b.k);
-            values = {band, (counts.within + kTreeWidth - 1) / kTreeWidth * kTreeWidth};
+            values = first(b.count);
         } else {
-            const std::size_t passed = counts.below + counts.within;
             b = {to.high, b.high, b.count - passed, b.k - passed};
             values = all;
         }
@@ -160,9 +165,9 @@ HWY_EXPORT(KthDistance2);
 HWY_EXPORT(GreatestDistance2);
 HWY_EXPORT(EmitNearer);
 
-float kth_distance2(std::size_t k, float radius2, std::size_t inside, TreeScratch& scratch)
+float kth_distance2(std::size_t k, const Bounds2& bounds, std::size_t inside, TreeScratch& scratch)
 {
-    return HWY_DYNAMIC_DISPATCH(KthDistance2)(k, radius2, inside, scratch);
+    return HWY_DYNAMIC_DISPATCH(KthDistance2)(k, bounds, inside, scratch);
 }
 
 float greatest_distance2(float radius2, const TreeScratch& scratch)

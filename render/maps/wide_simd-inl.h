@@ -65,6 +65,21 @@ HWY_INLINE std::size_t write_lanes(std::uint32_t first, Mask mask, std::uint32_t
     return hn::CountTrue(Floats(), mask);
 }
 
+/// The same of values.
+HWY_INLINE std::size_t write_values(FloatVec values, Mask mask, float* out)
+{
+    hn::StoreU(squeeze(values, mask), Floats(), out);
+    return hn::CountTrue(Floats(), mask);
+}
+
+/// Writes 16 infinities.
+HWY_INLINE void pad(float* out)
+{
+    const Floats d;
+    for (std::size_t lane = 0; lane < kTreeWidth; lane += hn::Lanes(d))
+        hn::StoreU(hn::Set(d, std::numeric_limits<float>::infinity()), d, out + lane);
+}
+
 template <typename T>
 HWY_INLINE void grow(std::vector<T>& storage, std::size_t size)
 {
