@@ -96,12 +96,15 @@ Found ordered(const Points& photons, const RoomPoint& query,
 
 Found brute_force(const Points& photons, const RoomPoint& query, std::size_t k, bool by_map)
 {
-    std::vector<std::uint32_t> all;
-    for (std::uint32_t i = 0; i < photons.size(); ++i)
+    Found out;
+    for (std::uint32_t i = 0; i < photons.size(); ++i) {
+        const glm::vec3 d = photons[i].position - query.position;
         if (!by_map || photons[i].map == query.map)
-            all.push_back(i);
-    Found out = ordered(photons, query, all, true);
-    out.resize(std::min(k, out.size()));
+            out.emplace_back(glm::dot(d, d), i);
+    }
+    const std::size_t count = std::min(k, out.size());
+    std::partial_sort(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(count), out.end());
+    out.resize(count);
     return out;
 }
 
