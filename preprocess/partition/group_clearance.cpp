@@ -10,6 +10,11 @@
 namespace hipmap {
 namespace {
 
+/// Nodes that the searches of one patch may go through, besides so many for each of its faces:
+/// enough by far unless other maps lie all through the patch.
+constexpr std::int64_t kMostNodes = 4096;
+constexpr std::int64_t kMostNodesPerFace = 64;
+
 double box_distance2(const glm::dvec3& point, const Bounds<glm::vec3>& box)
 {
     const glm::dvec3 off = glm::max(
@@ -53,8 +58,9 @@ struct Outside {
 };
 
 /// The face outside the patch of `from` that is nearest to a point; `known` unless one is nearer.
+/// Takes the nodes it goes through off `budget`, and is not to be trusted if that falls below 0.
 Outside nearest_outside(const PatchSurroundings& around, FaceId from, const glm::dvec3& point,
-                        const Outside& known)
+                        const Outside& known, std::int64_t& budget)
 {
     struct Visit {
         FaceTree::Range range;
@@ -67,7 +73,7 @@ Outside nearest_outside(const PatchSurroundings& around, FaceId from, const glm:
     std::size_t depth = 0;
     Outside nearest = known;
     stack[depth++] = {tree.root(), 0.0};
-    while (depth > 0) {
+    while (depth > 0 && --budget >= 0) {
         const auto [range, distance2] = stack[--depth];
         const MapId map_here = around.map_of_node[range.node];
         if (distance2 >= nearest.distance2 || (map_here != map && map_here != kNone) ||
@@ -101,21 +107,26 @@ std::vector<double> clearances_of_patch(const PatchSurroundings& around,
 {
     std::vector<double> out;
     out.reserve(faces.size());
+    std::int64_t budget = kMostNodes + kMostNodesPerFace * static_cast<std::int64_t>(faces.size());
     glm::dvec3 searched_at = face_centre(around.mesh, faces[0]);
-    Outside found = nearest_outside(around, faces[0], searched_at, {});
+    Outside found = nearest_outside(around, faces[0], searched_at, {}, budget);
     double distance = std::sqrt(found.distance2);
     for (const FaceId face : faces) {
+        if (budget < 0)
+            break;
         const glm::dvec3 centre = face_centre(around.mesh, face);
         // The last search bounds the distance from here from below, the face it found from above.
         double least = distance - glm::distance(centre, searched_at);
         const Outside known{found.face, face_distance2(around.mesh, found.face, centre)};
         if (std::sqrt(known.distance2) - least > slack) {
-            found = nearest_outside(around, face, centre, known);
+            found = nearest_outside(around, face, centre, known, budget);
             searched_at = centre;
             least = distance = std::sqrt(found.distance2);
         }
         out.push_back(std::max(0.0, least));
     }
+    if (budget < 0)
+        out.assign(faces.size(), 0.0);
     return out;
 }
 

@@ -17,6 +17,7 @@ struct PatchSurroundings {
 
 /// How far the centres of a patch's faces are from the faces of its map outside it, D of
 /// docs/partition_file.md (5): never more than it is, and less by at most `slack`.  Scene units.
+/// All 0 where other maps lie so thick through the patch that finding it would take too long.
 /// faces: all of the patch, not empty.  Returns a distance for each.
 /// One search of O(log n) for each stretch of faces whose centres lie within about `slack`, so that
 /// neighbours had better follow each other.
