@@ -15,6 +15,9 @@ namespace {
 constexpr std::int64_t kMostNodes = 4096;
 constexpr std::int64_t kMostNodesPerFace = 64;
 
+/// Clumps of fewer faces are looked at with the next ones.
+constexpr std::size_t kFewFaces = 8;
+
 double box_distance2(const glm::dvec3& point, const Bounds<glm::vec3>& box)
 {
     const glm::dvec3 off = glm::max(
@@ -81,7 +84,8 @@ Outside nearest_outside(const PatchSurroundings& around, FaceId from, const glm:
             continue;
         if (tree.is_leaf(range)) {
             for (const FaceId face : tree.faces(range)) {
-                if (around.map_of_face[face] != map || around.patch_of_face[face] == patch)
+                if (around.map_of_face[face] != map || around.patch_of_face[face] == patch ||
+                    box_distance2(point, face_box(around.mesh, face)) >= nearest.distance2)
                     continue;
                 if (const double d2 = face_distance2(around.mesh, face, point);
                     d2 < nearest.distance2)
@@ -100,33 +104,105 @@ Outside nearest_outside(const PatchSurroundings& around, FaceId from, const glm:
     return nearest;
 }
 
+/// No face of the map outside the patch comes into it.
+struct Ball {
+    glm::dvec3 centre{0.0};
+    double radius = -std::numeric_limits<double>::infinity();
+
+    /// How far a point is from what is outside, at least.
+    double depth(const glm::dvec3& point) const { return radius - glm::distance(centre, point); }
+};
+
+/// Finds distances in a patch.
+class PatchDistances {
+  public:
+    /// budget: the nodes that searches may go through.
+    PatchDistances(const PatchSurroundings& around, double slack, std::int64_t budget)
+        : around_(around), slack_(slack), budget_(budget)
+    {
+    }
+
+    /// Appends those of some faces, not none, that had better be near each other and the last ones.
+    void append(std::span<const FaceId> faces, std::vector<FaceDistance>& out);
+
+    /// Whether it took too long, and no distance is to be trusted.
+    bool given_up() const { return budget_ < 0; }
+
+  private:
+    /// Least distance of a point that the first two balls say.
+    double least(const glm::dvec3& point) const
+    {
+        return std::max(balls_[0].depth(point), balls_[1].depth(point));
+    }
+    /// Bounds the distance of a point by what was found last and by the two balls in which it is
+    /// deepest, which become the first; returns how far the bounds are apart.
+    double bound(const glm::dvec3& point);
+    void search(FaceId face, const glm::dvec3& point);
+
+    const PatchSurroundings& around_;
+    double slack_;
+    std::int64_t budget_;
+    Outside found_;             ///< and its distance from the last point looked at
+    std::array<Ball, 8> balls_; ///< of the last searches
+    std::vector<glm::dvec3> centres_;
+};
+
+double PatchDistances::bound(const glm::dvec3& point)
+{
+    std::ranges::partial_sort(balls_, balls_.begin() + 2, std::ranges::greater{},
+                              [&](const Ball& ball) { return ball.depth(point); });
+    if (found_.face != kNone)
+        found_.distance2 = face_distance2(around_.mesh, found_.face, point);
+    return std::sqrt(found_.distance2) - least(point);
+}
+
+void PatchDistances::search(FaceId face, const glm::dvec3& point)
+{
+    found_ = nearest_outside(around_, face, point, found_, budget_);
+    std::shift_right(balls_.begin(), balls_.end(), 1);
+    balls_[0] = {point, std::sqrt(found_.distance2)};
+}
+
+void PatchDistances::append(std::span<const FaceId> faces, std::vector<FaceDistance>& out)
+{
+    centres_.clear();
+    glm::dvec3 middle(0.0);
+    for (const FaceId face : faces) {
+        centres_.push_back(face_centre(around_.mesh, face));
+        middle += centres_.back() / static_cast<double>(faces.size());
+    }
+    if (bound(middle) > 0.5 * slack_)
+        search(faces[0], middle);
+    const double most = std::sqrt(found_.distance2);
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+        const glm::dvec3& centre = centres_[i];
+        if (most + glm::distance(centre, middle) - least(centre) > slack_ && bound(centre) > slack_)
+            search(faces[i], centre);
+        out.push_back({faces[i], std::max(0.0, least(centre))});
+    }
+}
+
 } // namespace
 
-std::vector<double> clearances_of_patch(const PatchSurroundings& around,
-                                        std::span<const FaceId> faces, double slack)
+std::vector<FaceDistance> distances_of_patch(const PatchSurroundings& around,
+                                             std::span<const Clump> clumps, double slack)
 {
-    std::vector<double> out;
-    out.reserve(faces.size());
-    std::int64_t budget = kMostNodes + kMostNodesPerFace * static_cast<std::int64_t>(faces.size());
-    glm::dvec3 searched_at = face_centre(around.mesh, faces[0]);
-    Outside found = nearest_outside(around, faces[0], searched_at, {}, budget);
-    double distance = std::sqrt(found.distance2);
-    for (const FaceId face : faces) {
-        if (budget < 0)
-            break;
-        const glm::dvec3 centre = face_centre(around.mesh, face);
-        // The last search bounds the distance from here from below, the face it found from above.
-        double least = distance - glm::distance(centre, searched_at);
-        const Outside known{found.face, face_distance2(around.mesh, found.face, centre)};
-        if (std::sqrt(known.distance2) - least > slack) {
-            found = nearest_outside(around, face, centre, known, budget);
-            searched_at = centre;
-            least = distance = std::sqrt(found.distance2);
-        }
-        out.push_back(std::max(0.0, least));
+    std::int64_t budget = kMostNodes;
+    for (const Clump& clump : clumps)
+        budget += kMostNodesPerFace * std::int64_t{clump.end - clump.begin};
+    PatchDistances distances(around, slack, budget);
+    std::vector<FaceDistance> out;
+    std::vector<FaceId> together;
+    for (const Clump& clump : clumps) {
+        const std::span<const FaceId> faces = around.tree.faces({0, clump.begin, clump.end});
+        together.insert(together.end(), faces.begin(), faces.end());
+        if (together.size() < kFewFaces && &clump != &clumps.back())
+            continue;
+        distances.append(together, out);
+        if (distances.given_up())
+            return {};
+        together.clear();
     }
-    if (budget < 0)
-        out.assign(faces.size(), 0.0);
     return out;
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "preprocess/partition/face_tree.h"
-#include "preprocess/partition/share_maps.h"
+#include "preprocess/partition/patches.h"
 
 namespace hipmap {
 
@@ -11,17 +10,22 @@ struct PatchSurroundings {
     const FaceTree& tree; ///< all faces that have a map
     std::span<const MapId> map_of_face;
     std::span<const std::uint32_t> patch_of_face;
-    std::vector<MapId> map_of_node; ///< kNone where a node's faces differ
+    std::span<const MapId> map_of_node; ///< kNone where a node's faces differ
     std::vector<std::uint32_t> patch_of_node;
+};
+
+struct FaceDistance {
+    FaceId face = kNone;
+    double distance = 0.0; ///< scene units
 };
 
 /// How far the centres of a patch's faces are from the faces of its map outside it, D of
 /// docs/partition_file.md (5): never more than it is, and less by at most `slack`.  Scene units.
-/// All 0 where other maps lie so thick through the patch that finding it would take too long.
-/// faces: all of the patch, not empty.  Returns a distance for each.
+/// clumps: all of the patch, not empty.  Returns all its faces, or none where other maps lie so
+/// thick through the patch that it would take too long.
 /// One search of O(log n) for each stretch of faces whose centres lie within about `slack`, so that
-/// neighbours had better follow each other.
-std::vector<double> clearances_of_patch(const PatchSurroundings& around,
-                                        std::span<const FaceId> faces, double slack);
+/// neighbouring clumps had better follow each other.
+std::vector<FaceDistance> distances_of_patch(const PatchSurroundings& around,
+                                             std::span<const Clump> clumps, double slack);
 
 } // namespace hipmap

@@ -1,14 +1,11 @@
 #include "preprocess/partition/patches.h"
 
-#include "preprocess/partition/face_tree.h"
-
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
+#include <tbb/parallel_sort.h>
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
-#include <numeric>
 
 namespace hipmap {
 namespace {
@@ -20,49 +17,47 @@ constexpr double kPatchFraction = 1.0 / 64;
 /// Fewer have hardly more photons together than each of them.
 constexpr std::size_t kLeastFaces = 4;
 
-/// A part of fewer faces is split by one thread.
+/// A leaf of more than this of a patch's area is taken face by face.
+constexpr double kClumpFraction = 1.0 / 256;
+
+/// A part of fewer clumps is split by one thread.
 constexpr std::size_t kTaskSize = 4096;
 
-struct Item {
-    glm::vec3 middle{0.0f}; ///< of its box, so that the two halves of a square stay together
-    FaceId face = kNone;
-    double area = 0.0;
-};
-
-double area_of(std::span<const Item> items)
+double area_of(std::span<const Clump> clumps)
 {
     double area = 0;
-    for (const Item& item : items)
-        area += item.area;
+    for (const Clump& clump : clumps)
+        area += clump.area;
     return area;
 }
 
-int longest_axis(std::span<const Item> items)
+int longest_axis(std::span<const Clump> clumps)
 {
     Bounds<glm::vec3> box;
-    for (const Item& item : items)
-        box.add(item.middle);
+    for (const Clump& clump : clumps)
+        box.add(clump.middle);
     const glm::vec3 extent = box.extent();
     if (extent.x >= extent.y && extent.x >= extent.z)
         return 0;
     return extent.y >= extent.z ? 1 : 2;
 }
 
-/// Orders items so that those before the returned place, neither none nor all, have about half of
+/// Orders clumps so that those before the returned place, neither none nor all, have about half of
 /// their area and none lies beyond one after it on the longest axis.
-std::size_t halve(std::span<Item> items, double area)
+std::size_t halve(std::span<Clump> clumps, double area)
 {
-    const auto before = [axis = longest_axis(items)](const Item& a, const Item& b) {
-        return a.middle[axis] != b.middle[axis] ? a.middle[axis] < b.middle[axis] : a.face < b.face;
+    const auto before = [axis = longest_axis(clumps)](const Clump& a, const Clump& b) {
+        return a.middle[axis] != b.middle[axis] ? a.middle[axis] < b.middle[axis]
+                                                : a.begin < b.begin;
     };
     // Where half of the area is reached lies from `begin` to `end`.
-    std::size_t begin = 0, end = items.size();
+    std::size_t begin = 0, end = clumps.size();
     double missing = area / 2;
     while (end - begin > 1) {
         const std::size_t middle = begin + (end - begin) / 2;
-        const auto first = items.begin();
+        const auto first = clumps.begin();
         std::nth_element(first + begin, first + middle, first + end, before);
-        const double front = area_of(items.subspan(begin, middle - begin));
+        const double front = area_of(clumps.subspan(begin, middle - begin));
         if (front < missing) {
             missing -= front;
             begin = middle;
@@ -70,49 +65,120 @@ std::size_t halve(std::span<Item> items, double area)
             end = middle;
         }
     }
-    return std::clamp<std::size_t>(2 * missing < items[begin].area ? begin : end, 1,
-                                   items.size() - 1);
+    return std::clamp<std::size_t>(2 * missing < clumps[begin].area ? begin : end, 1,
+                                   clumps.size() - 1);
 }
 
 /// Gives the faces of each patch the number of one of them.
-/// largest: area of a patch, and of any item at most.
-void split(std::span<Item> items, double largest, std::vector<std::uint32_t>& patch_of_face)
+/// faces: in the order of the tree.  largest: area of a patch, and of any clump at most.
+void split(std::span<Clump> clumps, std::span<const FaceId> faces, double largest,
+           std::vector<std::uint32_t>& patch_of_face)
 {
-    if (items.size() < kLeastFaces)
+    std::size_t count = 0;
+    double area = 0;
+    for (const Clump& clump : clumps) {
+        count += clump.end - clump.begin;
+        area += clump.area;
+    }
+    if (count < kLeastFaces)
         return;
-    const double area = area_of(items);
     if (area > largest) {
-        const std::size_t middle = halve(items, area);
-        const auto front = [&] { split(items.first(middle), largest, patch_of_face); };
-        const auto back = [&] { split(items.subspan(middle), largest, patch_of_face); };
-        if (items.size() < kTaskSize)
+        const std::size_t middle = halve(clumps, area);
+        const auto front = [&] { split(clumps.first(middle), faces, largest, patch_of_face); };
+        const auto back = [&] { split(clumps.subspan(middle), faces, largest, patch_of_face); };
+        if (clumps.size() < kTaskSize)
             front(), back();
         else
             tbb::parallel_invoke(front, back);
         return;
     }
-    for (const Item& item : items)
-        patch_of_face[item.face] = items[0].face;
+    std::ranges::sort(clumps, {}, &Clump::begin);
+    for (const Clump& clump : clumps)
+        for (const FaceId face : faces.subspan(clump.begin, clump.end - clump.begin))
+            patch_of_face[face] = faces[clumps[0].begin];
+}
+
+Clump clump_of(const TriangleMesh& mesh, const FaceTree& tree, std::uint32_t begin,
+               std::uint32_t end, MapId map)
+{
+    Bounds<glm::vec3> box;
+    Clump clump{{}, begin, end, map, 0.0};
+    for (const FaceId face : tree.faces({0, begin, end})) {
+        const Bounds<glm::vec3> of_face = face_box(mesh, face);
+        box.add(of_face.low);
+        box.add(of_face.high);
+        clump.area += face_area(mesh, face);
+    }
+    clump.middle = box.centre();
+    return clump;
+}
+
+/// The leaves of the tree; a map where all faces have the same.
+std::vector<Clump> clumps_of_leaves(const TriangleMesh& mesh, const FaceTree& tree,
+                                    std::span<const MapId> map_of_node)
+{
+    std::vector<Clump> leaves(tree.leaf_count());
+    tbb::parallel_for(std::uint32_t{0}, tree.leaf_count(), [&](std::uint32_t i) {
+        const FaceTree::Range leaf = tree.leaf(i);
+        leaves[i] = clump_of(mesh, tree, leaf.begin, leaf.end, map_of_node[leaf.node]);
+    });
+    return leaves;
+}
+
+/// The largest area of a patch, by map.
+std::vector<double> largest_patches(const TriangleMesh& mesh, const SharedMaps& maps,
+                                    std::span<const FaceId> faces, std::span<const Clump> leaves)
+{
+    std::vector<double> largest(maps.count, 0.0);
+    for (const Clump& leaf : leaves)
+        if (leaf.map != kNone)
+            largest[leaf.map] += leaf.area;
+        else
+            for (const FaceId face : faces.subspan(leaf.begin, leaf.end - leaf.begin))
+                largest[maps.map_of_face[face]] += face_area(mesh, face);
+    for (double& area : largest)
+        area *= std::numbers::sqrt2 * kPatchFraction;
+    return largest;
+}
+
+/// Leaves as far as they are small enough, else their faces; without those larger than a patch.
+/// Sorted by map, then in the order of the tree.
+std::vector<Clump> clumps_of_maps(const TriangleMesh& mesh, const SharedMaps& maps,
+                                  const FaceTree& tree, std::span<const Clump> leaves,
+                                  std::span<const double> largest)
+{
+    std::vector<Clump> clumps;
+    for (const Clump& leaf : leaves) {
+        if (leaf.map != kNone && leaf.area <= kClumpFraction * largest[leaf.map]) {
+            clumps.push_back(leaf);
+            continue;
+        }
+        for (std::uint32_t at = leaf.begin; at < leaf.end; ++at) {
+            const MapId map = maps.map_of_face[tree.faces({0, at, at + 1})[0]];
+            const Clump alone = clump_of(mesh, tree, at, at + 1, map);
+            if (alone.area <= largest[map])
+                clumps.push_back(alone);
+        }
+    }
+    tbb::parallel_sort(clumps.begin(), clumps.end(), [](const Clump& a, const Clump& b) {
+        return a.map != b.map ? a.map < b.map : a.begin < b.begin;
+    });
+    return clumps;
+}
+
+/// Where each run of clumps with the same key begins, and the end.
+template <typename Key>
+std::vector<std::uint32_t> runs_of(std::span<const Clump> clumps, const Key& key)
+{
+    std::vector<std::uint32_t> first;
+    for (std::uint32_t i = 0; i < clumps.size(); ++i)
+        if (i == 0 || key(clumps[i]) != key(clumps[i - 1]))
+            first.push_back(i);
+    first.push_back(static_cast<std::uint32_t>(clumps.size()));
+    return first;
 }
 
 } // namespace
-
-SortedFaces sort_faces(std::span<const FaceId> faces, std::span<const std::uint32_t> label_of_face,
-                       std::uint32_t labels)
-{
-    SortedFaces out;
-    out.first.assign(labels + std::size_t{2}, 0);
-    for (const FaceId face : faces)
-        if (label_of_face[face] != kNone)
-            ++out.first[label_of_face[face] + std::size_t{2}];
-    std::partial_sum(out.first.begin(), out.first.end(), out.first.begin());
-    out.faces.resize(out.first.back());
-    for (const FaceId face : faces)
-        if (label_of_face[face] != kNone)
-            out.faces[out.first[label_of_face[face] + std::size_t{1}]++] = face;
-    out.first.pop_back();
-    return out;
-}
 
 std::uint32_t number_by_first(std::vector<std::uint32_t>& labels)
 {
@@ -128,24 +194,24 @@ std::uint32_t number_by_first(std::vector<std::uint32_t>& labels)
     return next;
 }
 
-Patches find_patches(const TriangleMesh& mesh, const SharedMaps& maps)
+Patches find_patches(const TriangleMesh& mesh, const SharedMaps& maps, const FaceTree& tree,
+                     std::span<const MapId> map_of_node)
 {
-    std::vector<FaceId> all(mesh.face_count());
-    std::iota(all.begin(), all.end(), 0u);
-    const SortedFaces faces = sort_faces(all, maps.map_of_face, maps.count);
+    const std::span<const FaceId> faces = tree.faces(tree.root());
+    const std::vector<Clump> leaves = clumps_of_leaves(mesh, tree, map_of_node);
+    const std::vector<double> largest = largest_patches(mesh, maps, faces, leaves);
     Patches out;
+    out.clumps = clumps_of_maps(mesh, maps, tree, leaves, largest);
     out.patch_of_face.assign(mesh.face_count(), kNone);
-    tbb::parallel_for(MapId{0}, maps.count, [&](MapId map) {
-        const std::span<const FaceId> here = faces.of(map);
-        std::vector<Item> items(here.size());
-        tbb::parallel_for(std::size_t{0}, here.size(), [&](std::size_t i) {
-            items[i] = {face_box(mesh, here[i]).centre(), here[i], face_area(mesh, here[i])};
-        });
-        const double largest = std::numbers::sqrt2 * kPatchFraction * area_of(items);
-        std::erase_if(items, [&](const Item& item) { return item.area > largest; });
-        split(items, largest, out.patch_of_face);
+    const std::vector<std::uint32_t> first =
+        runs_of(out.clumps, [](const Clump& clump) { return clump.map; });
+    tbb::parallel_for(std::size_t{1}, first.size(), [&](std::size_t i) {
+        const auto here = std::span(out.clumps).subspan(first[i - 1], first[i] - first[i - 1]);
+        split(here, faces, largest[here[0].map], out.patch_of_face);
     });
-    out.count = number_by_first(out.patch_of_face);
+    const auto patch_of = [&](const Clump& clump) { return out.patch_of_face[faces[clump.begin]]; };
+    std::erase_if(out.clumps, [&](const Clump& clump) { return patch_of(clump) == kNone; });
+    out.first = runs_of(out.clumps, patch_of);
     return out;
 }
 

@@ -142,6 +142,17 @@ std::vector<FaceId> grouped_faces(const Partition& partition)
     return faces;
 }
 
+/// Of the centre of a face from the faces of its map outside its group.
+double true_distance(const Case& c, FaceId face)
+{
+    const glm::dvec3 centre = face_centre(c.mesh, face);
+    double least = std::numeric_limits<double>::infinity();
+    for (FaceId other = 0; other < c.mesh.face_count(); ++other)
+        if (c.outside(face, other))
+            least = std::min(least, glm::distance(centre, nearest_point(c.mesh, other, centre)));
+    return least;
+}
+
 std::vector<double> areas_of_groups(const Case& c)
 {
     std::vector<double> areas(c.partition.group_count, 0.0);
@@ -182,12 +193,7 @@ TEST_CASE(
         const Case c = random_case(seed);
         const std::vector<double> areas = areas_of_groups(c);
         for (const FaceId face : grouped_faces(c.partition)) {
-            const glm::dvec3 centre = face_centre(c.mesh, face);
-            double truth = std::numeric_limits<double>::infinity();
-            for (FaceId other = 0; other < c.mesh.face_count(); ++other)
-                if (c.outside(face, other))
-                    truth = std::min(truth,
-                                     glm::distance(centre, nearest_point(c.mesh, other, centre)));
+            const double truth = true_distance(c, face);
             const double slack =
                 std::sqrt(areas[c.partition.group_of_face[face]] / glm::pi<double>()) / 16;
             INFO(c.name << ", seed " << seed << ", face " << face);
@@ -233,6 +239,21 @@ TEST_CASE("find_group_candidates: a globe of 20,000 faces is 64 groups of like a
     CHECK(grouped_faces(c.partition).size() == c.mesh.face_count());
     for (const double area : areas_of_groups(c))
         CHECK(area == Approx(4 * glm::pi<double>() / 64).epsilon(0.02));
+}
+
+TEST_CASE("find_group_candidates: on a mesh so fine that leaves stay whole, distances are true",
+          "[partition]")
+{
+    const Case c = make_case("fine globe", tiny::uv_sphere(600, 240));
+    CHECK(c.partition.group_count == 64);
+    for (const double area : areas_of_groups(c))
+        CHECK(area == Approx(4 * glm::pi<double>() / 64).epsilon(0.02));
+    for (FaceId face = 0; face < c.mesh.face_count(); face += c.mesh.face_count() / 20) {
+        REQUIRE(c.partition.group_of_face[face] != kNone);
+        const double truth = true_distance(c, face);
+        CHECK(c.partition.group_radius[face] < truth);
+        CHECK(c.partition.group_radius[face] > truth - std::sqrt(4.01 / 64) / 16);
+    }
 }
 
 TEST_CASE("find_group_candidates: both sides of a thin shell are in one group", "[partition]")
