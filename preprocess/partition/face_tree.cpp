@@ -1,5 +1,7 @@
 #include "preprocess/partition/face_tree.h"
 
+#include "common/math/split_at_rank.h"
+
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 
@@ -85,9 +87,8 @@ void FaceTree::build(const TriangleMesh& mesh, std::span<Item> items, const Rang
     const std::size_t axis =
         Item::longest_axis(items.subspan(range.begin, range.end - range.begin));
     const auto [left, right] = children(range);
-    std::nth_element(items.begin() + range.begin, items.begin() + right.begin,
-                     items.begin() + range.end,
-                     [axis](const Item& a, const Item& b) { return a.key(axis) < b.key(axis); });
+    split_at_rank(items.subspan(range.begin, range.end - range.begin), right.begin - range.begin,
+                  [axis](const Item& a, const Item& b) { return a.key(axis) < b.key(axis); });
     const auto build_left = [&, half = left] { build(mesh, items, half); };
     const auto build_right = [&, half = right] { build(mesh, items, half); };
     if (range.end - range.begin < kTaskSize) {
