@@ -15,6 +15,9 @@ const std::map<std::string, MapMode> kMapModes = {{"none", MapMode::none},
                                                   {"shared", MapMode::shared},
                                                   {"thesis", MapMode::thesis}};
 
+const std::map<std::string, EstimateForm> kEstimates = {{"clipped", EstimateForm::clipped},
+                                                        {"thesis", EstimateForm::thesis}};
+
 const std::map<std::string, Integrator> kIntegrators = {{"direct", Integrator::direct},
                                                         {"path", Integrator::path}};
 
@@ -73,6 +76,10 @@ void add_method(CLI::App& app, RenderArguments& arguments)
         app, "--maps", render.maps.mode, kMapModes,
         "Photon maps: none (direct light and reflections only), global (one map), shared (one "
         "for each shared map of the partition), thesis (and local maps) [shared]");
+    add_choice(
+        app, "--estimate", render.maps.estimate, kEstimates,
+        "Irradiance from k photons: clipped (k-1 of them over the area seen from the point), "
+        "thesis (k over the whole disc, as in the dissertation, to compare with) [clipped]");
     add_choice(app, "--integrator", render.integrator, kIntegrators,
                "direct: the maps are looked at directly; path: path tracing without photons, to "
                "compare with [direct]");

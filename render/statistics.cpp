@@ -30,6 +30,7 @@ Json options_json(const RenderArguments& arguments, const Scene& scene)
     const RenderOptions& options = arguments.render;
     static const char* const kModes[] = {"none", "global", "shared", "thesis"};
     return {{"maps", kModes[static_cast<int>(options.maps.mode)]},
+            {"estimate", options.maps.estimate == EstimateForm::thesis ? "thesis" : "clipped"},
             {"integrator", options.integrator == Integrator::path ? "path" : "direct"},
             {"direct", options.direct == DirectLight::photons ? "photons" : "shadow-rays"},
             {"diffuse", scene.diffuse_model == DiffuseModel::burley ? "burley" : "lambert"},

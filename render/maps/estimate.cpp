@@ -120,6 +120,20 @@ Rgb estimate_sparse(const PhotonMaps& maps, const MapSurfaces& surfaces, const P
     return density(maps, query, found.photons, maps.map_area[maps.map_index(map, query.side)]);
 }
 
+/// docs/photon_maps.md (7).
+Rgb estimate_plainly(const PhotonMaps& maps, const MapSurfaces& surfaces, PhotonQuery query,
+                     EstimateScratch& scratch)
+{
+    query.radius = std::numeric_limits<float>::infinity();
+    const FoundPhotons found =
+        find_photons(maps, surfaces.mesh, surfaces.partition, query, scratch.search);
+    Rgb sum(0.0f);
+    for (const std::uint32_t photon : found.photons)
+        if (glm::dot(maps.photons[photon].direction, query.normal) > 0)
+            sum += gathered_power(maps.photons[photon], query);
+    return per_area(sum, disc_area(farthest(found)));
+}
+
 } // namespace
 
 MapSurfaces::MapSurfaces(const TriangleMesh& of_mesh, const Partition& of_partition)
@@ -137,6 +151,8 @@ MapSurfaces::MapSurfaces(const TriangleMesh& of_mesh, const Partition& of_partit
 Rgb estimate_irradiance(const PhotonMaps& maps, const MapSurfaces& surfaces,
                         const PhotonQuery& query, EstimateScratch& scratch)
 {
+    if (maps.options.estimate == EstimateForm::thesis)
+        return estimate_plainly(maps, surfaces, query, scratch);
     const FoundPhotons found =
         find_photons(maps, surfaces.mesh, surfaces.partition, query, scratch.search);
     if (found.photons.empty())

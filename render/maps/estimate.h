@@ -32,7 +32,8 @@ struct MapSurfaces {
 /// from the query without crossing a boundary of its map, docs/visible_area.md; photons beyond one
 /// do not count.  Where a boundary is near, photons of tilted faces count by the cosine, (4).  Mode
 /// global has no boundaries.  A diffuse lobe that is not Lambert's (query.bsdf) weighs each photon
-/// by its shape. No photon: zero, never NaN.  Thread-safe.  Blurs detail finer than r_k.
+/// by its shape.  With EstimateForm::thesis it is (7) instead: no radius, no boundaries.
+/// No photon: zero, never NaN.  Thread-safe.  Blurs detail finer than r_k.
 Rgb estimate_irradiance(const PhotonMaps& maps, const MapSurfaces& surfaces,
                         const PhotonQuery& query, EstimateScratch& scratch);
 

@@ -19,7 +19,7 @@ double distance_to_segment(const glm::dvec3& point, const glm::dvec3& a, const g
 FoundPhotons find_in_local(const PhotonMaps& maps, const PhotonQuery& query, float limit,
                            SearchScratch& scratch)
 {
-    const std::uint32_t index = maps.local_of_face[2 * std::size_t{query.face} + query.side];
+    const std::uint32_t index = maps.local_of_face[maps.index_by_side(query.face, query.side)];
     if (index == kNone)
         return {};
     const LocalMap& local = maps.locals[index];

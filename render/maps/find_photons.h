@@ -79,7 +79,7 @@ FoundPhotons find_in_shared(const PhotonMaps& maps, const Partition& partition,
     const auto first = static_cast<std::uint32_t>(maps.first_photon[map]);
     const TreeQuery wanted{query.position, maps.options.neighbours, query.radius * query.radius};
     FoundSlots found;
-    if (one_map) {
+    if (one_map && maps.options.estimate == EstimateForm::clipped) {
         // Photons of all surfaces are in one map: only light that fell on the side looked at
         // counts.
         found = find_nearest(maps.trees[map], wanted, scratch, [&](std::uint32_t i) {

@@ -49,10 +49,9 @@ std::vector<float> areas_of_maps(const PhotonMaps& maps, const TriangleMesh& mes
     for (FaceId face = 0; face < mesh.face_count(); ++face) {
         if (partition.map_of_face[face] == kNone)
             continue;
-        const std::size_t map = maps.map_index(partition.map_of_face[face], 0);
-        area[map] += face_area(mesh, face);
-        if (maps.options.mode != MapMode::global)
-            area[map + 1] = area[map];
+        const MapId map = partition.map_of_face[face];
+        area[maps.map_index(map, 0)] += face_area(mesh, face);
+        area[maps.map_index(map, 1)] = area[maps.map_index(map, 0)];
     }
     return {area.begin(), area.end()};
 }
@@ -82,9 +81,9 @@ void build_local_maps(PhotonMaps& maps, const std::vector<Photon>& photons,
     std::vector<std::uint32_t> place(photons.size());
     for (std::size_t i = 0; i < ordered.size(); ++i)
         place[ordered[i].photon] = static_cast<std::uint32_t>(i);
-    const std::size_t keys = 2 * mesh.face_count();
-    Groups groups = group_by_key(photons, keys, [](const Photon& photon) {
-        return 2 * std::size_t{photon.face} + photon.side;
+    const std::size_t keys = maps.sides() * mesh.face_count();
+    Groups groups = group_by_key(photons, keys, [&](const Photon& photon) {
+        return maps.index_by_side(photon.face, photon.side);
     });
     maps.local_of_face.assign(keys, kNone);
     std::vector<std::size_t> key_of_local;
@@ -103,7 +102,7 @@ void build_local_maps(PhotonMaps& maps, const std::vector<Photon>& photons,
         for (const TreePoint& point : points)
             local.photons.push_back(place[point.photon]);
         local.filter_radius =
-            filter_radius(face_area(mesh, static_cast<FaceId>(key_of_local[i] / 2)),
+            filter_radius(face_area(mesh, static_cast<FaceId>(key_of_local[i] / maps.sides())),
                           maps.options.neighbours, points.size());
     });
 }
@@ -135,8 +134,8 @@ PhotonMaps build_photon_maps(const std::vector<Photon>& photons, const TriangleM
     PhotonMaps maps;
     maps.options = options;
     const bool one_map = options.mode == MapMode::global;
-    maps.map_area =
-        areas_of_maps(maps, mesh, partition, one_map ? 1 : 2 * std::size_t{partition.map_count});
+    maps.map_area = areas_of_maps(maps, mesh, partition,
+                                  one_map ? 1 : std::size_t{maps.sides()} * partition.map_count);
     const Groups groups = build_trees(maps, photons, partition);
     if (options.mode == MapMode::thesis)
         build_local_maps(maps, photons, groups.points, mesh);

@@ -18,10 +18,17 @@ enum class MapMode : std::uint8_t {
     thesis, ///< the same, and one for each face that has many photons (Mpawulo 2005)
 };
 
+/// How the photons found become an irradiance, docs/photon_maps.md.
+enum class EstimateForm : std::uint8_t {
+    clipped, ///< k-1 photons over the visible part of their disc, (2) to (4)
+    thesis,  ///< those of k photons that face the surface over the whole disc, (7)
+};
+
 struct MapOptions {
     MapMode mode = MapMode::shared;
     std::uint32_t neighbours = 50; ///< k, at least 1
     std::uint32_t local_min = 500; ///< M: fewest photons of a local map
+    EstimateForm estimate = EstimateForm::clipped;
 };
 
 /// The photons of a face and side that has many of them, by reference into the photons of the set.
@@ -41,13 +48,20 @@ struct PhotonMaps {
     std::vector<WideTree> trees; ///< [maps]; numbers are places in the order of (path, bounce)
     std::vector<float> map_area; ///< [maps] of the faces, square scene units
     std::vector<std::uint32_t>
-        local_of_face; ///< [2F] by face and side; kNone; empty without locals
+        local_of_face; ///< [sides() F] by index_by_side; kNone; empty without locals
     std::vector<LocalMap> locals;
 
-    /// The map of a face and side: 0 in mode global.
+    /// Sides of a surface that have maps of their own: the thesis' estimate drops photons of the
+    /// wrong side only when they are chosen.
+    std::uint8_t sides() const { return options.estimate == EstimateForm::thesis ? 1 : 2; }
+    /// The map of a shared map and side: 0 in mode global.
     std::size_t map_index(MapId map, std::uint8_t side) const
     {
-        return options.mode == MapMode::global ? 0 : 2 * std::size_t{map} + side;
+        return options.mode == MapMode::global ? 0 : index_by_side(map, side);
+    }
+    std::size_t index_by_side(std::uint32_t face_or_map, std::uint8_t side) const
+    {
+        return std::size_t{sides()} * face_or_map + side % sides();
     }
     /// Maps of the first tier that hold a photon.
     std::size_t filled_maps() const;

@@ -128,6 +128,9 @@ class Pipeline(ToolsTestCase):
         self.assertLess(means["none"], 0.9 * means["shared"])
         self.assertAlmostEqual(means["global"], means["shared"], delta=0.1 * means["shared"])
         self.assertAlmostEqual(means["thesis"], means["shared"], delta=0.1 * means["shared"])
+        plain = sum(self.render(partition, "--estimate", "thesis", size=32).mean())
+        self.assertAlmostEqual(plain, means["shared"], delta=0.1 * means["shared"])
+        self.assertNotEqual(plain, means["shared"])
 
     def test_direct_light_from_photons_is_as_bright_as_by_shadow_rays(self):
         partition = self.make_partition()

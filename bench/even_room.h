@@ -1,0 +1,23 @@
+#pragma once
+
+#include "render/maps/estimate.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace hipmap {
+
+/// Photons spread evenly over the inside of a unit cube, in independent sets: the irradiance is 1
+/// wherever one looks, right up to the edges and corners where its walls meet.
+struct EvenRoomOptions {
+    MapOptions maps;
+    std::size_t photons = 60'000; ///< of a set; each wall gets a sixth
+    std::size_t sets = 100;
+};
+
+/// Estimates of the irradiance at points of the floor, x and y in [0, 1]: [points][sets].
+/// Those of one set are not independent of each other.  Same options, same numbers.
+std::vector<std::vector<double>> estimates_in_even_room(const std::vector<glm::vec2>& points,
+                                                        const EvenRoomOptions& options);
+
+} // namespace hipmap

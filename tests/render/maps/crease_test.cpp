@@ -1,0 +1,159 @@
+#include "bench/even_room.h"
+#include "common/math/sampling.h"
+#include "common/rays/surface_point.h"
+#include "tests/support/statistics.h"
+#include "tests/support/tiny_scenes.h"
+
+#include <catch2/catch.hpp>
+
+#include <functional>
+
+using namespace hipmap;
+
+namespace {
+
+std::vector<RunningMean> means_in_even_room(const std::vector<glm::vec2>& points, EstimateForm form,
+                                            std::uint32_t k, std::size_t photons, std::size_t sets)
+{
+    const EvenRoomOptions options{{MapMode::shared, k, 500, form}, photons, sets};
+    std::vector<RunningMean> means;
+    for (const std::vector<double>& values : estimates_in_even_room(points, options)) {
+        RunningMean& mean = means.emplace_back();
+        for (const double value : values)
+            mean.add(value);
+    }
+    return means;
+}
+
+/// Mean of the estimates at a point of the floor over sets of photons spread over it as `light`
+/// says: relative density, at most 1.  What stands on the floor catches none.
+RunningMean estimates_on_floor(const tiny::ReadyScene& ready, const glm::vec3& at,
+                               const std::function<float(const glm::vec3&)>& light)
+{
+    const TriangleMesh& mesh = ready.scene.mesh;
+    const MapSurfaces surfaces(mesh, ready.partition);
+    EstimateScratch scratch;
+    RunningMean mean;
+    for (std::uint32_t set = 0; set < 100; ++set) {
+        constexpr std::size_t kTrials = 20'000;
+        std::vector<Photon> photons;
+        for (std::size_t i = 0; i < kTrials; ++i) {
+            RandomSequence random(1, RandomStream::photons, set, i);
+            const FaceId face = random.next() < 0.5f ? 0 : 1;
+            const SurfacePoint point = surface_point(mesh, face, sample_triangle(random.next2()));
+            if (random.next() < light(point.position))
+                photons.push_back({point.position, Rgb(1.0f / kTrials), {0, 1, 0}, face, 0});
+        }
+        const PhotonMaps maps =
+            build_photon_maps(photons, mesh, ready.partition, {MapMode::shared, 50, 500});
+        const FaceId face = at.z >= -at.x ? 0 : 1;
+        mean.add(estimate_irradiance(maps, surfaces, {at, {0, 1, 0}, face, 0}, scratch).y);
+    }
+    return mean;
+}
+
+} // namespace
+
+TEST_CASE("estimate: the thesis' form is high by k/(k-1), ours is not", "[maps]")
+{
+    for (const std::uint32_t k : {5u, 25u, 100u}) {
+        const std::vector<glm::vec2> middle{{0.5f, 0.45f}};
+        const RunningMean ours =
+            means_in_even_room(middle, EstimateForm::clipped, k, 6000, 2000)[0];
+        const RunningMean plain =
+            means_in_even_room(middle, EstimateForm::thesis, k, 6000, 2000)[0];
+        const double high = double(k) / (k - 1);
+        WARN("k = " << k << ": ours " << ours.mean() << ", z " << ours.z_score(1)
+                    << "; thesis' form " << plain.mean() << ", z from k/(k-1) "
+                    << plain.z_score(high) << ", from 1 " << plain.z_score(1));
+        CHECK(std::abs(ours.z_score(1)) < kMostZ);
+        CHECK(std::abs(plain.z_score(high)) < kMostZ);
+    }
+}
+
+TEST_CASE("estimate: even light is even up to edges and corners of a room", "[maps]")
+{
+    std::vector<glm::vec2> points;
+    for (const float d : {0.0f, 0.002f, 0.01f, 0.02f, 0.03f, 0.05f, 0.08f, 0.12f})
+        points.insert(points.end(), {{d, 0.5f}, {d, d}, {1 - d, d / 3}});
+    for (const RunningMean& mean :
+         means_in_even_room(points, EstimateForm::clipped, 50, 30'000, 300)) {
+        CHECK(std::abs(mean.mean() - 1) < 0.01 + kMostZ * mean.standard_error());
+        CHECK(mean.standard_error() < 0.02);
+    }
+}
+
+TEST_CASE("estimate: the thesis' form falls to a half at an edge and a quarter in a corner",
+          "[maps]")
+{
+    const std::vector<glm::vec2> points{{0, 0.5f}, {0, 0}, {0.03f, 0.5f}, {0.5f, 0.5f}};
+    const auto means = means_in_even_room(points, EstimateForm::thesis, 50, 30'000, 300);
+    const double high = 50.0 / 49;
+    CHECK(std::abs(means[0].z_score(0.5 * high)) < kMostZ);
+    CHECK(std::abs(means[1].z_score(0.25 * high)) < kMostZ);
+    CHECK(means[2].mean() > means[0].mean() + 0.05);
+    CHECK(means[2].mean() < means[3].mean() - 0.05);
+}
+
+TEST_CASE("estimate: the thesis' form drops photons of the other side once they are chosen",
+          "[maps]")
+{
+    const auto ready = tiny::ready(tiny::make_scene(tiny::floor_at(0, 1)));
+    const MapSurfaces surfaces(ready->scene.mesh, ready->partition);
+    std::vector<Photon> photons;
+    for (int i = 0; i < 20; ++i) {
+        const bool front = i % 2 == 0;
+        const float x = 0.01f * static_cast<float>(i);
+        photons.push_back({{x, 0, 0.1f}, Rgb(1), {0, front ? 1 : -1, 0}, 0, std::uint8_t(!front)});
+    }
+    const PhotonQuery query{{0, 0, 0.1f}, {0, 1, 0}, 0, 0};
+    EstimateScratch scratch;
+    for (const MapMode mode : {MapMode::global, MapMode::shared, MapMode::thesis}) {
+        const PhotonMaps maps = build_photon_maps(photons, ready->scene.mesh, ready->partition,
+                                                  {mode, 10, 5, EstimateForm::thesis});
+        const double expected =
+            5 / (kPi * 0.09 * 0.09); // five of ten face up, the tenth is at 0.09
+        CHECK(estimate_irradiance(maps, surfaces, query, scratch).y == Approx(expected));
+    }
+}
+
+TEST_CASE("estimate: light behind a wall that stands on one polygon adds nothing in front",
+          "[maps]")
+{
+    Scene scene = tiny::make_scene(tiny::floor_at(0, 1));
+    tiny::add(scene,
+              tiny::make_mesh(
+                  {{0.1f, 0, -0.5f}, {0.1f, 0, 0.5f}, {0.1f, 0.4f, 0.5f}, {0.1f, 0.4f, -0.5f}},
+                  {{0, 1, 2}, {0, 2, 3}}),
+              tiny::matt(Rgb(1)));
+    const auto ready = tiny::ready(scene);
+    for (const float d : {0.0001f, 0.003f, 0.02f, 0.05f}) {
+        const glm::vec3 at(0.1f - d, 0, 0.13f);
+        const auto dim = [](const glm::vec3& p) { return p.x < 0.1f ? 0.05f : 1.0f; };
+        const RunningMean lit = estimates_on_floor(*ready, at, dim);
+        CHECK(std::abs(lit.mean() - 0.05) < 0.0005 + kMostZ * lit.standard_error());
+        const auto dark = [](const glm::vec3& p) { return p.x < 0.1f ? 0.0f : 1.0f; };
+        CHECK(estimates_on_floor(*ready, at, dark).mean() == 0);
+    }
+}
+
+TEST_CASE("estimate: a box on or sunk into one polygon does not darken the floor round it",
+          "[maps]")
+{
+    const float sunk = GENERATE(0.0f, 0.1f);
+    Scene scene = tiny::make_scene(tiny::floor_at(0, 1));
+    TriangleMesh box = tiny::cube();
+    tiny::scale(box, 0.3f);
+    tiny::move(box, {0.1f, 0.15f - sunk, 0.05f});
+    tiny::add(scene, box, tiny::matt(Rgb(1)));
+    const auto ready = tiny::ready(scene);
+    const auto round = [](const glm::vec3& p) {
+        return std::abs(p.x - 0.1f) < 0.15f && std::abs(p.z - 0.05f) < 0.15f ? 0.0f : 1.0f;
+    };
+    for (const float d : {0.0001f, 0.003f, 0.01f, 0.05f})
+        for (const glm::vec3& at : {glm::vec3(-0.05f - d, 0, 0.07f),      // beside a side
+                                    glm::vec3(0.25f + d, 0, 0.2f + d)}) { // beside a corner
+            const RunningMean mean = estimates_on_floor(*ready, at, round);
+            CHECK(std::abs(mean.mean() - 1) < 0.01 + kMostZ * mean.standard_error());
+        }
+}
