@@ -13,6 +13,9 @@
 HWY_BEFORE_NAMESPACE();
 namespace hipmap::tree_search::HWY_NAMESPACE {
 
+/// More than the roundings of a few operations take away.
+constexpr float kRoundedUp = 1.00001f;
+
 // No fused multiply-add anywhere, and sums in one order: distances are those of glm::dot, to the
 // bit, on every processor.
 
@@ -63,34 +66,56 @@ HWY_INLINE FloatVec corner_distance2(const BoxNode& node, std::size_t lane, cons
     return length2(farthest(0, point.x), farthest(1, point.y), farthest(2, point.z));
 }
 
-/// The blocks whose boxes touch the ball, in order; returns their number.
-std::size_t find_blocks(const WideTree& tree, const PointVec& point, FloatVec radius2,
-                        TreeScratch& scratch)
+/// Writes those children of `count` nodes of a level whose boxes touch the ball, in order; returns
+/// their number.
+HWY_INLINE std::size_t touched(const WideTree& tree, std::uint32_t level,
+                               const std::vector<std::uint32_t>& parents, std::size_t count,
+                               const PointVec& point, FloatVec radius2,
+                               std::vector<std::uint32_t>& children)
 {
-    grow(scratch.blocks, 2 * kTreeWidth);
-    scratch.blocks[0] = 0;
-    std::size_t count = 1;
-    for (std::uint32_t level = 0; level < tree.levels; ++level) {
-        scratch.nodes.swap(scratch.blocks);
-        grow(scratch.blocks, kTreeWidth * (count + 1));
-        const BoxNode* const nodes = tree.nodes.data() + tree.first_node[level];
-        std::uint32_t* const out = scratch.blocks.data();
-        std::size_t children = 0;
-        for (std::size_t i = 0; i < count; ++i) {
-            const std::uint32_t node = scratch.nodes[i];
-            for (std::uint32_t lane = 0; lane < kTreeWidth; lane += hn::Lanes(Floats())) {
-                const FloatVec distance2 = box_distance2(nodes[node], lane, point);
-                children += write_lanes(kTreeWidth * node + lane, hn::Le(distance2, radius2),
-                                        out + children);
-            }
+    grow(children, kTreeWidth * (count + 1));
+    const BoxNode* const nodes = tree.nodes.data() + tree.first_node[level];
+    std::size_t written = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::uint32_t node = parents[i];
+        for (std::uint32_t lane = 0; lane < kTreeWidth; lane += hn::Lanes(Floats())) {
+            const FloatVec distance2 = box_distance2(nodes[node], lane, point);
+            written += write_lanes(kTreeWidth * node + lane, hn::Le(distance2, radius2),
+                                   children.data() + written);
         }
-        count = children;
     }
-    return count;
+    return written;
 }
 
-/// Writes the distances of the photons of the first `count` blocks, and those between the bounds
-/// once more into the band; keeps those blocks that have one in the ball, and returns how many are.
+/// Finds the leaf nodes that the ball touches, and keeps them.
+void keep_nodes(const WideTree& tree, const glm::vec3& at, float radius, TreeScratch& scratch)
+{
+    grow(scratch.nodes, kTreeWidth);
+    scratch.nodes[0] = 0;
+    scratch.kept = 1;
+    // Squares that are nearly zero have few digits.
+    constexpr float kRoundedOff = std::numeric_limits<float>::min();
+    const FloatVec radius2 = hn::Set(Floats(), radius * radius * kRoundedUp + kRoundedOff);
+    for (std::uint32_t level = 0; level + 1 < tree.levels; ++level) {
+        scratch.nodes.swap(scratch.parents);
+        scratch.kept =
+            touched(tree, level, scratch.parents, scratch.kept, spread(at), radius2, scratch.nodes);
+    }
+    scratch.kept_tree = tree.number;
+    scratch.kept_point = at;
+    scratch.kept_radius = radius;
+}
+
+/// How much farther than a ball to look for leaf nodes, so that they serve some more searches in
+/// steps like the last.
+float margin(float radius, float step)
+{
+    constexpr float kSteps = 8.0f, kMost = 0.5f;
+    return step < kMost * radius ? std::min(kSteps * step, kMost * radius) : 0.0f;
+}
+
+/// Writes the distances of the photons of the first `count` blocks into rows, and those between the
+/// bounds once more into the band; returns how many are in the ball.
 std::size_t measure(const WideTree& tree, const PointVec& point, const Bounds2& bounds,
                     std::size_t count, TreeScratch& scratch)
 {
@@ -98,24 +123,23 @@ std::size_t measure(const WideTree& tree, const PointVec& point, const Bounds2& 
     const FloatVec low2 = hn::Set(d, bounds.low2), high2 = hn::Set(d, bounds.high2);
     grow(scratch.rows, count + 1);
     grow(scratch.band, kTreeWidth * (count + 2));
-    std::size_t inside = 0, filled = 0, in_band = 0;
+    float* const band = scratch.band.data();
+    const std::uint32_t* const blocks = scratch.blocks.data();
+    TreeScratch::Row* const rows = scratch.rows.data();
+    std::size_t inside = 0, in_band = 0;
     for (std::size_t i = 0; i < count; ++i) {
-        const std::uint32_t block = scratch.blocks[i];
-        std::size_t of_block = 0;
+        const PhotonBlock& block = tree.blocks[blocks[i]];
         for (std::size_t lane = 0; lane < kTreeWidth; lane += hn::Lanes(d)) {
-            const FloatVec distance2 = photon_distance2(tree.blocks[block], lane, point);
+            const FloatVec distance2 = photon_distance2(block, lane, point);
             const Mask near = hn::Le(distance2, high2);
-            hn::Store(distance2, d, scratch.rows[filled].distance2 + lane);
-            of_block += hn::CountTrue(d, near);
-            in_band += write_values(distance2, hn::And(near, hn::Ge(distance2, low2)),
-                                    scratch.band.data() + in_band);
+            hn::Store(distance2, d, rows[i].distance2 + lane);
+            inside += hn::CountTrue(d, near);
+            in_band +=
+                write_values(distance2, hn::And(near, hn::Ge(distance2, low2)), band + in_band);
         }
-        inside += of_block;
-        scratch.blocks[filled] = block;
-        filled += of_block > 0 ? 1 : 0;
     }
-    pad(scratch.band.data() + in_band);
-    scratch.filled = filled;
+    pad(band + in_band);
+    scratch.filled = count;
     scratch.in_band = in_band;
     return inside;
 }
@@ -127,8 +151,15 @@ std::size_t Collect(const WideTree& tree, const glm::vec3& at, const Bounds2& bo
     scratch.in_band = 0;
     if (tree.size == 0)
         return 0;
+    const float radius = std::sqrt(bounds.high2);
+    const bool kept = scratch.kept_tree == tree.number &&
+                      glm::distance(at, scratch.kept_point) + radius <= scratch.kept_radius;
+    if (!kept)
+        keep_nodes(tree, at, radius + margin(radius, glm::distance(at, scratch.last_point)),
+                   scratch);
     const PointVec point = spread(at);
-    const std::size_t count = find_blocks(tree, point, hn::Set(Floats(), bounds.high2), scratch);
+    const std::size_t count = touched(tree, tree.levels - 1, scratch.nodes, scratch.kept, point,
+                                      hn::Set(Floats(), bounds.high2), scratch.blocks);
     return measure(tree, point, bounds, count, scratch);
 }
 

@@ -16,8 +16,11 @@ float kth_distance2(std::size_t k, const Bounds2& bounds, std::size_t inside, Tr
 /// The greatest collected distance up to radius2; zero if there is none.
 float greatest_distance2(float radius2, const TreeScratch& scratch);
 
-/// Puts the slots nearer than `farthest2` into scratch.found and returns their number; those as far
-/// go to scratch.ties.
-std::size_t emit_nearer(const WideTree& tree, float farthest2, TreeScratch& scratch);
+/// Puts the collected slots nearer than `farthest2` into scratch.found, and those as far into
+/// scratch.ties.
+struct Emitted {
+    std::size_t nearer, as_far;
+};
+Emitted emit_nearest(float farthest2, TreeScratch& scratch);
 
 } // namespace hipmap::tree_search

@@ -20,6 +20,11 @@ float kth_of_collected(std::size_t k, const Bounds2& bounds, std::size_t inside,
                       : greatest_distance2(bounds.high2, scratch);
 }
 
+std::uint32_t photon_of(const WideTree& tree, std::uint32_t slot)
+{
+    return tree.blocks[slot / kTreeWidth].photon[slot % kTreeWidth];
+}
+
 } // namespace
 
 float limit2(const WideTree& tree, const TreeQuery& query)
@@ -34,7 +39,7 @@ Bounds2 bounds2(const WideTree& tree, const TreeQuery& query, float most2, TreeS
     if (tree.size <= query.photons)
         return {0.0f, most2};
     const float step = glm::distance(query.point, scratch.last_point), last = scratch.last_radius;
-    if (scratch.last_tree == &tree && step < kNear * last) {
+    if (scratch.last_tree == tree.number && step < kNear * last) {
         const float low = std::isfinite(last) ? last - step : 0.0f, high = last + step;
         return {low * low / kRoundedUp, std::min(most2, high * high * kRoundedUp)};
     }
@@ -56,16 +61,18 @@ FoundSlots select(const WideTree& tree, const TreeQuery& query, const Bounds2& b
     FoundSlots found;
     if (inside > 0) {
         found.farthest2 = kth_of_collected(query.photons, bounds, inside, scratch);
-        const std::size_t nearer = emit_nearer(tree, found.farthest2, scratch);
-        std::vector<TreeScratch::Tie>& ties = scratch.ties;
+        const Emitted emitted = emit_nearest(found.farthest2, scratch);
+        const auto ties = std::span(scratch.ties).first(emitted.as_far);
         if (ties.size() > 1)
-            std::sort(ties.begin(), ties.end());
-        const std::size_t count = std::min(nearer + ties.size(), query.photons);
-        for (std::size_t i = nearer; i < count; ++i)
-            scratch.found[i] = ties[i - nearer].slot;
+            std::sort(ties.begin(), ties.end(), [&](std::uint32_t a, std::uint32_t b) {
+                return photon_of(tree, a) < photon_of(tree, b);
+            });
+        const std::size_t count = std::min(emitted.nearer + ties.size(), query.photons);
+        for (std::size_t i = emitted.nearer; i < count; ++i)
+            scratch.found[i] = ties[i - emitted.nearer];
         found.slots = {scratch.found.data(), count};
     }
-    scratch.last_tree = &tree;
+    scratch.last_tree = tree.number;
     scratch.last_point = query.point;
     scratch.last_radius = found.slots.size() == query.photons
                               ? std::sqrt(found.farthest2)

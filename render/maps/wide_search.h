@@ -22,22 +22,23 @@ struct TreeScratch {
     struct alignas(64) Row {
         float distance2[kTreeWidth];
     };
-    struct Tie {
-        std::uint32_t photon, slot;
-        bool operator<(const Tie& other) const { return photon < other.photon; }
-    };
-    std::vector<std::uint32_t> nodes;  ///< that the ball touches, of one level
-    std::vector<std::uint32_t> blocks; ///< that the ball touches, in tree order
-    std::vector<Row> rows;             ///< square distances of their photons
-    std::size_t filled = 0;            ///< blocks and rows in use
-    std::vector<float> band;           ///< square distances among which the k-th is
-    std::size_t in_band = 0;           ///< values in use
-    std::vector<std::uint32_t> found;  ///< slots
-    std::vector<Tie> ties;             ///< as far as the k-th
+    std::vector<std::uint32_t> parents; ///< nodes that the kept ball touches, of one level
+    std::vector<std::uint32_t> nodes;   ///< the same of the next; then leaf nodes
+    std::size_t kept = 0;               ///< leaf nodes in use
+    std::vector<std::uint32_t> blocks;  ///< that the ball touches, in tree order
+    std::vector<Row> rows;              ///< square distances of their photons
+    std::size_t filled = 0;             ///< blocks and rows in use
+    std::vector<float> band;            ///< square distances among which the k-th is
+    std::size_t in_band = 0;            ///< values in use
+    std::vector<std::uint32_t> found;   ///< slots
+    std::vector<std::uint32_t> ties;    ///< slots as far as the k-th
 
-    const WideTree* last_tree = nullptr;
+    std::uint64_t last_tree = 0; ///< its number
     glm::vec3 last_point{0.0f};
-    float last_radius = 0.0f; ///< of the last k-th photon; infinite if there were fewer
+    float last_radius = 0.0f;    ///< of the last k-th photon; infinite if there were fewer
+    std::uint64_t kept_tree = 0; ///< its number
+    glm::vec3 kept_point{0.0f};
+    float kept_radius = 0.0f; ///< all leaf nodes so near are kept
 };
 
 /// What a search found; valid until its scratch is used again.
@@ -57,8 +58,8 @@ namespace tree_search {
 /// Square of the distance beyond which no photon of the tree counts.
 float limit2(const WideTree& tree, const TreeQuery& query);
 
-/// Squares of two distances between which the k-th photon is, were all accepted: by the last search
-/// or by some photons near the point.
+/// Squares of two distances between which the k-th photon is likely to be: by the last search or by
+/// some photons near the point.
 struct Bounds2 {
     float low2, high2;
 };

@@ -77,9 +77,17 @@ HWY_INLINE float kth_of_few(const float* values, std::size_t k)
     FloatVec kth = hn::Set(d, kFar);
     for (std::size_t lane = 0; lane < kTreeWidth; lane += hn::Lanes(d)) {
         const FloatVec value = hn::LoadU(d, values + lane);
-        FloatVec rank = hn::Zero(d);
-        for (std::size_t i = 0; i < kTreeWidth; ++i)
-            rank = hn::Add(rank, hn::IfThenElseZero(hn::Le(hn::Set(d, values[i]), value), one));
+        const auto counted = [&](std::size_t i, FloatVec rank) HWY_ATTR {
+            return hn::Add(rank, hn::IfThenElseZero(hn::Le(hn::Set(d, values[i]), value), one));
+        };
+        FloatVec a = hn::Zero(d), b = a, c = a, e = a; // four, so that none waits for the last
+        for (std::size_t i = 0; i < kTreeWidth; i += 4) {
+            a = counted(i, a);
+            b = counted(i + 1, b);
+            c = counted(i + 2, c);
+            e = counted(i + 3, e);
+        }
+        const FloatVec rank = hn::Add(hn::Add(a, b), hn::Add(c, e));
         kth = hn::Min(kth, hn::IfThenElse(hn::Ge(rank, wanted), value, hn::Set(d, kFar)));
     }
     return hn::GetLane(hn::MinOfLanes(d, kth));
@@ -132,27 +140,23 @@ float GreatestDistance2(float radius2, const TreeScratch& scratch)
     return hn::GetLane(hn::MaxOfLanes(d, greatest));
 }
 
-std::size_t EmitNearer(const WideTree& tree, float farthest2, TreeScratch& scratch)
+Emitted EmitNearest(float farthest2, TreeScratch& scratch)
 {
     const Floats d;
     const FloatVec farthest = hn::Set(d, farthest2);
     grow(scratch.found, kTreeWidth * (scratch.filled + 1));
-    scratch.ties.clear();
-    std::size_t count = 0;
-    for (std::size_t b = 0; b < scratch.filled; ++b) {
-        const std::uint32_t block = scratch.blocks[b];
+    grow(scratch.ties, kTreeWidth * (scratch.filled + 1));
+    std::uint32_t *const found = scratch.found.data(), *const ties = scratch.ties.data();
+    const std::uint32_t* const blocks = scratch.blocks.data();
+    Emitted out{0, 0};
+    for (std::size_t b = 0; b < scratch.filled; ++b)
         for (std::uint32_t lane = 0; lane < kTreeWidth; lane += hn::Lanes(d)) {
             const FloatVec value = hn::Load(d, scratch.rows[b].distance2 + lane);
-            count += write_lanes(kTreeWidth * block + lane, hn::Lt(value, farthest),
-                                 scratch.found.data() + count);
-            if (HWY_LIKELY(hn::AllFalse(d, hn::Eq(value, farthest))))
-                continue;
-            for (std::uint32_t i = lane; i < lane + hn::Lanes(d); ++i)
-                if (scratch.rows[b].distance2[i] == farthest2)
-                    scratch.ties.push_back({tree.blocks[block].photon[i], kTreeWidth * block + i});
+            const std::uint32_t first = kTreeWidth * blocks[b] + lane;
+            out.nearer += write_lanes(first, hn::Lt(value, farthest), found + out.nearer);
+            out.as_far += write_lanes(first, hn::Eq(value, farthest), ties + out.as_far);
         }
-    }
-    return count;
+    return out;
 }
 
 } // namespace hipmap::tree_search::HWY_NAMESPACE
@@ -163,7 +167,7 @@ namespace hipmap::tree_search {
 
 HWY_EXPORT(KthDistance2);
 HWY_EXPORT(GreatestDistance2);
-HWY_EXPORT(EmitNearer);
+HWY_EXPORT(EmitNearest);
 
 float kth_distance2(std::size_t k, const Bounds2& bounds, std::size_t inside, TreeScratch& scratch)
 {
@@ -175,9 +179,9 @@ float greatest_distance2(float radius2, const TreeScratch& scratch)
     return HWY_DYNAMIC_DISPATCH(GreatestDistance2)(radius2, scratch);
 }
 
-std::size_t emit_nearer(const WideTree& tree, float farthest2, TreeScratch& scratch)
+Emitted emit_nearest(float farthest2, TreeScratch& scratch)
 {
-    return HWY_DYNAMIC_DISPATCH(EmitNearer)(tree, farthest2, scratch);
+    return HWY_DYNAMIC_DISPATCH(EmitNearest)(farthest2, scratch);
 }
 
 } // namespace hipmap::tree_search

@@ -6,6 +6,7 @@
 #include <tbb/parallel_invoke.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cassert>
 #include <limits>
 
@@ -200,7 +201,9 @@ void lay_out_levels(WideTree& tree)
 WideTree build_wide_tree(std::span<TreePoint> points)
 {
     assert(points.size() <= std::numeric_limits<std::uint32_t>::max());
+    static std::atomic<std::uint64_t> trees{0};
     WideTree tree;
+    tree.number = ++trees;
     tree.size = points.size();
     if (points.empty())
         return tree;

@@ -36,6 +36,7 @@ struct alignas(64) BoxNode {
 /// slot is its place in the order of the blocks.  About 17.6 bytes a photon.
 /// Read-only once built: any number of threads may search.
 struct WideTree {
+    std::uint64_t number = 0;                  ///< that no other tree has, save its copies
     std::uint64_t size = 0;                    ///< photons
     std::vector<PhotonBlock> blocks;           ///< all but the last are full
     std::vector<BoxNode> nodes;                ///< the root, then level by level

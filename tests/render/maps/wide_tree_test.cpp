@@ -157,6 +157,24 @@ TEST_CASE("wide tree: a search finds the same after any other", "[maps]")
     }
 }
 
+TEST_CASE("wide tree: a search does not take a tree for the one that was in its place", "[maps]")
+{
+    const Points queries = make_points(anywhere, 7, 100);
+    std::vector<TreeScratch> used(queries.size());
+    Points points = make_points(anywhere, 5, 20000);
+    OwnedTree owner(points);
+    for (std::size_t i = 0; i < queries.size(); ++i)
+        find_nearest(owner.tree, {queries[i], 200}, used[i]);
+    for (glm::vec3& point : points)
+        point *= 0.75f;
+    owner = OwnedTree(points);
+    for (std::size_t i = 0; i < queries.size(); ++i) {
+        const FoundSlots found = find_nearest(owner.tree, {queries[i], 20}, used[i]);
+        CHECK(brute_force::same(sorted(owner, queries[i], found),
+                                brute_force::k_nearest(points, queries[i], 20, kFar, AcceptAll())));
+    }
+}
+
 TEST_CASE("wide tree: a search that is not a number ends", "[maps]")
 {
     const OwnedTree owner(make_points(anywhere, 3, 2000));
