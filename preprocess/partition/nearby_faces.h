@@ -11,6 +11,7 @@ namespace hipmap {
 class NearbyFaces {
   public:
     static constexpr std::size_t kMost = 256;
+    using Places = std::array<std::array<float, kMost>, 9>; ///< [3 corner + axis][i]
 
     void clear() { count_ = 0; }
     std::size_t count() const { return count_; }
@@ -27,7 +28,7 @@ class NearbyFaces {
   private:
     std::size_t count_ = 0;
     std::array<FaceId, kMost> faces_;
-    std::array<std::array<float, kMost>, 9> places_; ///< [3 corner + axis][i]
+    Places places_;
     std::array<std::uint32_t, kMost> front_;
 };
 
