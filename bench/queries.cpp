@@ -1,5 +1,6 @@
 // What a search for the k nearest photons costs, by method: ns a query on one thread, and how many
-// times less than nanoflann's; checks that all methods find the same photons.
+// times less than nanoflann's; checks that all methods find the same photons.  The last column adds
+// the sum of their powers, which irradiance needs.
 //
 //     queries [PHOTONS...] [--neighbours K...] [--simd TARGET]     default: 50000 1000000, all K
 
@@ -67,13 +68,17 @@ std::vector<QueryOrder> make_orders()
             {"sorted", sample_runs(sorted), each}};
 }
 
-double nanoseconds(QueryMethod& method, const QueryOrder& order)
+/// Of a search, and of the sum of the powers it found if so wanted.
+double nanoseconds(QueryMethod& method, const QueryOrder& order, bool sum)
 {
     double best = std::numeric_limits<double>::infinity();
     for (int i = 0; i < kRepeats; ++i) {
         const std::clock_t start = std::clock(); // of this program, whatever else runs
-        for (const RoomPoint& query : order.queries)
+        for (const RoomPoint& query : order.queries) {
             method.search(query);
+            if (sum)
+                method.power();
+        }
         best = std::min(best, seconds_since(start) / double(order.queries.size()));
     }
     return 1e9 * (best + order.seconds_each);
@@ -139,6 +144,20 @@ std::size_t count_wrong(const Points& photons, QueryMethod& method, const Points
     return wrong;
 }
 
+/// A line of the table; `first` has what the first method took.
+void print_times(QueryMethod& method, const std::vector<QueryOrder>& orders,
+                 std::vector<double>& first)
+{
+    std::printf("%-26s", method.name());
+    for (std::size_t i = 0; i <= orders.size(); ++i) {
+        const bool sum = i == orders.size();
+        const double ns = nanoseconds(method, orders[sum ? 0 : i], sum);
+        if (first.size() <= i)
+            first.push_back(ns);
+        std::printf(" %9.0f (%6.1f)", ns, first[i] / ns);
+    }
+}
+
 /// Returns whether every method found what it should.
 bool measure(const Points& photons, std::vector<BuiltMethod>& methods,
              const std::vector<QueryOrder>& orders, std::size_t k)
@@ -147,19 +166,13 @@ bool measure(const Points& photons, std::vector<BuiltMethod>& methods,
                 photons.size(), k, "");
     for (const QueryOrder& order : orders)
         std::printf(" %18s", order.name);
-    std::printf("   differ  wrong\n");
+    std::printf(" %18s   differ  wrong\n", "scanline and sum");
     std::vector<double> first;
     bool right = true;
     for (BuiltMethod& built : methods) {
         QueryMethod& method = *built.method;
         method.prepare(k);
-        std::printf("%-26s", method.name());
-        for (std::size_t i = 0; i < orders.size(); ++i) {
-            const double ns = nanoseconds(method, orders[i]);
-            if (first.size() <= i)
-                first.push_back(ns);
-            std::printf(" %9.0f (%6.1f)", ns, first[i] / ns);
-        }
+        print_times(method, orders, first);
         BuiltMethod& reference = *std::find_if(methods.begin(), methods.end(), [&](const auto& m) {
             return m.method->by_map() == method.by_map() && m.method->breaks_ties();
         });
@@ -173,6 +186,15 @@ bool measure(const Points& photons, std::vector<BuiltMethod>& methods,
     return right;
 }
 
+/// Of no two photons the same.
+Powers make_powers(std::size_t count)
+{
+    Powers powers;
+    for (std::size_t i = 0; i < count; ++i)
+        powers.emplace_back(1.0f + float(i) / float(count));
+    return powers;
+}
+
 int measure_queries(const std::vector<std::size_t>& sizes, const std::vector<std::size_t>& wanted)
 {
     const ThreadLimit one_thread(1);
@@ -180,7 +202,8 @@ int measure_queries(const std::vector<std::size_t>& sizes, const std::vector<std
     bool right = true;
     for (const std::size_t size : sizes) {
         const Points photons = room_photons(size);
-        std::vector<BuiltMethod> methods = build_methods(photons);
+        const Powers powers = make_powers(size);
+        std::vector<BuiltMethod> methods = build_methods(photons, powers);
         std::printf("\n%zu photons: ns a photon to build (times faster), bytes a photon\n", size);
         for (const BuiltMethod& built : methods)
             std::printf("%-26s %9.0f (%6.1f) %9.1f\n", built.method->name(),

@@ -69,7 +69,7 @@ struct NanoflannIndex {
 
 class Nanoflann : public QueryMethod {
   public:
-    explicit Nanoflann(const Photons& photons) : index_(photons) {}
+    Nanoflann(const Photons& photons, const Powers& powers) : powers_(powers), index_(photons) {}
     const char* name() const override { return "nanoflann, KNNResultSet"; }
     void prepare(std::size_t k) override
     {
@@ -83,6 +83,10 @@ class Nanoflann : public QueryMethod {
         index_.tree->findNeighbors(result, &query.position[0], {});
         found_ = result.size();
     }
+    glm::vec4 power() const override
+    {
+        return sum_powers(powers_, std::span(photons_).first(found_));
+    }
     std::vector<std::uint32_t> found() const override
     {
         return {photons_.begin(), photons_.begin() + static_cast<std::ptrdiff_t>(found_)};
@@ -91,6 +95,7 @@ class Nanoflann : public QueryMethod {
     bool breaks_ties() const override { return false; }
 
   private:
+    const Powers& powers_;
     NanoflannIndex index_;
     std::vector<std::uint32_t> photons_;
     std::vector<float> distances2_;
@@ -115,7 +120,9 @@ struct HeapResultSet {
 /// The radius of a search begins at that of the last one and the step from there.
 class SeededNanoflann : public QueryMethod {
   public:
-    explicit SeededNanoflann(const Photons& photons) : index_(photons) {}
+    SeededNanoflann(const Photons& photons, const Powers& powers) : powers_(powers), index_(photons)
+    {
+    }
     const char* name() const override { return "nanoflann, seeded heap"; }
     void prepare(std::size_t k) override
     {
@@ -132,11 +139,13 @@ class SeededNanoflann : public QueryMethod {
         if (found_.size() == storage_.size())
             last_radius_ = std::sqrt(found_.back().distance2);
     }
+    glm::vec4 power() const override { return sum_powers(powers_, found_); }
     std::vector<std::uint32_t> found() const override { return photons_of(found_); }
     std::size_t bytes() const override { return index_.bytes(); }
     bool breaks_ties() const override { return false; }
 
   private:
+    const Powers& powers_;
     NanoflannIndex index_;
     std::vector<Neighbour> storage_;
     std::span<const Neighbour> found_;
@@ -147,8 +156,8 @@ class SeededNanoflann : public QueryMethod {
 /// The left-balanced tree with a heap.
 class Textbook : public QueryMethod {
   public:
-    Textbook(const Photons& photons, bool by_map)
-        : by_map_(by_map), points_(points_by_map(photons, by_map))
+    Textbook(const Photons& photons, const Powers& powers, bool by_map)
+        : powers_(powers), by_map_(by_map), points_(points_by_map(photons, by_map))
     {
         for (std::vector<TreePoint>& points : points_) {
             axes_.emplace_back(points.size());
@@ -164,6 +173,7 @@ class Textbook : public QueryMethod {
         search_tree({points_[map], axes_[map]}, query.position, AcceptAll(), heap);
         found_ = heap.sorted();
     }
+    glm::vec4 power() const override { return sum_powers(powers_, found_); }
     std::vector<std::uint32_t> found() const override { return photons_of(found_); }
     std::size_t bytes() const override
     {
@@ -175,6 +185,7 @@ class Textbook : public QueryMethod {
     bool by_map() const override { return by_map_; }
 
   private:
+    const Powers& powers_;
     bool by_map_;
     std::vector<std::vector<TreePoint>> points_;
     std::vector<std::vector<std::uint8_t>> axes_;
@@ -184,25 +195,32 @@ class Textbook : public QueryMethod {
 
 class Wide : public QueryMethod {
   public:
-    Wide(const Photons& photons, bool by_map) : by_map_(by_map)
+    Wide(const Photons& photons, const Powers& powers, bool by_map)
+        : powers_(powers), by_map_(by_map)
     {
         for (std::vector<TreePoint>& points : points_by_map(photons, by_map))
             trees_.push_back(build_wide_tree(points));
     }
     const char* name() const override { return by_map_ ? "wide, by map" : "wide"; }
-    void prepare(std::size_t k) override { k_ = k; }
+    void prepare(std::size_t k) override
+    {
+        k_ = k;
+        if (ordered_powers_.empty())
+            order_powers();
+    }
     void search(const RoomPoint& query) override
     {
-        tree_ = &trees_[by_map_ ? query.map : 0];
-        slots_ = find_nearest(*tree_, {query.position, k_}, scratch_).slots;
+        map_ = by_map_ ? query.map : 0;
+        slots_ = find_nearest(trees_[map_], {query.position, k_}, scratch_).slots;
     }
     std::vector<std::uint32_t> found() const override
     {
         std::vector<std::uint32_t> out;
         for (const std::uint32_t slot : slots_)
-            out.push_back(tree_->blocks[slot / kTreeWidth].photon[slot % kTreeWidth]);
+            out.push_back(photon(trees_[map_], slot));
         return out;
     }
+    glm::vec4 power() const override { return sum_powers(ordered_powers_[map_], slots_); }
     std::size_t bytes() const override
     {
         std::size_t bytes = 0;
@@ -213,34 +231,50 @@ class Wide : public QueryMethod {
     bool by_map() const override { return by_map_; }
 
   private:
+    static std::uint32_t photon(const WideTree& tree, std::uint32_t slot)
+    {
+        return tree.blocks[slot / kTreeWidth].photon[slot % kTreeWidth];
+    }
+    /// As a renderer keeps its photons: in the order of the trees.
+    void order_powers()
+    {
+        for (const WideTree& tree : trees_) {
+            ordered_powers_.emplace_back();
+            for (std::uint32_t slot = 0; slot < tree.size; ++slot)
+                ordered_powers_.back().push_back(powers_[photon(tree, slot)]);
+        }
+    }
+
+    const Powers& powers_;
     bool by_map_;
     std::vector<WideTree> trees_;
-    const WideTree* tree_ = nullptr;
+    std::vector<Powers> ordered_powers_; ///< by map and slot
+    std::size_t map_ = 0;
     std::size_t k_ = 0;
     TreeScratch scratch_;
     std::span<const std::uint32_t> slots_;
 };
 
 template <typename Method, typename... Arguments>
-BuiltMethod build(const Photons& photons, Arguments... arguments)
+BuiltMethod build(const Photons& photons, const Powers& powers, Arguments... arguments)
 {
     const std::clock_t start = std::clock();
-    auto method = std::make_unique<Method>(photons, arguments...);
+    auto method = std::make_unique<Method>(photons, powers, arguments...);
     const double seconds = double(std::clock() - start) / CLOCKS_PER_SEC;
     return {std::move(method), seconds};
 }
 
 } // namespace
 
-std::vector<BuiltMethod> build_methods(const std::vector<RoomPoint>& photons)
+std::vector<BuiltMethod> build_methods(const std::vector<RoomPoint>& photons, const Powers& powers)
 {
     std::vector<BuiltMethod> methods;
-    methods.push_back(build<Nanoflann>(photons));
-    methods.push_back(build<SeededNanoflann>(photons));
-    methods.push_back(build<Textbook>(photons, false));
-    methods.push_back(build<Textbook>(photons, true));
-    methods.push_back(build<Wide>(photons, false));
-    methods.push_back(build<Wide>(photons, true));
+    methods.push_back(build<Nanoflann>(photons, powers));
+    methods.push_back(build<SeededNanoflann>(photons, powers));
+    methods.push_back(build<Textbook>(photons, powers, false));
+    methods.push_back(build<Textbook>(photons, powers, true));
+    methods.push_back(build<Wide>(photons, powers, false));
+    methods.push_back(build<Wide>(photons, powers, true));
     return methods;
 }
 

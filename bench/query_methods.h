@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bench/power_sum.h"
 #include "bench/query_scene.h"
 
 #include <cstddef>
@@ -16,6 +17,8 @@ class QueryMethod {
     /// Wants k photons of each search from now on.
     virtual void prepare(std::size_t k) = 0;
     virtual void search(const RoomPoint& query) = 0;
+    /// Sum over the photons of the last search.
+    virtual glm::vec4 power() const = 0;
     /// Numbers of the photons of the last search, in any order.
     virtual std::vector<std::uint32_t> found() const = 0;
     virtual std::size_t bytes() const = 0;
@@ -30,7 +33,7 @@ struct BuiltMethod {
     double build_seconds;
 };
 
-/// Every method over the same photons, built one after the other.  Borrows the photons.
-std::vector<BuiltMethod> build_methods(const std::vector<RoomPoint>& photons);
+/// Every method over the same photons, built one after the other.  Borrows the powers, by photon.
+std::vector<BuiltMethod> build_methods(const std::vector<RoomPoint>& photons, const Powers& powers);
 
 } // namespace hipmap
