@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cassert>
+#include <cstring>
 #include <limits>
 
 namespace hipmap {
@@ -65,6 +66,15 @@ TreePoint pivot_near(std::span<const TreePoint> points, std::size_t rank, const 
     return *pivot;
 }
 
+/// In one piece each way: compilers move the members one by one.
+void swap_whole(TreePoint& a, TreePoint& b)
+{
+    std::array<std::byte, sizeof(TreePoint)> whole;
+    std::memcpy(&whole, &a, sizeof(TreePoint));
+    std::memcpy(static_cast<void*>(&a), &b, sizeof(TreePoint));
+    std::memcpy(static_cast<void*>(&b), &whole, sizeof(TreePoint));
+}
+
 /// Moves what is less than the pivot to the front and returns how much that is.  Without a branch
 /// on the outcome, which no processor could foresee.
 template <typename Less>
@@ -72,10 +82,9 @@ std::size_t partition(std::span<TreePoint> points, const TreePoint& pivot, const
 {
     std::size_t front = 0;
     for (TreePoint& point : points) {
-        const TreePoint moved = point;
-        point = points[front];
-        points[front] = moved;
-        front += less(moved, pivot) ? 1 : 0;
+        const bool low = less(point, pivot);
+        swap_whole(point, points[front]);
+        front += low ? 1 : 0;
     }
     return front;
 }
