@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <bit>
 #include <cassert>
 #include <cstring>
 #include <limits>
@@ -89,12 +90,39 @@ std::size_t partition(std::span<TreePoint> points, const TreePoint& pivot, const
     return front;
 }
 
-/// As std::nth_element: the lowest `count` come first.
-template <typename Less>
-void split(std::span<TreePoint> points, std::size_t count, const Less& less)
+/// At most so many are ordered by comparing each with each.
+constexpr std::size_t kFew = 32;
+
+/// Sorts at most kFew points along an axis; those nearly as far from the lowest, by their places.
+/// Without a branch on the outcome either.
+template <int axis>
+void sort_few(std::span<TreePoint> points)
 {
-    constexpr std::size_t kFew = 16;
+    constexpr std::int32_t kPlace = kFew - 1; // bits of a key that tell equal ones apart
+    float low = points[0].position[axis];
+    for (const TreePoint& point : points)
+        low = std::min(low, point.position[axis]);
+    std::array<std::int32_t, kFew> keys, ranks{};
+    keys.fill(std::numeric_limits<std::int32_t>::max());
+    std::array<TreePoint, kFew> copy;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const auto bits = std::bit_cast<std::int32_t>(points[i].position[axis] - low);
+        keys[i] = (bits & ~kPlace) | static_cast<std::int32_t>(i);
+        copy[i] = points[i];
+    }
+    for (std::size_t i = 0; i < points.size(); ++i)
+        for (std::size_t j = 0; j < kFew; ++j)
+            ranks[j] += keys[i] < keys[j] ? 1 : 0;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        points[static_cast<std::size_t>(ranks[i])] = copy[i];
+}
+
+/// As std::nth_element: the lowest `count` come first.
+template <int axis>
+void split(std::span<TreePoint> points, std::size_t count)
+{
     constexpr int kMostRounds = 32; // pivots of any use need far fewer
+    const AlongAxis<axis> less;
     for (int round = 0; points.size() > kFew && round < kMostRounds; ++round) {
         if (count == 0 || count == points.size())
             return;
@@ -107,8 +135,11 @@ void split(std::span<TreePoint> points, std::size_t count, const Less& less)
             count -= lower;
         }
     }
-    std::nth_element(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(count),
-                     points.end(), less);
+    if (points.size() <= kFew)
+        sort_few<axis>(points);
+    else
+        std::nth_element(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(count),
+                         points.end(), less);
 }
 
 /// Halves a range of children of `child_size` points each (the last may have fewer) until each is
@@ -124,13 +155,13 @@ void order_blocks(std::span<TreePoint> points, std::size_t child_size)
     const std::size_t middle = children / 2 * child_size;
     switch (widest_axis(points)) {
     case 0:
-        split(points, middle, AlongAxis<0>());
+        split<0>(points, middle);
         break;
     case 1:
-        split(points, middle, AlongAxis<1>());
+        split<1>(points, middle);
         break;
     default:
-        split(points, middle, AlongAxis<2>());
+        split<2>(points, middle);
     }
     const auto low = [&] { order_blocks(points.first(middle), child_size); };
     const auto high = [&] { order_blocks(points.subspan(middle), child_size); };
