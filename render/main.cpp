@@ -5,6 +5,7 @@
 #include "common/report.h"
 #include "common/scene/print_audit.h"
 #include "common/stopwatch.h"
+#include "render/maps/hierarchical.h"
 #include "render/options.h"
 #include "render/shading/approximations.h"
 #include "render/statistics.h"
@@ -91,10 +92,19 @@ void print_photons(const RenderStatistics& statistics, Report& report)
     line << " left " << statistics.global.stored << " global and " << statistics.caustic.stored
          << " caustic photons; last pass: " << statistics.global.shared_maps << " global and "
          << statistics.caustic.shared_maps << " caustic maps with photons";
-    if (statistics.global.local_maps + statistics.caustic.local_maps > 0)
-        line << ", " << statistics.global.local_maps + statistics.caustic.local_maps
-             << " local maps";
+    if (const std::uint64_t maps = statistics.global.local_maps + statistics.caustic.local_maps)
+        line << ", " << maps << " local maps";
+    if (const std::uint64_t maps = statistics.global.group_maps + statistics.caustic.group_maps)
+        line << ", " << maps << " group maps";
     report.line(line.str());
+}
+
+void print_tiers(const RenderStatistics& statistics, Report& report)
+{
+    for (const auto& [name, kind] :
+         {std::pair("global", &statistics.global), std::pair("caustic", &statistics.caustic)})
+        report.line(std::string(name) + " photons: local maps " + describe_plan(kind->local_plan) +
+                    "; group maps " + describe_plan(kind->group_plan));
 }
 
 void warn_of_dropped(const RenderStatistics& statistics, Report& report)
@@ -132,6 +142,9 @@ int render(RenderArguments& arguments)
     const RenderedImage rendered = render_with_progress(render_scene, arguments.render, report);
     if (arguments.render.integrator == Integrator::direct)
         print_photons(rendered.statistics, report);
+    if (arguments.render.maps.mode == MapMode::hierarchical &&
+        arguments.render.integrator == Integrator::direct)
+        print_tiers(rendered.statistics, report);
     warn_of_dropped(rendered.statistics, report);
 
     const Stopwatch writing;

@@ -13,7 +13,11 @@ namespace {
 const std::map<std::string, MapMode> kMapModes = {{"none", MapMode::none},
                                                   {"global", MapMode::global},
                                                   {"shared", MapMode::shared},
-                                                  {"thesis", MapMode::thesis}};
+                                                  {"thesis", MapMode::thesis},
+                                                  {"hierarchical", MapMode::hierarchical}};
+
+const std::map<std::string, TierChoice> kTierChoices = {{"paying", TierChoice::paying},
+                                                        {"all", TierChoice::all}};
 
 const std::map<std::string, EstimateForm> kEstimates = {{"clipped", EstimateForm::clipped},
                                                         {"thesis", EstimateForm::thesis}};
@@ -75,7 +79,11 @@ void add_method(CLI::App& app, RenderArguments& arguments)
     add_choice(
         app, "--maps", render.maps.mode, kMapModes,
         "Photon maps: none (direct light and reflections only), global (one map), shared (one "
-        "for each shared map of the partition), thesis (and local maps) [shared]");
+        "for each shared map of the partition), thesis (and local maps), hierarchical (shared, and "
+        "local and group maps where they save time) [shared]");
+    add_choice(app, "--tiers", render.maps.tiers, kTierChoices,
+               "Local and group maps of --maps hierarchical: paying, or all, to measure them "
+               "[paying]");
     add_choice(
         app, "--estimate", render.maps.estimate, kEstimates,
         "Irradiance from k photons: clipped (k-1 of them over the area seen from the point), "

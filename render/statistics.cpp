@@ -1,5 +1,7 @@
 #include "render/statistics.h"
 
+#include "render/maps/hierarchical.h"
+
 #include <nlohmann/json.hpp>
 
 namespace hipmap {
@@ -8,16 +10,45 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json kind_json(const KindStatistics& kind)
+Json searches_json(const TierSearches& searches)
 {
-    return {{"stored", kind.stored},
-            {"shared_maps", kind.shared_maps},
-            {"local_maps", kind.local_maps},
-            {"queries", kind.searches.queries},
-            {"photons_found", kind.searches.photons_found},
-            {"local_searches", kind.searches.local_searches},
-            {"local_searches_skipped", kind.searches.skipped},
-            {"local_searches_abandoned", kind.searches.abandoned}};
+    return {{"searches", searches.begun},
+            {"searches_skipped", searches.skipped},
+            {"searches_abandoned", searches.abandoned}};
+}
+
+Json tier_json(const TierPlan& plan, const TierSearches& searches)
+{
+    Json json = {{"used", plan.used},
+                 {"decision", describe_plan(plan)},
+                 {"asking", plan.asking},
+                 {"most", plan.most}};
+    if (plan.counted) {
+        json["candidates"] = plan.candidates;
+        json["photons"] = plan.photons;
+        json["asked"] = plan.asked;
+        json["answered"] = plan.answered;
+        json["saving"] = plan.saving;
+    }
+    json.update(searches_json(searches));
+    return json;
+}
+
+Json kind_json(const KindStatistics& kind, MapMode mode)
+{
+    Json json = {{"stored", kind.stored},
+                 {"shared_maps", kind.shared_maps},
+                 {"local_maps", kind.local_maps},
+                 {"group_maps", kind.group_maps},
+                 {"queries", kind.searches.queries},
+                 {"photons_found", kind.searches.photons_found}};
+    if (mode == MapMode::thesis)
+        json["local"] = searches_json(kind.searches.local);
+    if (mode == MapMode::hierarchical) {
+        json["local"] = tier_json(kind.local_plan, kind.searches.local);
+        json["group"] = tier_json(kind.group_plan, kind.searches.group);
+    }
+    return json;
 }
 
 Json rgb_json(const glm::dvec3& value)
@@ -28,7 +59,7 @@ Json rgb_json(const glm::dvec3& value)
 Json options_json(const RenderArguments& arguments, const Scene& scene)
 {
     const RenderOptions& options = arguments.render;
-    static const char* const kModes[] = {"none", "global", "shared", "thesis"};
+    static const char* const kModes[] = {"none", "global", "shared", "thesis", "hierarchical"};
     return {{"maps", kModes[static_cast<int>(options.maps.mode)]},
             {"estimate", options.maps.estimate == EstimateForm::thesis ? "thesis" : "clipped"},
             {"integrator", options.integrator == Integrator::path ? "path" : "direct"},
@@ -76,8 +107,8 @@ std::string statistics_json(const RenderArguments& arguments, const Scene& scene
                        {"stored", render.caustic.stored + render.global.stored},
                        {"dropped", render.dropped_photons},
                        {"paths_cut", render.cut_paths},
-                       {"caustic", kind_json(render.caustic)},
-                       {"global", kind_json(render.global)}};
+                       {"caustic", kind_json(render.caustic, options.maps.mode)},
+                       {"global", kind_json(render.global, options.maps.mode)}};
     json["power_W"] = {{"emitted", rgb_json(render.power.emitted * unit2)},
                        {"absorbed", rgb_json(render.power.absorbed * unit2)},
                        {"escaped", rgb_json(render.power.escaped * unit2)}};

@@ -96,7 +96,10 @@ void count_kind(KindStatistics& kind, const PhotonMaps& maps)
 {
     kind.stored += maps.photons.size();
     kind.shared_maps = maps.filled_maps();
-    kind.local_maps = maps.locals.size();
+    kind.local_maps = maps.locals.size() + maps.local_tier.maps.size();
+    kind.group_maps = maps.group_tier.maps.size();
+    kind.local_plan = maps.local_tier.plan;
+    kind.group_plan = maps.group_tier.plan;
 }
 
 PassMapSet make_maps(const RenderScene& scene, const RenderOptions& options, std::uint32_t pass,

@@ -30,8 +30,10 @@ struct RenderOptions {
 /// Of one kind of photon, summed over the passes.
 struct KindStatistics {
     std::uint64_t stored = 0;
-    std::uint64_t shared_maps = 0; ///< maps of the first tier that hold photons, of the last pass
-    std::uint64_t local_maps = 0;  ///< of the last pass
+    std::uint64_t shared_maps = 0;   ///< maps of the first tier that hold photons, of the last pass
+    std::uint64_t local_maps = 0;    ///< of the last pass
+    std::uint64_t group_maps = 0;    ///< of the last pass
+    TierPlan local_plan, group_plan; ///< of the last pass, mode hierarchical
     SearchStatistics searches;
 };
 

@@ -1,5 +1,7 @@
 #include "render/maps/find_photons.h"
 
+#include "common/partition/limiting_radius.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -24,17 +26,17 @@ FoundPhotons find_in_local(const PhotonMaps& maps, const PhotonQuery& query, flo
         return {};
     const LocalMap& local = maps.locals[index];
     if (local.filter_radius > limit) {
-        ++scratch.statistics.skipped;
+        ++scratch.statistics.local.skipped;
         return {};
     }
-    ++scratch.statistics.local_searches;
+    ++scratch.statistics.local.begun;
     // A photon at the limiting radius itself is already too far.
     const float below = std::nextafter(limit * limit, 0.0f);
     const TreeQuery wanted{query.position, maps.options.neighbours,
                            std::min(below, query.radius * query.radius)};
     const FoundSlots found = find_nearest(local.tree, wanted, scratch.local);
     if (found.slots.size() < wanted.photons && limit <= query.radius) {
-        ++scratch.statistics.abandoned;
+        ++scratch.statistics.local.abandoned;
         return {};
     }
     for (std::uint32_t& photon : found.slots)
@@ -42,14 +44,81 @@ FoundPhotons find_in_local(const PhotonMaps& maps, const PhotonQuery& query, flo
     return {found.slots, found.farthest2};
 }
 
+/// The radius that the k-th photon is likely to have: by the last search in the shared map or by
+/// the tier's density.
+float expected_radius(const WideTree& shared, const TierMap& map, const PhotonQuery& query,
+                      const TreeScratch& scratch)
+{
+    const float step = glm::distance(query.position, scratch.last_point);
+    const bool near = scratch.last_tree == shared.number && step < scratch.last_radius;
+    return near ? scratch.last_radius + step : map.filter_radius;
+}
+
+/// Photons of one tier, if they are what the shared map would give; else none, and the radius in
+/// which the tier has k is remembered for the next one.
+FoundPhotons find_in_tier(const PhotonMaps& maps, const WideTree& shared, const TierMap& map,
+                          const PhotonQuery& query, float limit, TierSearches& searches,
+                          TreeScratch& scratch)
+{
+    if (expected_radius(shared, map, query, scratch) > limit) {
+        ++searches.skipped;
+        return {};
+    }
+    ++searches.begun;
+    if (scratch.last_tree == shared.number)
+        scratch.last_tree = map.tree.number;
+    const TreeQuery wanted{query.position, maps.options.neighbours, query.radius * query.radius};
+    const FoundSlots found = find_nearest(map.tree, wanted, scratch);
+    scratch.last_tree = std::isfinite(scratch.last_radius) ? shared.number : 0;
+    const float reached2 = found.slots.size() == wanted.photons ? found.farthest2 : wanted.radius2;
+    if (!(reached2 < limit * limit) && std::isfinite(limit)) {
+        ++searches.abandoned;
+        return {};
+    }
+    for (std::uint32_t& photon : found.slots)
+        photon += map.first_photon;
+    return {found.slots, found.farthest2};
+}
+
+FoundPhotons find_in_tiers(const PhotonMaps& maps, const TriangleMesh& mesh,
+                           const Partition& partition, const PhotonQuery& query,
+                           SearchScratch& scratch)
+{
+    const MapId id = partition.map_of_face[query.face];
+    if (id == kNone)
+        return {};
+    const WideTree& shared = maps.trees[maps.map_index(id, query.side)];
+    const auto search = [&](const TierMaps& tier, auto limiting_radius, TierSearches& searches) {
+        if (tier.of_face.empty())
+            return FoundPhotons();
+        const std::uint32_t index = tier.of_face[maps.index_by_side(query.face, query.side)];
+        if (index == kNone)
+            return FoundPhotons();
+        const float limit = limiting_radius(mesh, partition, query.face, query.position);
+        return find_in_tier(maps, shared, tier.maps[index], query, limit, searches, scratch.shared);
+    };
+    SearchStatistics& statistics = scratch.statistics;
+    FoundPhotons found = search(maps.local_tier, exact_limiting_radius, statistics.local);
+    if (found.photons.empty())
+        found = search(maps.group_tier, exact_group_radius, statistics.group);
+    return found;
+}
+
 } // namespace
+
+TierSearches& TierSearches::operator+=(const TierSearches& other)
+{
+    begun += other.begun;
+    skipped += other.skipped;
+    abandoned += other.abandoned;
+    return *this;
+}
 
 SearchStatistics& SearchStatistics::operator+=(const SearchStatistics& other)
 {
     queries += other.queries;
-    local_searches += other.local_searches;
-    skipped += other.skipped;
-    abandoned += other.abandoned;
+    local += other.local;
+    group += other.group;
     photons_found += other.photons_found;
     return *this;
 }
@@ -90,6 +159,8 @@ FoundPhotons find_photons(const PhotonMaps& maps, const TriangleMesh& mesh,
         const float limit = limiting_radius(mesh, partition, query.face, query.position);
         found = find_in_local(maps, query, limit, scratch);
     }
+    if (!maps.local_tier.maps.empty() || !maps.group_tier.maps.empty())
+        found = find_in_tiers(maps, mesh, partition, query, scratch);
     if (found.photons.empty())
         found = find_in_shared(maps, partition, query, scratch.shared);
     scratch.statistics.photons_found += found.photons.size();

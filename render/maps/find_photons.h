@@ -21,13 +21,20 @@ struct PhotonQuery {
     glm::vec3 toward_eye{0.0f};
 };
 
+/// What was done in one tier below the shared maps.
+struct TierSearches {
+    std::uint64_t begun = 0;
+    std::uint64_t skipped = 0;   ///< not begun: the radius expected exceeds the limiting radius
+    std::uint64_t abandoned = 0; ///< begun, ran into the limiting radius, went on in the next tier
+
+    TierSearches& operator+=(const TierSearches& other);
+};
+
 /// What the searches of one thread did; sums are independent of the order of queries.
 struct SearchStatistics {
     std::uint64_t queries = 0;
-    std::uint64_t local_searches = 0; ///< begun in a local map
-    std::uint64_t skipped = 0;        ///< not begun: the filter radius exceeds the limiting radius
-    std::uint64_t abandoned =
-        0; ///< begun, ran into the limiting radius, repeated in the shared map
+    TierSearches local;
+    TierSearches group; ///< mode hierarchical
     std::uint64_t photons_found = 0;
 
     SearchStatistics& operator+=(const SearchStatistics& other);
@@ -60,7 +67,8 @@ float even_radius(const PhotonMaps& maps, const Partition& partition, const Phot
 /// The k nearest photons of the query's map, fewer if there are no more within the radius; of
 /// equally near ones those with the lower (path, bounce).  A face without a map has none.
 /// Mode thesis looks in the face's local map first; what it returns is what the shared map would,
-/// in another order.
+/// in another order.  Mode hierarchical looks in the tiers it uses first; what it returns is what
+/// mode shared does, in the same order, whatever the surface.
 FoundPhotons find_photons(const PhotonMaps& maps, const TriangleMesh& mesh,
                           const Partition& partition, const PhotonQuery& query,
                           SearchScratch& scratch);

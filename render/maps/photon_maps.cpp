@@ -1,6 +1,7 @@
 #include "render/maps/photon_maps.h"
 
 #include "common/input_error.h"
+#include "render/maps/hierarchical.h"
 
 #include <tbb/parallel_for.h>
 
@@ -139,6 +140,8 @@ PhotonMaps build_photon_maps(const std::vector<Photon>& photons, const TriangleM
     const Groups groups = build_trees(maps, photons, partition);
     if (options.mode == MapMode::thesis)
         build_local_maps(maps, photons, groups.points, mesh);
+    if (options.mode == MapMode::hierarchical)
+        build_tiers(maps, mesh, partition);
     return maps;
 }
 

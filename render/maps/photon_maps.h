@@ -16,6 +16,13 @@ enum class MapMode : std::uint8_t {
     global, ///< one map (Jensen 1996)
     shared, ///< one for each shared map of the partition and side (Larsen and Christensen 2003)
     thesis, ///< the same, and one for each face that has many photons (Mpawulo 2005)
+    hierarchical, ///< shared, with the tiers below that pay
+};
+
+/// Which tiers mode hierarchical searches.
+enum class TierChoice : std::uint8_t {
+    paying, ///< those that are expected to save time, docs/photon_maps.md (8)
+    all,    ///< all, to measure and to test
 };
 
 /// How the photons found become an irradiance, docs/photon_maps.md.
@@ -29,6 +36,7 @@ struct MapOptions {
     std::uint32_t neighbours = 50; ///< k, at least 1
     std::uint32_t local_min = 500; ///< M: fewest photons of a local map
     EstimateForm estimate = EstimateForm::clipped;
+    TierChoice tiers = TierChoice::paying;
 };
 
 /// The photons of a face and side that has many of them, by reference into the photons of the set.
@@ -36,6 +44,34 @@ struct LocalMap {
     WideTree tree;
     std::vector<std::uint32_t> photons; ///< [n] by slot
     float filter_radius = 0.0f;         ///< docs/photon_maps.md (5), scene units
+};
+
+/// The part of a shared map's tree that holds all photons of a face, or of a group of faces.
+struct TierMap {
+    WideTree tree;
+    std::uint32_t first_photon = 0; ///< of it, in the photons of the set
+    float filter_radius = 0.0f;     ///< docs/photon_maps.md (5), scene units
+};
+
+/// What a tier costs and saves, in nodes of a search, docs/photon_maps.md (8).
+struct TierPlan {
+    double asking = 0; ///< cost of asking for its map and limiting radius
+    double most = 0;   ///< that any search could save
+    bool used = false;
+
+    bool counted = false;         ///< the rest: only where `most` exceeds the cost, or to measure
+    std::uint64_t candidates = 0; ///< faces or groups of a side with enough photons
+    std::uint64_t photons = 0;    ///< of them
+    double asked = 0;             ///< share of searches on a face whose map begins below the root
+    double answered = 0;          ///< share of searches that end within their limiting radius there
+    double saving = 0;            ///< mean of all searches; below zero: a loss
+};
+
+/// Local or group maps of mode hierarchical.
+struct TierMaps {
+    TierPlan plan;
+    std::vector<std::uint32_t> of_face; ///< [sides() F] by index_by_side; kNone; empty: not used
+    std::vector<TierMap> maps;
 };
 
 /// All maps of one kind of photon (caustic or global).  Read-only once built: any number of threads
@@ -50,6 +86,7 @@ struct PhotonMaps {
     std::vector<std::uint32_t>
         local_of_face; ///< [sides() F] by index_by_side; kNone; empty without locals
     std::vector<LocalMap> locals;
+    TierMaps local_tier, group_tier; ///< mode hierarchical
 
     /// Sides of a surface that have maps of their own: the thesis' estimate drops photons of the
     /// wrong side only when they are chosen.

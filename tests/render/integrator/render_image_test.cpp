@@ -68,7 +68,8 @@ TEST_CASE("render: without photons the sphere shows emission and one bounce", "[
 TEST_CASE("render: 1, 2 and 7 threads make the same image, bit for bit", "[integrator]")
 {
     const auto ready = tiny::ready(tiny::room());
-    for (const MapMode mode : {MapMode::none, MapMode::global, MapMode::shared, MapMode::thesis}) {
+    for (const MapMode mode : {MapMode::none, MapMode::global, MapMode::shared, MapMode::thesis,
+                               MapMode::hierarchical}) {
         RenderOptions options = small_options();
         options.maps.mode = mode;
         options.maps.local_min = 100;
@@ -83,8 +84,8 @@ TEST_CASE("render: 1, 2 and 7 threads make the same image, bit for bit", "[integ
             CHECK(one.image.pixels == many.image.pixels);
             CHECK(one.statistics.global.searches.photons_found ==
                   many.statistics.global.searches.photons_found);
-            CHECK(one.statistics.global.searches.abandoned ==
-                  many.statistics.global.searches.abandoned);
+            CHECK(one.statistics.global.searches.local.abandoned ==
+                  many.statistics.global.searches.local.abandoned);
         }
     }
 }
@@ -100,12 +101,32 @@ TEST_CASE("render: thesis and shared maps make the same image of a room of flat 
     options.maps.local_min = 100;
     const RenderedImage thesis = render_image(*ready->render, options, {});
     CHECK(thesis.statistics.global.local_maps > 0);
-    CHECK(thesis.statistics.global.searches.local_searches > 0);
+    CHECK(thesis.statistics.global.searches.local.begun > 0);
     // The same photons, summed in another order.
     REQUIRE(thesis.image.pixels.size() == shared.pixels.size());
     for (std::size_t i = 0; i < shared.pixels.size(); ++i)
         CHECK(glm::all(glm::lessThanEqual(glm::abs(thesis.image.pixels[i] - shared.pixels[i]),
                                           1e-5f * shared.pixels[i])));
+}
+
+TEST_CASE("render: hierarchical and shared maps make the same image, bit for bit", "[integrator]")
+{
+    for (const bool furnace : {false, true})
+        for (const TierChoice tiers : {TierChoice::paying, TierChoice::all}) {
+            const auto ready = tiny::ready(furnace ? tiny::furnace() : tiny::room());
+            RenderOptions options = small_options();
+            options.maps.mode = MapMode::shared;
+            options.maps.neighbours = 10;
+            options.maps.local_min = 20;
+            options.maps.tiers = tiers;
+            const Image shared = render_image(*ready->render, options, {}).image;
+            options.maps.mode = MapMode::hierarchical;
+            const RenderedImage hierarchical = render_image(*ready->render, options, {});
+            CHECK(hierarchical.image.pixels == shared.pixels);
+            const KindStatistics& global = hierarchical.statistics.global;
+            const std::uint64_t begun = global.searches.local.begun + global.searches.group.begun;
+            CHECK((begun > 0) == (furnace && tiers == TierChoice::all));
+        }
 }
 
 TEST_CASE("render: a mirror shows the sky by its reflectance, clear glass passes it whole",

@@ -103,10 +103,10 @@ TEST_CASE("find photons: thesis searches locally, skips and abandons", "[maps]")
     for (std::uint64_t i = 0; i < 2000; ++i)
         find_photons(maps, mesh, ready->partition, query_at(mesh, i), scratch);
     const SearchStatistics& done = scratch.statistics;
-    CHECK(done.local_searches + done.skipped == done.queries);
-    CHECK(done.skipped > 0);
-    CHECK(done.abandoned > 0);
-    CHECK(done.abandoned < done.local_searches);
+    CHECK(done.local.begun + done.local.skipped == done.queries);
+    CHECK(done.local.skipped > 0);
+    CHECK(done.local.abandoned > 0);
+    CHECK(done.local.abandoned < done.local.begun);
 }
 
 TEST_CASE("find photons: a face with fewer photons than the minimum has no local map", "[maps]")
@@ -141,7 +141,8 @@ TEST_CASE("limiting radius: distance to the nearest connected edge alone", "[map
 TEST_CASE("photon maps: no photons, nothing found", "[maps]")
 {
     const auto ready = tiny::ready(tiny::make_scene(tiny::cube()));
-    for (const MapMode mode : {MapMode::none, MapMode::global, MapMode::shared, MapMode::thesis}) {
+    for (const MapMode mode : {MapMode::none, MapMode::global, MapMode::shared, MapMode::thesis,
+                               MapMode::hierarchical}) {
         const PhotonMaps maps =
             build_photon_maps({}, ready->scene.mesh, ready->partition, {mode, 50, 500});
         SearchScratch scratch;

@@ -1,0 +1,245 @@
+#include "render/maps/hierarchical.h"
+
+#include "common/partition/limiting_radius.h"
+#include "render/maps/find_photons.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+namespace hipmap {
+
+namespace {
+
+/// One photon of so many is a sample, and no more than so many in all.
+constexpr std::size_t kPhotonsPerSample = 64;
+constexpr std::size_t kMostSamples = 1024;
+
+/// What it costs to ask a tier for its map and limiting radius, in nodes of a search;
+/// bench/tiers measures it.
+constexpr double kAskingLocal = 4;
+constexpr double kAskingGroup = 2;
+
+using TierLimit = float (*)(const TriangleMesh&, const Partition&, FaceId, const glm::vec3&);
+
+/// Where the photons of a face, or of a group, on one side lie.
+struct Extent {
+    std::size_t map = 0; ///< shared map and side
+    std::uint64_t photons = 0;
+    std::uint64_t low = 0, high = 0; ///< slots
+    double area = 0;                 ///< square scene units
+    TreeNode node;
+};
+
+/// A tier before it is known whether it pays.
+struct TierDraft {
+    std::vector<std::uint32_t> key_of_face; ///< [F] face or group; kNone: no candidate
+    std::vector<Extent> extents;            ///< [sides keys] by index_by_side
+    TierLimit limit;
+    double asking; ///< nodes
+};
+
+std::uint64_t slots_of_node(const WideTree& tree, std::uint32_t level)
+{
+    return std::uint64_t{1} << 4 * (tree.levels - level + 1);
+}
+
+void add_photons(const PhotonMaps& maps, TierDraft& draft)
+{
+    // The photons of a face or group are in one map, so that no two threads meet.
+    tbb::parallel_for(std::size_t{0}, maps.trees.size(), [&](std::size_t map) {
+        for (std::uint64_t i = maps.first_photon[map]; i < maps.first_photon[map + 1]; ++i) {
+            const Photon& photon = maps.photons[i];
+            const std::uint32_t key = draft.key_of_face[photon.face];
+            if (key == kNone)
+                continue;
+            Extent& extent = draft.extents[maps.index_by_side(key, photon.side)];
+            const std::uint64_t slot = i - maps.first_photon[map];
+            if (extent.photons++ == 0) {
+                extent.map = map;
+                extent.low = slot;
+            }
+            extent.high = slot;
+        }
+    });
+}
+
+TierDraft draft_tier(const PhotonMaps& maps, const TriangleMesh& mesh, TierDraft draft,
+                     std::size_t keys)
+{
+    draft.extents.resize(maps.sides() * keys);
+    add_photons(maps, draft);
+    for (FaceId face = 0; face < mesh.face_count(); ++face)
+        if (const std::uint32_t key = draft.key_of_face[face]; key != kNone)
+            for (std::uint8_t side = 0; side < maps.sides(); ++side)
+                draft.extents[maps.index_by_side(key, side)].area += face_area(mesh, face);
+    for (Extent& extent : draft.extents)
+        if (extent.photons > 0 && extent.photons >= maps.options.local_min)
+            extent.node = lowest_node(maps.trees[extent.map], extent.low, extent.high);
+        else
+            extent.photons = 0;
+    return draft;
+}
+
+/// Searches for a sample of the photons and sees what the tier would have done.
+void count_searches(const PhotonMaps& maps, const TriangleMesh& mesh, const Partition& partition,
+                    const TierDraft& draft, TierPlan& plan)
+{
+    const std::size_t step = std::max(kPhotonsPerSample, maps.photons.size() / kMostSamples + 1);
+    std::uint64_t samples = 0, asked = 0, answered = 0, spared = 0;
+    TreeScratch scratch;
+    for (std::size_t i = 0; i < maps.photons.size(); i += step) {
+        ++samples;
+        const Photon& photon = maps.photons[i];
+        const std::uint32_t key = draft.key_of_face[photon.face];
+        if (key == kNone)
+            continue;
+        const std::uint32_t level = draft.extents[maps.index_by_side(key, photon.side)].node.level;
+        if (level == 0)
+            continue;
+        ++asked;
+        const PhotonQuery query{photon.position, photon.direction, photon.face, photon.side};
+        const FoundPhotons found = find_in_shared(maps, partition, query, scratch);
+        const float limit = draft.limit(mesh, partition, photon.face, photon.position);
+        if (!(found.farthest2 < limit * limit))
+            continue;
+        ++answered;
+        spared += level;
+    }
+    const auto all = static_cast<double>(std::max<std::uint64_t>(1, samples));
+    plan.asked = static_cast<double>(asked) / all;
+    plan.answered = static_cast<double>(answered) / all;
+    plan.saving = static_cast<double>(spared) / all - plan.asking * plan.asked;
+}
+
+/// The maps of a tier that is used.
+TierMaps make_tier(const PhotonMaps& maps, const TierDraft& draft, const TierPlan& plan)
+{
+    TierMaps tier{plan, {}, {}};
+    if (!plan.used)
+        return tier;
+    std::vector<std::uint32_t> of_key(draft.extents.size(), kNone);
+    std::vector<const Extent*> kept;
+    for (std::size_t key = 0; key < draft.extents.size(); ++key)
+        if (draft.extents[key].node.level > 0) {
+            of_key[key] = static_cast<std::uint32_t>(kept.size());
+            kept.push_back(&draft.extents[key]);
+        }
+    tier.of_face.assign(maps.sides() * draft.key_of_face.size(), kNone);
+    for (FaceId face = 0; face < draft.key_of_face.size(); ++face)
+        if (const std::uint32_t key = draft.key_of_face[face]; key != kNone)
+            for (std::uint8_t side = 0; side < maps.sides(); ++side)
+                tier.of_face[maps.index_by_side(face, side)] =
+                    of_key[maps.index_by_side(key, side)];
+    tier.maps.resize(kept.size());
+    tbb::parallel_for(std::size_t{0}, kept.size(), [&](std::size_t i) {
+        const Extent& extent = *kept[i];
+        const WideTree& tree = maps.trees[extent.map];
+        tier.maps[i] = {part_of_tree(tree, extent.node),
+                        static_cast<std::uint32_t>(maps.first_photon[extent.map] +
+                                                   first_slot(tree, extent.node)),
+                        filter_radius(extent.area, maps.options.neighbours, extent.photons)};
+    });
+    return tier;
+}
+
+/// docs/photon_maps.md (8).
+TierMaps build_tier(const PhotonMaps& maps, const TriangleMesh& mesh, const Partition& partition,
+                    TierDraft draft, std::size_t keys)
+{
+    TierPlan plan{draft.asking};
+    for (FaceId face = 0; face < mesh.face_count(); ++face)
+        if (draft.key_of_face[face] != kNone)
+            for (std::uint8_t side = 0; side < maps.sides(); ++side) {
+                const MapId map = partition.map_of_face[face];
+                plan.most = std::max(plan.most, maps.trees[maps.map_index(map, side)].levels - 1.0);
+            }
+    const bool all = maps.options.tiers == TierChoice::all;
+    plan.counted = all || plan.most > plan.asking;
+    if (!plan.counted)
+        return {plan, {}, {}};
+    draft = draft_tier(maps, mesh, std::move(draft), keys);
+    for (const Extent& extent : draft.extents) {
+        plan.candidates += extent.photons > 0 ? 1 : 0;
+        plan.photons += extent.photons;
+    }
+    count_searches(maps, mesh, partition, draft, plan);
+    plan.used = plan.saving > 0 || (all && plan.asked > 0);
+    return make_tier(maps, draft, plan);
+}
+
+} // namespace
+
+std::string describe_plan(const TierPlan& plan)
+{
+    std::ostringstream out;
+    out << (plan.used ? "used" : "left out") << ": asking costs " << plan.asking << " nodes, ";
+    if (!plan.counted)
+        out << "no search could save more than " << plan.most;
+    else
+        out << "" << std::lround(100 * plan.answered) << " % of searches would end there, "
+            << (plan.saving > 0 ? "saving " : "losing ") << std::fixed << std::setprecision(2)
+            << std::abs(plan.saving) << " nodes each on average";
+    return out.str();
+}
+
+TreeNode lowest_node(const WideTree& tree, std::uint64_t low, std::uint64_t high)
+{
+    for (std::uint32_t level = tree.levels; level-- > 0;) {
+        const std::uint64_t slots = slots_of_node(tree, level);
+        if (low / slots == high / slots)
+            return {level, low / slots};
+    }
+    return {};
+}
+
+std::uint64_t first_slot(const WideTree& tree, const TreeNode& node)
+{
+    return node.number * slots_of_node(tree, node.level);
+}
+
+WideTree part_of_tree(const WideTree& tree, const TreeNode& node)
+{
+    WideTree part = build_wide_tree({}); // for a number of its own
+    part.levels = tree.levels - node.level;
+    for (std::uint32_t level = 0; level < part.levels; ++level) {
+        const std::uint32_t from = tree.first_node[node.level + level];
+        const std::size_t end = node.level + level + 1 < tree.levels
+                                    ? tree.first_node[node.level + level + 1]
+                                    : tree.nodes.size();
+        const std::uint64_t first = from + (node.number << 4 * level);
+        part.first_node[level] = static_cast<std::uint32_t>(part.nodes.size());
+        part.nodes.insert(part.nodes.end(), tree.nodes.begin() + first,
+                          tree.nodes.begin() + std::min<std::uint64_t>(
+                                                   end, first + (std::uint64_t{1} << 4 * level)));
+    }
+    const std::uint64_t first = first_slot(tree, node), slots = slots_of_node(tree, node.level);
+    part.size = std::min(slots, tree.size - first);
+    const auto block = tree.blocks.begin() + first / kTreeWidth;
+    part.blocks.assign(block, block + (part.size + kTreeWidth - 1) / kTreeWidth);
+    const BoxNode& root = part.nodes.front();
+    for (int axis = 0; axis < 3; ++axis) {
+        part.low[axis] = *std::min_element(root.low[axis], root.low[axis] + kTreeWidth);
+        part.high[axis] = *std::max_element(root.high[axis], root.high[axis] + kTreeWidth);
+    }
+    return part;
+}
+
+void build_tiers(PhotonMaps& maps, const TriangleMesh& mesh, const Partition& partition)
+{
+    TierDraft local{std::vector<std::uint32_t>(mesh.face_count(), kNone),
+                    {},
+                    exact_limiting_radius,
+                    kAskingLocal};
+    for (FaceId face = 0; face < mesh.face_count(); ++face)
+        if (partition.candidate[face])
+            local.key_of_face[face] = face;
+    TierDraft group{partition.group_of_face, {}, exact_group_radius, kAskingGroup};
+    maps.local_tier = build_tier(maps, mesh, partition, std::move(local), mesh.face_count());
+    maps.group_tier = build_tier(maps, mesh, partition, std::move(group), partition.group_count);
+}
+
+} // namespace hipmap
