@@ -73,6 +73,7 @@ void add_files(CLI::App& app, RenderArguments& arguments)
 void add_method(CLI::App& app, RenderArguments& arguments)
 {
     RenderOptions& render = arguments.render;
+    render.maps.mode = MapMode::hierarchical;
     render.photons = 200'000;
     render.passes = 16;
     render.samples = 2;
@@ -80,7 +81,7 @@ void add_method(CLI::App& app, RenderArguments& arguments)
         app, "--maps", render.maps.mode, kMapModes,
         "Photon maps: none (direct light and reflections only), global (one map), shared (one "
         "for each shared map of the partition), thesis (and local maps), hierarchical (shared, and "
-        "local and group maps where they save time) [shared]");
+        "local and group maps where they save time) [hierarchical]");
     add_choice(app, "--tiers", render.maps.tiers, kTierChoices,
                "Local and group maps of --maps hierarchical: paying, or all, to measure them "
                "[paying]");

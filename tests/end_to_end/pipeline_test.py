@@ -124,10 +124,11 @@ class Pipeline(ToolsTestCase):
     def test_the_modes_agree_and_none_is_darker(self):
         partition = self.make_partition()
         means = {mode: sum(self.render(partition, "--maps", mode, size=32).mean())
-                 for mode in ("none", "global", "shared", "thesis")}
+                 for mode in ("none", "global", "shared", "thesis", "hierarchical")}
         self.assertLess(means["none"], 0.9 * means["shared"])
         self.assertAlmostEqual(means["global"], means["shared"], delta=0.1 * means["shared"])
         self.assertAlmostEqual(means["thesis"], means["shared"], delta=0.1 * means["shared"])
+        self.assertEqual(means["hierarchical"], means["shared"])
         plain = sum(self.render(partition, "--estimate", "thesis", size=32).mean())
         self.assertAlmostEqual(plain, means["shared"], delta=0.1 * means["shared"])
         self.assertNotEqual(plain, means["shared"])
@@ -147,6 +148,24 @@ class Pipeline(ToolsTestCase):
                 images.append(file.read())
         self.assertEqual(images[0], images[1])
         self.assertEqual(images[0], images[2])
+
+    def test_hierarchical_maps_are_the_default_and_change_no_bit(self):
+        partition = self.make_partition()
+        images = []
+        for options in (("--maps", "shared"), (), ("--tiers", "all", "--local-min", 20)):
+            self.render(partition, *options, "--neighbours", 10, "--stats",
+                        self.path("stats.json"), size=24)
+            with open(self.path("image.pfm"), "rb") as file:
+                images.append(file.read())
+        self.assertEqual(images[0], images[1])
+        self.assertEqual(images[0], images[2])
+        stats = self.read_json("stats.json")
+        self.assertEqual(stats["options"]["maps"], "hierarchical")
+        local = stats["photons"]["global"]["local"]
+        self.assertGreater(local["candidates"], 0)
+        self.assertTrue(local["used"])
+        self.assertGreater(local["searches"], 0)
+        self.assertLess(local["saving"], 0)
 
     def test_an_excluded_object_is_gone(self):
         self.succeed("preprocess", Tools.scene, "-o", self.path("less.hpm"), "--exclude", "Block")
