@@ -9,7 +9,7 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 SCENES = {1: "axis_aligned", 2: "hexagonal", 3: "egg_chair"}
-MODES = ("global", "shared", "thesis")
+MODES = ("global", "shared", "thesis", "hierarchical")
 # Light paths for each light primitive and neighbours k of tests 1 to 5 (dissertation).
 TESTS = ((2500, 25), (5000, 50), (15000, 150), (30000, 300), (60000, 600))
 ANGLE_DEG = 90  # the dissertation's threshold

@@ -32,18 +32,19 @@ class Experiment(unittest.TestCase):
     def test_rows_and_tables(self):
         done = run(TOOLS, self.folder)
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertIn("[15/15]", done.stderr)
+        self.assertIn("[20/20]", done.stderr)
         document = pathlib.Path(self.folder, "experiments.md").read_text(encoding="utf-8")
         rows = json.loads(pathlib.Path(self.folder, "experiments.json").read_text())["rows"]
-        self.assertEqual([row["emitted"] for row in rows[::3]], [1250, 2500, 7500, 15000, 30000])
-        for one, shared, thesis in zip(rows[::3], rows[1::3], rows[2::3]):
+        self.assertEqual([row["emitted"] for row in rows[::4]], [1250, 2500, 7500, 15000, 30000])
+        for one, shared, thesis, tiers in zip(*(rows[mode::4] for mode in range(4))):
             self.assertEqual(one["stored"], shared["stored"])
             self.assertEqual(one["stored"], thesis["stored"])
+            self.assertEqual(shared["shared_maps"], tiers["shared_maps"])
             self.assertLessEqual(one["shared_maps"], 2)
             self.assertGreater(shared["shared_maps"], 6)
             self.assertEqual(shared["local_maps"], 0)
             self.assertGreater(thesis["local_maps"], 0)
-            self.assertEqual(document.count(f"| {one['stored']:,} |"), 4)
+            self.assertEqual(document.count(f"| {one['stored']:,} |"), 5)
         for row in rows:
             self.assertAlmostEqual(row["net_s"], row["image_s"] - row["empty_s"])
 
