@@ -103,8 +103,10 @@ void print_tiers(const RenderStatistics& statistics, Report& report)
 {
     for (const auto& [name, kind] :
          {std::pair("global", &statistics.global), std::pair("caustic", &statistics.caustic)})
-        report.line(std::string(name) + " photons: local maps " + describe_plan(kind->local_plan) +
-                    "; group maps " + describe_plan(kind->group_plan));
+        if (kind->stored > 0)
+            report.line(std::string(name) + " photons: local maps " +
+                        describe_plan(kind->local_plan) + "; group maps " +
+                        describe_plan(kind->group_plan));
 }
 
 void warn_of_dropped(const RenderStatistics& statistics, Report& report)

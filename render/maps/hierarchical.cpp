@@ -176,13 +176,14 @@ TierMaps build_tier(const PhotonMaps& maps, const TriangleMesh& mesh, const Part
 std::string describe_plan(const TierPlan& plan)
 {
     std::ostringstream out;
-    out << (plan.used ? "used" : "left out") << ": asking costs " << plan.asking << " nodes, ";
+    out << (plan.used ? "used" : "left out");
     if (!plan.counted)
-        out << "no search could save more than " << plan.most;
+        out << " (a search would save at most " << plan.most << " nodes of the tree, asking costs "
+            << plan.asking << ")";
     else
-        out << "" << std::lround(100 * plan.answered) << " % of searches would end there, "
+        out << " (" << std::lround(100 * plan.answered) << " % of searches would end there, "
             << (plan.saving > 0 ? "saving " : "losing ") << std::fixed << std::setprecision(2)
-            << std::abs(plan.saving) << " nodes each on average";
+            << std::abs(plan.saving) << " nodes of the tree each)";
     return out.str();
 }
 
