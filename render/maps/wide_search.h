@@ -106,6 +106,8 @@ template <typename Accept = AcceptAll>
 FoundSlots find_nearest(const WideTree& tree, const TreeQuery& query, TreeScratch& scratch,
                         const Accept& accept = {})
 {
+    if (std::isnan(query.point.x + query.point.y + query.point.z))
+        return {}; // comparisons with such a point say nothing
     const float most2 = tree_search::limit2(tree, query);
     tree_search::Bounds2 bounds = tree_search::bounds2(tree, query, most2, scratch);
     for (;;) {

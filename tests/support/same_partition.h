@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <span>
 
 namespace hipmap::tiny {
@@ -186,10 +187,10 @@ class PartitionComparison {
                                     placement_.order.empty() && !placement_.turned;
         if (same_positions && base_.partition.contacts.size() != other_.partition.contacts.size())
             return "there are more or fewer contacts";
-        std::vector<std::uint8_t> done(other_.partition.map_count, 0);
+        std::set<MapId> done; // a spoilt partition may have ids beyond its count
         for (FaceId place = 0; place < other_.partition.face_count(); ++place) {
             const MapId map = other_.partition.map_of_face[place];
-            if (map == kNone || std::exchange(done[map], std::uint8_t{1}))
+            if (map == kNone || !done.insert(map).second)
                 continue;
             const std::vector<Line> before = contacts_at(place, true);
             const std::vector<Line> after = contacts_at(place, false);
