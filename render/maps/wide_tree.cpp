@@ -1,6 +1,7 @@
 #include "render/maps/wide_tree.h"
 
 #include "common/math/bounds.h"
+#include "common/math/split_at_rank.h"
 
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
@@ -52,20 +53,6 @@ struct AlongAxis {
         return a.photon < b.photon;
     }
 };
-
-/// A point near the one of the given rank: that of evenly spaced samples.
-template <typename Less>
-TreePoint pivot_near(std::span<const TreePoint> points, std::size_t rank, const Less& less)
-{
-    std::array<TreePoint, 31> samples;
-    const std::size_t count = points.size() > 4096 ? 31 : points.size() > 256 ? 7 : 3;
-    for (std::size_t i = 0; i < count; ++i)
-        samples[i] = points[i * (points.size() - 1) / (count - 1)];
-    const auto pivot = samples.begin() + static_cast<std::ptrdiff_t>(count * rank / points.size());
-    std::nth_element(samples.begin(), pivot, samples.begin() + static_cast<std::ptrdiff_t>(count),
-                     less);
-    return *pivot;
-}
 
 /// In one piece each way: compilers move the members one by one.
 void swap_whole(TreePoint& a, TreePoint& b)
@@ -126,7 +113,7 @@ void split(std::span<TreePoint> points, std::size_t count)
     for (int round = 0; points.size() > kFew && round < kMostRounds; ++round) {
         if (count == 0 || count == points.size())
             return;
-        const TreePoint pivot = pivot_near(points, count, less);
+        const TreePoint pivot = pivot_near(std::span<const TreePoint>(points), count, less);
         const std::size_t lower = partition(points, pivot, less);
         if (count <= lower) {
             points = points.first(lower);

@@ -2,6 +2,7 @@
 #include "render/integrator/path_tracer.h"
 #include "render/integrator/render_image.h"
 #include "tests/support/form_factor.h"
+#include "tests/support/mean_luminance.h"
 #include "tests/support/statistics.h"
 #include "tests/support/tiny_rooms.h"
 
@@ -28,14 +29,6 @@ Ray down_from(float y)
     ray.origin = {0, y, 0};
     ray.direction = {0, -1, 0};
     return ray;
-}
-
-double mean_luminance(const Image& image)
-{
-    double sum = 0;
-    for (const Rgb& pixel : image.pixels)
-        sum += luminance(pixel);
-    return sum / static_cast<double>(image.pixels.size());
 }
 
 } // namespace

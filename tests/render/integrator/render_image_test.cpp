@@ -1,5 +1,6 @@
 #include "common/math/sampling.h"
 #include "render/integrator/render_image.h"
+#include "tests/support/mean_luminance.h"
 #include "tests/support/statistics.h"
 #include "tests/support/tiny_rooms.h"
 
@@ -18,14 +19,6 @@ RenderOptions small_options()
     options.photons = 20000;
     options.passes = 2;
     return options;
-}
-
-double mean_luminance(const Image& image)
-{
-    double sum = 0;
-    for (const Rgb& pixel : image.pixels)
-        sum += luminance(pixel);
-    return sum / static_cast<double>(image.pixels.size());
 }
 
 } // namespace
