@@ -1,0 +1,65 @@
+#pragma once
+
+#include "render/film/pass_images.h"
+#include "render/film/pass_set.h"
+
+#include <map>
+
+namespace hipmap {
+
+/// Passes are dealt out to batches by their number; noise is what differs between batches.
+inline constexpr std::uint64_t kBatches = 8;
+/// Batches of the images by narrower radii; a divisor of kBatches.
+inline constexpr std::uint64_t kNarrowBatches = 4;
+
+/// The most passes of a film: so many of the largest value do not overflow a sum.
+inline constexpr std::uint64_t kMostPasses = std::uint64_t{1} << 20;
+
+/// What is known of the bias of the passes.
+enum class BiasKnowledge : std::uint8_t {
+    unbiased,
+    unknown,    ///< an error that is told is that of noise alone
+    from_radii, ///< passes have images by narrower radii
+};
+
+/// Sums of passes, in integers, so that the same passes give the same bits in any order of adding
+/// and merging.  Copyable.  192 bytes a pixel, 384 with images by narrower radii.
+struct Film {
+    int width = 0;
+    int height = 0;
+    int scale = 0; ///< values are counted in units of 2^-scale W/(m2 sr), docs/error.md (2)
+    BiasKnowledge bias = BiasKnowledge::unknown;
+    PassSet passes;
+
+    std::vector<std::int64_t> radiance; ///< [kBatches][pixels][3]
+    std::vector<std::int64_t> narrow;   ///< [kNarrowBatches][pixels][3]; empty unless from_radii
+    std::vector<std::int64_t> narrower; ///< the same
+    /// By pixel * kBatches + batch: passes of the batch that kept no sample of the pixel; rare.
+    std::map<std::uint64_t, std::uint32_t> lost;
+    std::uint64_t saturated = 0; ///< values that were beyond the largest and count as that
+
+    std::size_t pixel_count() const { return static_cast<std::size_t>(width) * height; }
+    bool operator==(const Film&) const = default;
+};
+
+/// An empty film.  mean: of the channels of some image of the scene, which fixes the unit; an
+/// estimate will do, but films can be merged only if it was the same.  Not above zero: as if one.
+Film make_film(int width, int height, double mean, BiasKnowledge bias);
+
+/// Adds a pass, which must not be in the film yet; images of the film's size.
+void add_pass(Film& film, std::uint64_t pass, const PassImages& images);
+
+/// Adds the passes of another film of the same size, scale and knowledge; they must be disjoint.
+void merge_film(Film& into, const Film& from);
+
+/// Passes of a batch that kept a sample of the pixel.  passes: of the batch, in the film.
+std::uint64_t kept_passes(const Film& film, std::uint64_t passes, std::size_t pixel,
+                          std::uint64_t batch);
+
+/// The largest value a channel of one pass can have in a film, in its units.
+std::int64_t largest_value();
+
+/// The mean of all passes, radiance, W/(m2 sr); a pixel no sample of which was kept is black.
+Image film_image(const Film& film);
+
+} // namespace hipmap
