@@ -1,0 +1,80 @@
+#pragma once
+
+#include "render/film/film.h"
+
+#include <array>
+
+namespace hipmap {
+
+/// Inner products of the fields of up to kBatches batches with each other.
+class Products {
+  public:
+    explicit Products(std::size_t size = 0) : size_(size), values_(size * size) {}
+
+    std::size_t size() const { return size_; }
+    double& at(std::size_t i, std::size_t j) { return values_[i * size_ + j]; }
+    double at(std::size_t i, std::size_t j) const { return values_[i * size_ + j]; }
+
+  private:
+    std::size_t size_;
+    std::vector<double> values_;
+};
+
+/// Batches of a film that hold passes, and how many.
+struct Batches {
+    std::vector<std::uint64_t> batch; ///< [K] ascending
+    std::vector<double> passes;       ///< [K]
+    double all = 0;                   ///< sum of `passes`
+};
+
+/// Of one channel of one pixel.
+struct ChannelStatistics {
+    double passes = 0;  ///< that kept a sample
+    double batches = 0; ///< with such passes
+    double mean = 0;
+    double variance = 0; ///< of the mean, docs/error.md (4)
+    double weight = 0;   ///< docs/error.md (5)
+    double noise = 0;    ///< sum of squares of `deviation`, each weighed by the other batches
+    /// [K] sqrt(passes) times what a batch's mean differs from the mean.
+    std::array<double, kBatches> deviation{};
+    /// By narrow batch: mean of radiance less that of narrow; of narrow less that of narrower.
+    std::array<double, kNarrowBatches> first{}, second{};
+};
+
+/// What the error of an image is estimated from: sums over channels and pixels, weighted.
+struct BatchProducts {
+    Batches wide;                 ///< of the image
+    Batches narrow;               ///< of the images by narrower radii
+    double channels = 0;          ///< 3 * pixels
+    double noise = 0;             ///< of ChannelStatistics::noise
+    Products deviations;          ///< of ChannelStatistics::deviation
+    Products first, both, second; ///< first x first, first x second, second x second
+};
+
+/// Reads the statistics of the channels of a film.  Borrows it.  Thread-safe.
+class ChannelReader {
+  public:
+    explicit ChannelReader(const Film& film);
+
+    const Batches& wide() const { return wide_; }
+    const Batches& narrow() const { return narrow_; }
+    /// In W/(m2 sr).  channel: 0 to 2.
+    ChannelStatistics read(std::size_t pixel, std::size_t channel) const;
+
+  private:
+    double sum(const std::vector<std::int64_t>& sums, std::uint64_t batch, std::size_t pixel,
+               std::size_t channel) const;
+    double weight_without(const ChannelStatistics& all, double squares, std::size_t i, double sum,
+                          double kept) const;
+    void read_narrow(std::size_t pixel, std::size_t channel, ChannelStatistics& out) const;
+
+    const Film& film_;
+    Batches wide_, narrow_;
+    double unit_;
+    double dark_ = 0; ///< c of docs/error.md (3)
+};
+
+/// One walk over the film.  Cost: some 100 operations a channel.
+BatchProducts batch_products(const Film& film);
+
+} // namespace hipmap

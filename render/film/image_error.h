@@ -1,0 +1,37 @@
+#pragma once
+
+#include "render/film/film.h"
+
+#include <optional>
+
+namespace hipmap {
+
+/// How far an image is from the truth: of relMSE, docs/error.md (3), and its root.  1: 100 %.
+struct ImageError {
+    BiasKnowledge bias = BiasKnowledge::unknown;
+    double noise2 = 0; ///< relMSE that noise makes
+    double bias2 = 0;  ///< relMSE that bias makes, without bias itself: below zero now and then
+    double order = 0;  ///< bias goes with this power of the radius, 1 to 2; 0: not known
+    double error = 0;  ///< root of noise2, and of bias2 where above zero
+    double low = 0;    ///< with `high`, 95 % interval for the error of this very image
+    double high = 0;   ///< infinite: not known, before every batch holds a pass
+    bool operator==(const ImageError&) const = default;
+};
+
+/// The error of `film_image(film)`, from the differences between its batches and between its radii.
+/// None if there are fewer than two passes.  With bias unknown, the error that noise makes alone.
+/// Black images have error 0.
+std::optional<ImageError> estimate_error(const Film& film);
+
+/// By pixel and channel, standard deviation and signed bias, both noisy; W/(m2 sr).
+struct ErrorLayers {
+    Image noise;
+    Image bias;  ///< empty unless known from radii
+    Image error; ///< root of the sum of both squares, the square of the bias being that of two
+                 ///< halves multiplied and nothing below zero
+};
+
+/// order: of the bias, from estimate_error.
+ErrorLayers error_layers(const Film& film, double order);
+
+} // namespace hipmap

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "render/film/image_error.h"
+
+#include <span>
+
+namespace hipmap {
+
+/// The error when so many passes were done.
+struct ErrorCheck {
+    std::uint64_t passes = 0;
+    double seconds = 0; ///< spent on passes until then, over all runs
+    ImageError error;
+    bool operator==(const ErrorCheck&) const = default;
+};
+
+/// How the square of the error falls: by_pass / N + by_photon / N^(2/3), docs/error.md (12).
+struct ErrorLaw {
+    double by_pass = 0;
+    double by_photon = 0;
+};
+
+/// What an error costs, from the first pass on.
+struct Price {
+    double error = 0;
+    double passes = 0; ///< whole; infinite: never
+    double seconds = 0;
+    double photons = 0; ///< light paths
+};
+
+/// The first number of passes above `passes` at which the error is looked at: 8 and then some 1.4
+/// times as many each time, since stopping at the first of many looks would stop at luck.
+std::uint64_t next_check(std::uint64_t passes);
+
+/// Fits the law to checks of one film, in order of their passes; exact at the last one.  None:
+/// zero.
+ErrorLaw fit_law(std::span<const ErrorCheck> checks);
+
+/// The error after so many passes.
+double error_after(const ErrorLaw& law, double passes);
+
+/// The least whole number of passes, at least 1, after which the error is at most `error`;
+/// infinite if `error` is not above zero and the law is not zero.
+double passes_for(const ErrorLaw& law, double error);
+
+/// Price of `error` at the pace of the last check, in which passes cost the same each.
+Price price_of(std::span<const ErrorCheck> checks, double error, std::uint64_t photons_per_pass);
+
+} // namespace hipmap

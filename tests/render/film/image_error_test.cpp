@@ -1,0 +1,234 @@
+#include "render/film/image_error.h"
+#include "render/film/price.h"
+#include "tests/render/film/synthetic_passes.h"
+#include "tests/support/statistics.h"
+
+#include <catch2/catch.hpp>
+
+using namespace hipmap;
+
+namespace {
+
+Film film_of(const SyntheticPasses& passes, std::uint64_t first, std::uint64_t end)
+{
+    Film film = make_film(passes.side, passes.side, 1,
+                          passes.radii ? BiasKnowledge::from_radii : BiasKnowledge::unbiased);
+    for (std::uint64_t pass = first; pass < end; ++pass)
+        add_pass(film, pass, passes.pass(pass));
+    return film;
+}
+
+SyntheticPasses plain_noise(int block, double photon_noise, double pixel_noise)
+{
+    SyntheticPasses passes;
+    passes.block = block;
+    passes.photon_noise = photon_noise;
+    passes.pixel_noise = pixel_noise;
+    passes.radii = false;
+    return passes;
+}
+
+SyntheticPasses with_bias(int block, double bias, double order)
+{
+    SyntheticPasses passes;
+    passes.block = block;
+    passes.pixel_noise = 0.2;
+    passes.bias = bias;
+    passes.order = order;
+    return passes;
+}
+
+/// Standard errors between a share of `n` and `share`.
+double binomial_z(int found, int n, double share)
+{
+    return (found - n * share) / std::sqrt(n * share * (1 - share));
+}
+
+/// What an image's error is to what is told.
+struct Coverage {
+    int runs = 0;
+    int inside = 0;
+    RunningMean width; ///< of the interval, relative to the error
+
+    void add(const ImageError& told, double truth)
+    {
+        ++runs;
+        inside += truth >= told.low && truth <= told.high ? 1 : 0;
+        width.add((told.high - told.low) / told.error);
+    }
+    /// 95 % of the images, give or take what the approximations may cost, and no more.
+    bool right() const
+    {
+        return binomial_z(inside, runs, 0.92) > -kMostZ && binomial_z(inside, runs, 0.98) < kMostZ;
+    }
+};
+
+} // namespace
+
+TEST_CASE("image error: 95 % intervals hold the true error of 95 % of the images", "[film]")
+{
+    struct Case {
+        SyntheticPasses passes;
+        double widest;
+    };
+    // The more pixels share photons, the less an image knows of its own error.
+    for (Case test : {Case{plain_noise(4, 0, 0.3), 0.2}, Case{plain_noise(4, 0.3, 0.1), 0.6},
+                      Case{plain_noise(24, 0.3, 0), 3}, Case{with_bias(4, 0, 2), 2.5},
+                      Case{with_bias(4, 0.2, 1), 2.5}, Case{with_bias(4, 0.2, 2), 2.5}}) {
+        const Image truth = test.passes.truth();
+        Coverage coverage;
+        for (test.passes.seed = 0; test.passes.seed < 150; ++test.passes.seed) {
+            const Film film = film_of(test.passes, 0, test.passes.seed % 2 == 0 ? 8 : 19);
+            coverage.add(*estimate_error(film), true_error(film_image(film), truth));
+        }
+        INFO("block " << test.passes.block << ", bias " << test.passes.bias << ", order "
+                      << test.passes.order << ": " << coverage.inside << " of " << coverage.runs
+                      << ", width " << coverage.width.mean());
+        CHECK(coverage.right());
+        CHECK(coverage.width.mean() < test.widest);
+    }
+}
+
+TEST_CASE("image error: intervals hold for runs that are stopped at an error", "[film]")
+{
+    for (SyntheticPasses passes : {plain_noise(4, 0.3, 0.1), with_bias(4, 0.2, 1.5)}) {
+        const Image truth = passes.truth();
+        const double target = passes.radii ? 0.15 : 0.1;
+        Coverage coverage;
+        RunningMean stopped_at;
+        for (passes.seed = 0; passes.seed < 150; ++passes.seed) {
+            Film film = film_of(passes, 0, 0);
+            std::optional<ImageError> error;
+            std::uint64_t pass = 0;
+            for (; !error || error->error > target; error = estimate_error(film))
+                for (const std::uint64_t check = next_check(pass); pass < check; ++pass)
+                    add_pass(film, pass, passes.pass(pass));
+            coverage.add(*error, true_error(film_image(film), truth));
+            stopped_at.add(static_cast<double>(pass));
+        }
+        INFO(coverage.inside << " of " << coverage.runs << " at " << stopped_at.mean());
+        CHECK(coverage.right());
+        CHECK(stopped_at.standard_error() > 0); // luck had a say
+        CHECK(stopped_at.mean() > 10);
+    }
+}
+
+TEST_CASE("image error: the noise told is right on average, whatever pixels share", "[film]")
+{
+    for (SyntheticPasses passes : {plain_noise(4, 0, 0.2), plain_noise(8, 0.15, 0.1)}) {
+        const Image truth = passes.truth();
+        RunningMean off;
+        for (passes.seed = 0; passes.seed < 100; ++passes.seed) {
+            const Film film = film_of(passes, 3, 16); // batches of unequal size
+            const double error = true_error(film_image(film), truth);
+            off.add(estimate_error(film)->noise2 - error * error);
+        }
+        const double error = true_error(film_image(film_of(passes, 3, 16)), truth);
+        // Denominators are estimates too, which is of second order in the noise.
+        CHECK(std::abs(off.mean()) < kMostZ * off.standard_error() + 0.02 * error * error);
+        CHECK(off.standard_error() < 0.1 * error * error);
+    }
+}
+
+TEST_CASE("image error: bias of orders 1 and 2 is found from the radii", "[film]")
+{
+    for (const double order : {1.0, 2.0}) {
+        SyntheticPasses passes = with_bias(2, 0.1, order);
+        passes.photon_noise = 0.02;
+        passes.pixel_noise = 0.2;
+        constexpr std::uint64_t kPasses = 24;
+        SyntheticPasses exact = passes;
+        exact.photon_noise = exact.pixel_noise = 0;
+        const double truth = true_error(film_image(film_of(exact, 0, kPasses)), passes.truth());
+        RunningMean found, fitted;
+        for (passes.seed = 0; passes.seed < 40; ++passes.seed) {
+            const ImageError error = *estimate_error(film_of(passes, 0, kPasses));
+            found.add(error.bias2 / (truth * truth));
+            fitted.add(error.order);
+        }
+        INFO("order " << order << ", found " << fitted.mean() << ", bias " << found.mean());
+        CHECK(fitted.mean() == Approx(order).margin(0.1));
+        // The order is kept within 1 and 2, which is a small bias of its own.
+        CHECK(found.mean() == Approx(1).margin(0.1 + kMostZ * found.standard_error()));
+        CHECK(found.standard_error() < 0.03);
+    }
+}
+
+TEST_CASE("image error: where there is no bias its square is as often below zero", "[film]")
+{
+    SyntheticPasses passes = with_bias(4, 0, 1);
+    int below = 0, runs = 0;
+    RunningMean square;
+    for (passes.seed = 0; passes.seed < 150; ++passes.seed, ++runs) {
+        const ImageError error = *estimate_error(film_of(passes, 0, 8));
+        below += error.bias2 < 0 ? 1 : 0;
+        square.add(error.bias2);
+        CHECK(error.low >= 0);
+        CHECK(error.error >= error.low);
+        CHECK(error.high >= error.error);
+        CHECK(error.error >= std::sqrt(error.noise2) * (1 - 1e-9));
+    }
+    CHECK(std::abs(binomial_z(below, runs, 0.55)) < kMostZ);
+    CHECK(below < runs);
+}
+
+TEST_CASE("image error: little is claimed of few passes, none of black ones", "[film]")
+{
+    const SyntheticPasses passes = plain_noise(4, 0.1, 0.1);
+    CHECK_FALSE(estimate_error(film_of(passes, 0, 0)));
+    CHECK_FALSE(estimate_error(film_of(passes, 0, 1)));
+    CHECK_FALSE(estimate_error(make_film(2, 2, 1, BiasKnowledge::from_radii)));
+    CHECK(std::isinf(estimate_error(film_of(passes, 0, 7))->high));
+    CHECK(std::isfinite(estimate_error(film_of(passes, 0, 8))->high));
+
+    Film black = make_film(4, 4, 0, BiasKnowledge::from_radii);
+    for (std::uint64_t pass = 0; pass < 9; ++pass)
+        add_pass(black, pass,
+                 {Image(4, 4), Image(4, 4), Image(4, 4), std::vector<std::uint8_t>(16, 1)});
+    const ImageError error = *estimate_error(black);
+    CHECK(error.error == 0);
+    CHECK(error.low == 0);
+    CHECK(error.high == 0);
+}
+
+TEST_CASE("image error: passes without a sample of a pixel do not count as dark ones", "[film]")
+{
+    SyntheticPasses passes = plain_noise(4, 0, 0.01);
+    Film film = film_of(passes, 0, 0);
+    for (std::uint64_t pass = 0; pass < 16; ++pass) {
+        PassImages images = passes.pass(pass);
+        for (std::size_t i = pass; i < images.kept.size(); i += 7) {
+            images.kept[i] = 0;
+            images.radiance.pixels[i] = Rgb(-1e9f);
+        }
+        add_pass(film, pass, images);
+    }
+    CHECK(estimate_error(film)->error ==
+          Approx(estimate_error(film_of(passes, 0, 16))->error).epsilon(0.15));
+    CHECK(true_error(film_image(film), passes.truth()) < 0.01);
+}
+
+TEST_CASE("image error: layers have the size of what is in them", "[film]")
+{
+    SyntheticPasses passes = with_bias(4, 0.2, 2);
+    passes.photon_noise = 0.02;
+    passes.pixel_noise = 0.02;
+    const Film film = film_of(passes, 0, 32);
+    const ImageError error = *estimate_error(film);
+    const ErrorLayers layers = error_layers(film, error.order);
+    const Image image = film_image(film), truth = passes.truth();
+    double off = 0, bias = 0, told = 0, noise = 0, sum = 0;
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+        const double difference = image.pixels[i].x - truth.pixels[i].x;
+        off += difference * difference;
+        bias += std::pow(layers.bias.pixels[i].x - difference, 2);
+        told += std::pow(layers.error.pixels[i].x, 2);
+        noise += std::pow(layers.noise.pixels[i].x, 2);
+        sum += std::pow(truth.pixels[i].x, 2);
+    }
+    CHECK(bias < 0.1 * off); // pixel by pixel, with its sign
+    CHECK(told == Approx(off).epsilon(0.2));
+    // In pass i the photons' part goes with 1 / radius squared, below 4 here.
+    CHECK(noise > sum * 0.02 * 0.02 / 32);
+    CHECK(noise < sum * 5 * 0.02 * 0.02 / 32);
+}
