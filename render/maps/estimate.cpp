@@ -1,7 +1,8 @@
 #include "render/maps/estimate.h"
 
+#include "render/maps/gather.h"
+
 #include <cmath>
-#include <numbers>
 
 namespace hipmap {
 
@@ -13,23 +14,6 @@ using Photons = std::span<const std::uint32_t>;
 /// corner a quarter of the disc is left, so that twice the radius holds as many.
 constexpr float kWiden = 2;
 
-Rgb per_area(const Rgb& power, double area)
-{
-    if (!(area > 0))
-        return Rgb(0);
-    const Rgb out = power / static_cast<float>(area);
-    return is_finite(out) ? out : Rgb(0);
-}
-
-/// What a photon adds to the sum.
-Rgb gathered_power(const Photon& photon, const PhotonQuery& query)
-{
-    if (query.bsdf == nullptr)
-        return photon.power;
-    return photon.power *
-           diffuse_shape(*query.bsdf, query.shading_normal, photon.direction, query.toward_eye);
-}
-
 Rgb density(const PhotonMaps& maps, const PhotonQuery& query, Photons photons, double area)
 {
     Rgb sum(0.0f);
@@ -38,24 +22,14 @@ Rgb density(const PhotonMaps& maps, const PhotonQuery& query, Photons photons, d
     return per_area(sum, area);
 }
 
-/// docs/photon_maps.md (4): of an area measured in the plane of the query's face.
+/// Over an area measured in the plane of the query's face.
 Rgb projected_density(const PhotonMaps& maps, const MapSurfaces& surfaces, const PhotonQuery& query,
                       Photons photons, double area)
 {
-    const glm::vec3& up = surfaces.normals[query.face];
     Rgb sum(0.0f);
-    for (const std::uint32_t i : photons) {
-        const Photon& photon = maps.photons[i];
-        const float cosine =
-            photon.face == query.face ? 1.0f : glm::dot(surfaces.normals[photon.face], up);
-        sum += gathered_power(photon, query) * std::max(0.0f, cosine);
-    }
+    for (const std::uint32_t i : photons)
+        sum += projected_power(maps.photons[i], query, surfaces);
     return per_area(sum, area);
-}
-
-double disc_area(float radius)
-{
-    return std::numbers::pi * (double{radius} * radius);
 }
 
 float farthest(const FoundPhotons& found)
@@ -67,17 +41,6 @@ float farthest(const FoundPhotons& found)
 Photons all_but_last(const FoundPhotons& found)
 {
     return found.photons.first(found.photons.size() - 1);
-}
-
-void look_around(const MapSurfaces& surfaces, const PhotonQuery& query, float radius,
-                 EstimateScratch& scratch)
-{
-    scratch.segments.clear();
-    surfaces.boundaries.near(surfaces.partition.map_of_face[query.face], query.position, radius,
-                             scratch.segments);
-    const glm::uvec3 c = surfaces.mesh.corners[query.face];
-    const std::vector<glm::vec3>& p = surfaces.mesh.positions;
-    scratch.disc.look({{p[c.x], p[c.y], p[c.z]}, query.position, radius}, scratch.segments);
 }
 
 bool sees_all(const PhotonMaps& maps, Photons photons, const VisibleDisc& disc)

@@ -46,6 +46,7 @@ struct SearchScratch {
     TreeScratch shared;
     TreeScratch local;
     TreeScratch accepted; ///< of searches that turn photons down
+    TreeScratch within;   ///< of searches for all photons within a radius
     SearchStatistics statistics;
 };
 
@@ -73,11 +74,12 @@ FoundPhotons find_photons(const PhotonMaps& maps, const TriangleMesh& mesh,
                           const Partition& partition, const PhotonQuery& query,
                           SearchScratch& scratch);
 
-/// The same from the first tier alone, of the photons that `accept(photon index)` lets through.
+/// The `most` nearest from the first tier alone, of the photons that `accept(photon index)` lets
+/// through.
 template <typename Accept = AcceptAll>
-FoundPhotons find_in_shared(const PhotonMaps& maps, const Partition& partition,
-                            const PhotonQuery& query, TreeScratch& scratch,
-                            const Accept& accept = {})
+FoundPhotons find_most_in_shared(const PhotonMaps& maps, const Partition& partition,
+                                 const PhotonQuery& query, std::size_t most, TreeScratch& scratch,
+                                 const Accept& accept = {})
 {
     const bool one_map = maps.options.mode == MapMode::global;
     const MapId id = one_map ? 0 : partition.map_of_face[query.face];
@@ -85,7 +87,7 @@ FoundPhotons find_in_shared(const PhotonMaps& maps, const Partition& partition,
         return {};
     const std::size_t map = maps.map_index(id, query.side);
     const auto first = static_cast<std::uint32_t>(maps.first_photon[map]);
-    const TreeQuery wanted{query.position, maps.options.neighbours, query.radius * query.radius};
+    const TreeQuery wanted{query.position, most, query.radius * query.radius};
     FoundSlots found;
     if (one_map && maps.options.estimate == EstimateForm::clipped) {
         // Photons of all surfaces are in one map: only light that fell on the side looked at
@@ -102,6 +104,15 @@ FoundPhotons find_in_shared(const PhotonMaps& maps, const Partition& partition,
     for (std::uint32_t& photon : found.slots)
         photon += first;
     return {found.slots, found.farthest2};
+}
+
+/// The k nearest of those.
+template <typename Accept = AcceptAll>
+FoundPhotons find_in_shared(const PhotonMaps& maps, const Partition& partition,
+                            const PhotonQuery& query, TreeScratch& scratch,
+                            const Accept& accept = {})
+{
+    return find_most_in_shared(maps, partition, query, maps.options.neighbours, scratch, accept);
 }
 
 } // namespace hipmap
