@@ -46,38 +46,34 @@ FoundPhotons find_in_local(const PhotonMaps& maps, const PhotonQuery& query, flo
 
 /// The radius that the k-th photon is likely to have: by the last search in the shared map or by
 /// the tier's density.
-float expected_radius(const WideTree& shared, const TierMap& map, const PhotonQuery& query,
+float expected_radius(const WideTree& shared, const TierMap& map, const TreeQuery& query,
                       const TreeScratch& scratch)
 {
-    const float step = glm::distance(query.position, scratch.last_point);
+    const float step = glm::distance(query.point, scratch.last_point);
     const bool near = scratch.last_tree == shared.number && step < scratch.last_radius;
     return near ? scratch.last_radius + step : map.filter_radius;
 }
 
 /// Photons of one tier, if they are what the shared map would give; else none, and the radius in
 /// which the tier has k is remembered for the next one.
-FoundPhotons find_in_tier(const PhotonMaps& maps, const WideTree& shared, const TierMap& map,
-                          const PhotonQuery& query, float limit, TierSearches& searches,
-                          TreeScratch& scratch)
+FoundSlots find_in_tier(const WideTree& shared, const TierMap& map, TreeQuery query, float limit,
+                        TierSearches& searches, TreeScratch& scratch)
 {
     if (expected_radius(shared, map, query, scratch) > limit) {
         ++searches.skipped;
         return {};
     }
     ++searches.begun;
-    if (scratch.last_tree == shared.number)
-        scratch.last_tree = map.tree.number;
-    const TreeQuery wanted{query.position, maps.options.neighbours, query.radius * query.radius};
-    const FoundSlots found = find_nearest(map.tree, wanted, scratch);
-    scratch.last_tree = std::isfinite(scratch.last_radius) ? shared.number : 0;
-    const float reached2 = found.slots.size() == wanted.photons ? found.farthest2 : wanted.radius2;
-    if (!(reached2 < limit * limit) && std::isfinite(limit)) {
-        ++searches.abandoned;
-        return {};
-    }
-    for (std::uint32_t& photon : found.slots)
-        photon += map.first_photon;
-    return {found.slots, found.farthest2};
+    query.from = map.node;
+    const FoundSlots found = find_nearest(shared, query, scratch);
+    const float reached2 = found.slots.size() == query.photons ? found.farthest2 : query.radius2;
+    if (reached2 < limit * limit || !std::isfinite(limit))
+        return found;
+    ++searches.abandoned;
+    scratch.last_missed = true;
+    if (!std::isfinite(scratch.last_radius))
+        scratch.last_tree = 0;
+    return {};
 }
 
 FoundPhotons find_in_tiers(const PhotonMaps& maps, const TriangleMesh& mesh,
@@ -87,21 +83,25 @@ FoundPhotons find_in_tiers(const PhotonMaps& maps, const TriangleMesh& mesh,
     const MapId id = partition.map_of_face[query.face];
     if (id == kNone)
         return {};
-    const WideTree& shared = maps.trees[maps.map_index(id, query.side)];
+    const std::size_t map = maps.map_index(id, query.side);
+    const TreeQuery wanted{query.position, maps.options.neighbours, query.radius * query.radius};
     const auto search = [&](const TierMaps& tier, auto limiting_radius, TierSearches& searches) {
         if (tier.of_face.empty())
-            return FoundPhotons();
+            return FoundSlots();
         const std::uint32_t index = tier.of_face[maps.index_by_side(query.face, query.side)];
         if (index == kNone)
-            return FoundPhotons();
+            return FoundSlots();
         const float limit = limiting_radius(mesh, partition, query.face, query.position);
-        return find_in_tier(maps, shared, tier.maps[index], query, limit, searches, scratch.shared);
+        return find_in_tier(maps.trees[map], tier.maps[index], wanted, limit, searches,
+                            scratch.shared);
     };
     SearchStatistics& statistics = scratch.statistics;
-    FoundPhotons found = search(maps.local_tier, exact_limiting_radius, statistics.local);
-    if (found.photons.empty())
+    FoundSlots found = search(maps.local_tier, exact_limiting_radius, statistics.local);
+    if (found.slots.empty())
         found = search(maps.group_tier, exact_group_radius, statistics.group);
-    return found;
+    for (std::uint32_t& photon : found.slots)
+        photon += static_cast<std::uint32_t>(maps.first_photon[map]);
+    return {found.slots, found.farthest2};
 }
 
 } // namespace

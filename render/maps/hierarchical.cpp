@@ -42,11 +42,6 @@ struct TierDraft {
     double asking; ///< nodes
 };
 
-std::uint64_t slots_of_node(const WideTree& tree, std::uint32_t level)
-{
-    return std::uint64_t{1} << 4 * (tree.levels - level + 1);
-}
-
 void add_photons(const PhotonMaps& maps, TierDraft& draft)
 {
     // The photons of a face or group are in one map, so that no two threads meet.
@@ -137,10 +132,7 @@ TierMaps make_tier(const PhotonMaps& maps, const TierDraft& draft, const TierPla
     tier.maps.resize(kept.size());
     tbb::parallel_for(std::size_t{0}, kept.size(), [&](std::size_t i) {
         const Extent& extent = *kept[i];
-        const WideTree& tree = maps.trees[extent.map];
-        tier.maps[i] = {part_of_tree(tree, extent.node),
-                        static_cast<std::uint32_t>(maps.first_photon[extent.map] +
-                                                   first_slot(tree, extent.node)),
+        tier.maps[i] = {extent.node,
                         filter_radius(extent.area, maps.options.neighbours, extent.photons)};
     });
     return tier;
@@ -185,48 +177,6 @@ std::string describe_plan(const TierPlan& plan)
             << (plan.saving > 0 ? "saving " : "losing ") << std::fixed << std::setprecision(2)
             << std::abs(plan.saving) << " nodes of the tree each)";
     return out.str();
-}
-
-TreeNode lowest_node(const WideTree& tree, std::uint64_t low, std::uint64_t high)
-{
-    for (std::uint32_t level = tree.levels; level-- > 0;) {
-        const std::uint64_t slots = slots_of_node(tree, level);
-        if (low / slots == high / slots)
-            return {level, low / slots};
-    }
-    return {};
-}
-
-std::uint64_t first_slot(const WideTree& tree, const TreeNode& node)
-{
-    return node.number * slots_of_node(tree, node.level);
-}
-
-WideTree part_of_tree(const WideTree& tree, const TreeNode& node)
-{
-    WideTree part = build_wide_tree({}); // for a number of its own
-    part.levels = tree.levels - node.level;
-    for (std::uint32_t level = 0; level < part.levels; ++level) {
-        const std::uint32_t from = tree.first_node[node.level + level];
-        const std::size_t end = node.level + level + 1 < tree.levels
-                                    ? tree.first_node[node.level + level + 1]
-                                    : tree.nodes.size();
-        const std::uint64_t first = from + (node.number << 4 * level);
-        part.first_node[level] = static_cast<std::uint32_t>(part.nodes.size());
-        part.nodes.insert(part.nodes.end(), tree.nodes.begin() + first,
-                          tree.nodes.begin() + std::min<std::uint64_t>(
-                                                   end, first + (std::uint64_t{1} << 4 * level)));
-    }
-    const std::uint64_t first = first_slot(tree, node), slots = slots_of_node(tree, node.level);
-    part.size = std::min(slots, tree.size - first);
-    const auto block = tree.blocks.begin() + first / kTreeWidth;
-    part.blocks.assign(block, block + (part.size + kTreeWidth - 1) / kTreeWidth);
-    const BoxNode& root = part.nodes.front();
-    for (int axis = 0; axis < 3; ++axis) {
-        part.low[axis] = *std::min_element(root.low[axis], root.low[axis] + kTreeWidth);
-        part.high[axis] = *std::max_element(root.high[axis], root.high[axis] + kTreeWidth);
-    }
-    return part;
 }
 
 void build_tiers(PhotonMaps& maps, const TriangleMesh& mesh, const Partition& partition)

@@ -48,9 +48,8 @@ struct LocalMap {
 
 /// The part of a shared map's tree that holds all photons of a face, or of a group of faces.
 struct TierMap {
-    WideTree tree;
-    std::uint32_t first_photon = 0; ///< of it, in the photons of the set
-    float filter_radius = 0.0f;     ///< docs/photon_maps.md (5), scene units
+    TreeNode node;
+    float filter_radius = 0.0f; ///< docs/photon_maps.md (5), scene units
 };
 
 /// What a tier costs and saves, in nodes of a search, docs/photon_maps.md (8).

@@ -87,22 +87,23 @@ HWY_INLINE std::size_t touched(const WideTree& tree, std::uint32_t level,
     return written;
 }
 
-/// Finds the leaf nodes that the ball touches, and keeps them.
-void keep_nodes(const WideTree& tree, const glm::vec3& at, float radius, TreeScratch& scratch)
+/// Finds the leaf nodes below query.from that the ball touches, and keeps them.
+void keep_nodes(const WideTree& tree, const TreeQuery& query, float radius, TreeScratch& scratch)
 {
     grow(scratch.nodes, kTreeWidth);
-    scratch.nodes[0] = 0;
+    scratch.nodes[0] = static_cast<std::uint32_t>(query.from.number);
     scratch.kept = 1;
     // Squares that are nearly zero have few digits.
     constexpr float kRoundedOff = std::numeric_limits<float>::min();
     const FloatVec radius2 = hn::Set(Floats(), radius * radius * kRoundedUp + kRoundedOff);
-    for (std::uint32_t level = 0; level + 1 < tree.levels; ++level) {
+    for (std::uint32_t level = query.from.level; level + 1 < tree.levels; ++level) {
         scratch.nodes.swap(scratch.parents);
-        scratch.kept =
-            touched(tree, level, scratch.parents, scratch.kept, spread(at), radius2, scratch.nodes);
+        scratch.kept = touched(tree, level, scratch.parents, scratch.kept, spread(query.point),
+                               radius2, scratch.nodes);
     }
     scratch.kept_tree = tree.number;
-    scratch.kept_point = at;
+    scratch.kept_from = query.from;
+    scratch.kept_point = query.point;
     scratch.kept_radius = radius;
 }
 
@@ -144,7 +145,16 @@ std::size_t measure(const WideTree& tree, const PointVec& point, const Bounds2& 
     return inside;
 }
 
-std::size_t Collect(const WideTree& tree, const glm::vec3& at, const Bounds2& bounds,
+/// Whether the nodes kept will do for this ball.
+bool are_kept(const WideTree& tree, const TreeQuery& query, float radius,
+              const TreeScratch& scratch)
+{
+    return scratch.kept_tree == tree.number &&
+           (scratch.kept_from.level == 0 || scratch.kept_from == query.from) &&
+           glm::distance(query.point, scratch.kept_point) + radius <= scratch.kept_radius;
+}
+
+std::size_t Collect(const WideTree& tree, const TreeQuery& query, const Bounds2& bounds,
                     TreeScratch& scratch)
 {
     scratch.filled = 0;
@@ -152,12 +162,11 @@ std::size_t Collect(const WideTree& tree, const glm::vec3& at, const Bounds2& bo
     if (tree.size == 0)
         return 0;
     const float radius = std::sqrt(bounds.high2);
-    const bool kept = scratch.kept_tree == tree.number &&
-                      glm::distance(at, scratch.kept_point) + radius <= scratch.kept_radius;
-    if (!kept)
-        keep_nodes(tree, at, radius + margin(radius, glm::distance(at, scratch.last_point)),
-                   scratch);
-    const PointVec point = spread(at);
+    if (!are_kept(tree, query, radius, scratch)) {
+        const float step = glm::distance(query.point, scratch.last_point);
+        keep_nodes(tree, query, radius + margin(radius, step), scratch);
+    }
+    const PointVec point = spread(query.point);
     const std::size_t count = touched(tree, tree.levels - 1, scratch.nodes, scratch.kept, point,
                                       hn::Set(Floats(), bounds.high2), scratch.blocks);
     return measure(tree, point, bounds, count, scratch);
@@ -193,13 +202,15 @@ HWY_INLINE Children children_of(const WideTree& tree, std::uint32_t level, std::
     return children;
 }
 
-std::size_t CollectNear(const WideTree& tree, const glm::vec3& at, std::size_t k,
-                        TreeScratch& scratch)
+std::size_t CollectNear(const WideTree& tree, const TreeQuery& query, TreeScratch& scratch)
 {
-    const PointVec point = spread(at);
-    std::size_t child_blocks = std::size_t{1} << 4 * (tree.levels - 1);
-    Children children = children_of(tree, 0, 0, point);
-    for (std::uint32_t level = 1; kTreeWidth * child_blocks >= 2 * k && child_blocks > 1; ++level) {
+    const PointVec point = spread(query.point);
+    const std::size_t k = query.photons;
+    const std::uint32_t from = query.from.level;
+    std::size_t child_blocks = std::size_t{1} << 4 * (tree.levels - from - 1);
+    Children children = children_of(tree, from, query.from.number, point);
+    for (std::uint32_t level = from + 1; kTreeWidth * child_blocks >= 2 * k && child_blocks > 1;
+         ++level) {
         const auto has_too_few = [&](const Child& child) {
             return kTreeWidth * child_blocks * child.number + k > tree.size;
         };
@@ -231,16 +242,15 @@ namespace tree_search {
 HWY_EXPORT(Collect);
 HWY_EXPORT(CollectNear);
 
-std::size_t collect(const WideTree& tree, const glm::vec3& point, const Bounds2& bounds,
+std::size_t collect(const WideTree& tree, const TreeQuery& query, const Bounds2& bounds,
                     TreeScratch& scratch)
 {
-    return HWY_DYNAMIC_DISPATCH(Collect)(tree, point, bounds, scratch);
+    return HWY_DYNAMIC_DISPATCH(Collect)(tree, query, bounds, scratch);
 }
 
-std::size_t collect_near(const WideTree& tree, const glm::vec3& point, std::size_t k,
-                         TreeScratch& scratch)
+std::size_t collect_near(const WideTree& tree, const TreeQuery& query, TreeScratch& scratch)
 {
-    return HWY_DYNAMIC_DISPATCH(CollectNear)(tree, point, k, scratch);
+    return HWY_DYNAMIC_DISPATCH(CollectNear)(tree, query, scratch);
 }
 
 } // namespace tree_search

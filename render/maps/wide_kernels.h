@@ -5,9 +5,8 @@
 namespace hipmap::tree_search {
 
 /// Fills blocks and rows with at least k photons near the point, of which the k-th nearest bounds
-/// the k-th of all, and returns their number.  The tree has k photons.
-std::size_t collect_near(const WideTree& tree, const glm::vec3& point, std::size_t k,
-                         TreeScratch& scratch);
+/// the k-th of all, and returns their number.  query.from has more than k photons.
+std::size_t collect_near(const WideTree& tree, const TreeQuery& query, TreeScratch& scratch);
 
 /// The k-th smallest of the collected distances up to bounds.high2, of which there are `inside` >=
 /// k.

@@ -36,14 +36,15 @@ float limit2(const WideTree& tree, const TreeQuery& query)
 
 Bounds2 bounds2(const WideTree& tree, const TreeQuery& query, float most2, TreeScratch& scratch)
 {
-    if (tree.size <= query.photons)
+    if (most_photons(tree, query) <= query.photons)
         return {0.0f, most2};
     const float step = glm::distance(query.point, scratch.last_point), last = scratch.last_radius;
     if (scratch.last_tree == tree.number && step < kNear * last) {
-        const float low = std::isfinite(last) ? last - step : 0.0f, high = last + step;
+        const float low = std::isfinite(last) && !scratch.last_missed ? last - step : 0.0f;
+        const float high = last + step;
         return {low * low / kRoundedUp, std::min(most2, high * high * kRoundedUp)};
     }
-    const std::size_t near = collect_near(tree, query.point, query.photons, scratch);
+    const std::size_t near = collect_near(tree, query, scratch);
     const float far2 = greatest_distance2(std::numeric_limits<float>::max(), scratch);
     return {0.0f, std::min(most2, kth_of_collected(query.photons, {0.0f, far2}, near, scratch))};
 }
@@ -74,6 +75,7 @@ FoundSlots select(const WideTree& tree, const TreeQuery& query, const Bounds2& b
     }
     scratch.last_tree = tree.number;
     scratch.last_point = query.point;
+    scratch.last_missed = false;
     scratch.last_radius = found.slots.size() == query.photons
                               ? std::sqrt(found.farthest2)
                               : std::numeric_limits<float>::infinity();

@@ -14,6 +14,7 @@ struct TreeQuery {
     glm::vec3 point;                                        ///< scene units, finite
     std::size_t photons;                                    ///< k, the most wanted, >= 1
     float radius2 = std::numeric_limits<float>::infinity(); ///< nothing farther counts
+    TreeNode from = {}; ///< begins there: photons outside it may be missed
 };
 
 /// Memory that one thread lends to its searches: it grows, and is then reused.  It remembers the
@@ -36,7 +37,9 @@ struct TreeScratch {
     std::uint64_t last_tree = 0; ///< its number
     glm::vec3 last_point{0.0f};
     float last_radius = 0.0f;    ///< of the last k-th photon; infinite if there were fewer
+    bool last_missed = false;    ///< photons outside the node where it began may be nearer
     std::uint64_t kept_tree = 0; ///< its number
+    TreeNode kept_from;          ///< of it
     glm::vec3 kept_point{0.0f};
     float kept_radius = 0.0f; ///< all leaf nodes so near are kept
 };
@@ -55,6 +58,12 @@ struct AcceptAll {
 /// The steps of find_nearest.
 namespace tree_search {
 
+/// How many photons a search can look at.
+inline std::uint64_t most_photons(const WideTree& tree, const TreeQuery& query)
+{
+    return query.from.level == 0 ? tree.size : photons_below(tree, query.from);
+}
+
 /// Square of the distance beyond which no photon of the tree counts.
 float limit2(const WideTree& tree, const TreeQuery& query);
 
@@ -70,7 +79,7 @@ float wider2(const TreeQuery& query, float radius2, std::size_t inside, float mo
 
 /// Fills blocks and rows with the photons within bounds.high2 and returns their number; puts
 /// those not nearer than bounds.low2 into the band.
-std::size_t collect(const WideTree& tree, const glm::vec3& point, const Bounds2& bounds,
+std::size_t collect(const WideTree& tree, const TreeQuery& query, const Bounds2& bounds,
                     TreeScratch& scratch);
 
 /// Puts collected photons that `accept` turns down infinitely far; returns how many are left.
@@ -111,10 +120,11 @@ FoundSlots find_nearest(const WideTree& tree, const TreeQuery& query, TreeScratc
     const float most2 = tree_search::limit2(tree, query);
     tree_search::Bounds2 bounds = tree_search::bounds2(tree, query, most2, scratch);
     for (;;) {
-        std::size_t inside = tree_search::collect(tree, query.point, bounds, scratch);
+        std::size_t inside = tree_search::collect(tree, query, bounds, scratch);
+        const bool all = inside >= tree_search::most_photons(tree, query);
         if constexpr (!std::is_same_v<Accept, AcceptAll>)
             inside = tree_search::drop_rejected(bounds.high2, accept, scratch);
-        if (inside >= query.photons || !(bounds.high2 < most2))
+        if (inside >= query.photons || all || !(bounds.high2 < most2))
             return tree_search::select(tree, query, bounds, inside, scratch);
         bounds.high2 = tree_search::wider2(query, bounds.high2, inside, most2);
     }

@@ -223,7 +223,33 @@ void lay_out_levels(WideTree& tree)
     tree.nodes.resize(begin);
 }
 
+/// That a full node of the level holds.
+std::uint64_t slots_of_node(const WideTree& tree, std::uint32_t level)
+{
+    return std::uint64_t{1} << 4 * (tree.levels - level + 1);
+}
+
 } // namespace
+
+std::uint64_t first_slot(const WideTree& tree, const TreeNode& node)
+{
+    return node.number * slots_of_node(tree, node.level);
+}
+
+std::uint64_t photons_below(const WideTree& tree, const TreeNode& node)
+{
+    return std::min(slots_of_node(tree, node.level), tree.size - first_slot(tree, node));
+}
+
+TreeNode lowest_node(const WideTree& tree, std::uint64_t low, std::uint64_t high)
+{
+    for (std::uint32_t level = tree.levels; level-- > 0;) {
+        const std::uint64_t slots = slots_of_node(tree, level);
+        if (low / slots == high / slots)
+            return {level, low / slots};
+    }
+    return {};
+}
 
 WideTree build_wide_tree(std::span<TreePoint> points)
 {

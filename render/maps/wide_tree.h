@@ -51,6 +51,22 @@ struct WideTree {
     }
 };
 
+/// A node of a tree.
+struct TreeNode {
+    std::uint32_t level = 0; ///< 0: the root
+    std::uint64_t number = 0;
+    bool operator==(const TreeNode&) const = default;
+};
+
+/// Slot of the first photon of a node.
+std::uint64_t first_slot(const WideTree& tree, const TreeNode& node);
+
+/// How many photons a node holds.
+std::uint64_t photons_below(const WideTree& tree, const TreeNode& node);
+
+/// The lowest node that holds the slots from `low` to `high`, which are photons of the tree.
+TreeNode lowest_node(const WideTree& tree, std::uint64_t low, std::uint64_t high);
+
 /// Orders `points` by slot and builds their tree, in parallel.  O(n log n).
 /// Same points in the same order, same tree, at any thread count.  Positions must be finite and
 /// below 1e18, points fewer than 2^32.  None: a tree that finds nothing.

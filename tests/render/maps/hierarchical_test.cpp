@@ -168,7 +168,7 @@ TEST_CASE("find photons: the tiers find what the shared map holds, in its order"
     }
 }
 
-TEST_CASE("lowest_node: holds the photons, and no lower one does", "[maps]")
+TEST_CASE("lowest_node: holds the photons, no lower one does, and searches begin there", "[maps]")
 {
     std::vector<TreePoint> points;
     for (std::uint32_t i = 0; i < 70'000; ++i) {
@@ -183,18 +183,19 @@ TEST_CASE("lowest_node: holds the photons, and no lower one does", "[maps]")
     const TreeNode node = lowest_node(tree, 4096, 4096 + 256);
     CHECK(node.level == 2);
     CHECK(first_slot(tree, node) == 4096);
-    for (const TreeNode& part_of : {TreeNode{0, 0}, TreeNode{1, 1}, node, TreeNode{3, 273}}) {
-        const WideTree part = part_of_tree(tree, part_of);
-        const std::uint64_t first = first_slot(tree, part_of);
-        std::vector<TreePoint> some(points.begin() + static_cast<std::ptrdiff_t>(first),
-                                    points.begin() +
-                                        static_cast<std::ptrdiff_t>(first + part.size));
-        const WideTree built = build_wide_tree(some);
-        CHECK(part.low == built.low);
-        CHECK(part.high == built.high);
+    for (const TreeNode& from : {TreeNode{0, 0}, TreeNode{1, 1}, node, TreeNode{3, 273}}) {
+        const std::uint64_t first = first_slot(tree, from), count = photons_below(tree, from);
+        CHECK(count == std::min<std::uint64_t>(std::size_t{1 << 20} >> 4 * from.level,
+                                               points.size() - first));
+        std::vector<TreePoint> below(points.begin() + static_cast<std::ptrdiff_t>(first),
+                                     points.begin() + static_cast<std::ptrdiff_t>(first + count));
+        const WideTree built = build_wide_tree(below);
         TreeScratch scratch, scratch_built;
-        const FoundSlots found = find_nearest(part, {{0.3f, 0.4f, 0}, 40}, scratch);
-        const FoundSlots truth = find_nearest(built, {{0.3f, 0.4f, 0}, 40}, scratch_built);
+        const TreeQuery query{{0.3f, 0.4f, 0}, 40};
+        TreeQuery query_below = query;
+        query_below.from = from;
+        const FoundSlots found = find_nearest(tree, query_below, scratch);
+        const FoundSlots truth = find_nearest(built, query, scratch_built);
         CHECK(found.farthest2 == truth.farthest2);
         CHECK(found.slots.size() == truth.slots.size());
     }
