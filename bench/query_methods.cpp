@@ -198,8 +198,10 @@ class Wide : public QueryMethod {
     Wide(const Photons& photons, const Powers& powers, bool by_map)
         : powers_(powers), by_map_(by_map)
     {
-        for (std::vector<TreePoint>& points : points_by_map(photons, by_map))
+        for (std::vector<TreePoint>& points : points_by_map(photons, by_map)) {
             trees_.push_back(build_wide_tree(points));
+            points_.push_back(std::move(points));
+        }
     }
     const char* name() const override { return by_map_ ? "wide, by map" : "wide"; }
     void prepare(std::size_t k) override
@@ -217,7 +219,7 @@ class Wide : public QueryMethod {
     {
         std::vector<std::uint32_t> out;
         for (const std::uint32_t slot : slots_)
-            out.push_back(photon(trees_[map_], slot));
+            out.push_back(points_[map_][slot].photon);
         return out;
     }
     glm::vec4 power() const override { return sum_powers(ordered_powers_[map_], slots_); }
@@ -229,26 +231,24 @@ class Wide : public QueryMethod {
         return bytes;
     }
     bool by_map() const override { return by_map_; }
+    bool breaks_ties() const override { return false; }
 
   private:
-    static std::uint32_t photon(const WideTree& tree, std::uint32_t slot)
-    {
-        return tree.blocks[slot / kTreeWidth].photon[slot % kTreeWidth];
-    }
     /// As a renderer keeps its photons: in the order of the trees.
     void order_powers()
     {
-        for (const WideTree& tree : trees_) {
+        for (const std::vector<TreePoint>& points : points_) {
             ordered_powers_.emplace_back();
-            for (std::uint32_t slot = 0; slot < tree.size; ++slot)
-                ordered_powers_.back().push_back(powers_[photon(tree, slot)]);
+            for (const TreePoint& point : points)
+                ordered_powers_.back().push_back(powers_[point.photon]);
         }
     }
 
     const Powers& powers_;
     bool by_map_;
     std::vector<WideTree> trees_;
-    std::vector<Powers> ordered_powers_; ///< by map and slot
+    std::vector<std::vector<TreePoint>> points_; ///< by map and slot
+    std::vector<Powers> ordered_powers_;         ///< by map and slot
     std::size_t map_ = 0;
     std::size_t k_ = 0;
     TreeScratch scratch_;

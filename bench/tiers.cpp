@@ -127,7 +127,7 @@ void measure(std::uint32_t cells, std::size_t photon_count, std::uint32_t k)
     }
     std::printf("%zu faces, %zu photons, k = %u, %u levels: shared %.1f ns, paying %.1f (%.3f), "
                 "all %.1f (%.3f); limiting radius: local %.1f, group %.1f ns%s\n",
-                mesh.face_count(), photon_count, k, shared.trees[0].levels, ns[0], ns[1],
+                mesh.face_count(), photon_count, k, shared.maps[0].tree.levels, ns[0], ns[1],
                 ns[0] / ns[1], ns[2], ns[0] / ns[2], local, group, sum < 0 ? "!" : "");
     print_tier("local", all.local_tier, scratch[2].statistics.local);
     print_tier("group", all.group_tier, scratch[2].statistics.group);

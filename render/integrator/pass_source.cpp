@@ -99,8 +99,8 @@ class TileRenderer {
 
 void count_kind(KindStatistics& kind, const PhotonMaps& maps)
 {
-    kind.stored += maps.photons.size();
-    kind.shared_maps = maps.filled_maps();
+    kind.stored += maps.size;
+    kind.shared_maps = maps.maps.size();
     kind.local_maps = maps.locals.size() + maps.local_tier.maps.size();
     kind.group_maps = maps.group_tier.maps.size();
     kind.local_plan = maps.local_tier.plan;
@@ -125,8 +125,14 @@ PassMapSet make_maps(const RenderScene& scene, const RenderOptions& options, std
     statistics.seconds_photons += watch.seconds();
 
     const Stopwatch building;
-    PassMapSet maps{build_photon_maps(traced.caustic, scene.mesh(), scene.partition, options.maps),
-                    build_photon_maps(traced.global, scene.mesh(), scene.partition, options.maps)};
+    MapOptions of_maps = options.maps;
+    of_maps.directions = scene.scene.diffuse_model != DiffuseModel::lambert;
+    const auto build = [&](std::vector<Photon> photons) {
+        return build_photon_maps(photons, scene.mesh(), scene.partition, of_maps);
+    };
+    PassMapSet maps;
+    maps.caustic = build(std::move(traced.caustic)); // which it frees
+    maps.global = build(std::move(traced.global));
     count_kind(statistics.caustic, maps.caustic);
     count_kind(statistics.global, maps.global);
     statistics.seconds_maps += building.seconds();

@@ -2,34 +2,42 @@
 
 #include "render/maps/gather.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace hipmap {
 
 namespace {
 
-using Photons = std::span<const std::uint32_t>;
+using Slots = std::span<const std::uint32_t>;
 
 /// How far beyond the k-th photon to look once boundaries hide some of them: in a right-angled
 /// corner a quarter of the disc is left, so that twice the radius holds as many.
 constexpr float kWiden = 2;
 
-Rgb density(const PhotonMaps& maps, const PhotonQuery& query, Photons photons, double area)
+/// What an estimate is made from.
+struct Gathering {
+    const PhotonMaps& maps;
+    const MapSurfaces& surfaces;
+    const PhotonQuery& query;
+    const PhotonMap& map;
+};
+
+Rgb density(const Gathering& from, Slots slots, double area)
 {
-    Rgb sum(0.0f);
-    for (const std::uint32_t photon : photons)
-        sum += gathered_power(maps.photons[photon], query);
-    return per_area(sum, area);
+    glm::dvec3 sum(0.0);
+    for (const std::uint32_t slot : slots)
+        sum += gathered_power({from.map, slot}, from.query);
+    return per_area(from.maps.power_scale, sum, area);
 }
 
 /// Over an area measured in the plane of the query's face.
-Rgb projected_density(const PhotonMaps& maps, const MapSurfaces& surfaces, const PhotonQuery& query,
-                      Photons photons, double area)
+Rgb projected_density(const Gathering& from, Slots slots, double area)
 {
-    Rgb sum(0.0f);
-    for (const std::uint32_t i : photons)
-        sum += projected_power(maps.photons[i], query, surfaces);
-    return per_area(sum, area);
+    glm::dvec3 sum(0.0);
+    for (const std::uint32_t slot : slots)
+        sum += projected_power({from.map, slot}, from.query, from.surfaces);
+    return per_area(from.maps.power_scale, sum, area);
 }
 
 float farthest(const FoundPhotons& found)
@@ -38,17 +46,16 @@ float farthest(const FoundPhotons& found)
 }
 
 /// docs/photon_maps.md (2): the k-th photon gives the radius and is left out of the sum.
-Photons all_but_last(const FoundPhotons& found)
+Slots all_but_last(const FoundPhotons& found)
 {
-    return found.photons.first(found.photons.size() - 1);
+    return found.slots.first(found.slots.size() - 1);
 }
 
-bool sees_all(const PhotonMaps& maps, Photons photons, const VisibleDisc& disc)
+bool sees_all(const FoundPhotons& found, const VisibleDisc& disc)
 {
-    for (const std::uint32_t photon : photons)
-        if (!disc.sees(maps.photons[photon].position))
-            return false;
-    return true;
+    return std::all_of(found.slots.begin(), found.slots.end(), [&](std::uint32_t slot) {
+        return disc.sees(found.map->tree.position(slot));
+    });
 }
 
 /// Searches once more among the visible photons only.
@@ -57,30 +64,33 @@ Rgb estimate_visible(const PhotonMaps& maps, const MapSurfaces& surfaces, Photon
 {
     query.radius = radius;
     look_around(surfaces, query, radius, scratch);
-    const auto seen = [&](std::uint32_t i) { return scratch.disc.sees(maps.photons[i].position); };
+    const auto seen = [&](const PhotonMap& map, std::uint32_t slot) {
+        return scratch.disc.sees(map.tree.position(slot));
+    };
     const FoundPhotons found =
         find_in_shared(maps, surfaces.partition, query, scratch.search.accepted, seen);
-    if (found.photons.size() == maps.options.neighbours)
-        return projected_density(maps, surfaces, query, all_but_last(found),
-                                 scratch.disc.area(farthest(found)));
+    if (found.slots.empty())
+        return Rgb(0);
+    const Gathering from{maps, surfaces, query, *found.map};
+    if (found.slots.size() == maps.options.neighbours)
+        return projected_density(from, all_but_last(found), scratch.disc.area(farthest(found)));
     if (scratch.segments.empty())
-        return density(maps, query, found.photons, disc_area(radius));
-    return projected_density(maps, surfaces, query, found.photons, scratch.disc.area(radius));
+        return density(from, found.slots, disc_area(radius));
+    return projected_density(from, found.slots, scratch.disc.area(radius));
 }
 
 /// docs/photon_maps.md (3): too few photons for (2).
-Rgb estimate_sparse(const PhotonMaps& maps, const MapSurfaces& surfaces, const PhotonQuery& query,
-                    const FoundPhotons& found, EstimateScratch& scratch)
+Rgb estimate_sparse(const Gathering& from, const FoundPhotons& found, EstimateScratch& scratch)
 {
-    if (std::isfinite(query.radius)) {
-        if (maps.options.mode == MapMode::global)
-            return density(maps, query, found.photons, disc_area(query.radius));
-        return estimate_visible(maps, surfaces, query, query.radius, scratch);
+    const bool one_map = from.maps.options.mode == MapMode::global;
+    if (std::isfinite(from.query.radius)) {
+        if (one_map)
+            return density(from, found.slots, disc_area(from.query.radius));
+        return estimate_visible(from.maps, from.surfaces, from.query, from.query.radius, scratch);
     }
-    if (maps.options.mode == MapMode::global)
-        return density(maps, query, all_but_last(found), disc_area(farthest(found)));
-    const MapId map = surfaces.partition.map_of_face[query.face];
-    return density(maps, query, found.photons, maps.map_area[maps.map_index(map, query.side)]);
+    if (one_map)
+        return density(from, all_but_last(found), disc_area(farthest(found)));
+    return density(from, found.slots, from.map.area);
 }
 
 /// docs/photon_maps.md (7).
@@ -90,11 +100,11 @@ Rgb estimate_plainly(const PhotonMaps& maps, const MapSurfaces& surfaces, Photon
     query.radius = std::numeric_limits<float>::infinity();
     const FoundPhotons found =
         find_photons(maps, surfaces.mesh, surfaces.partition, query, scratch.search);
-    Rgb sum(0.0f);
-    for (const std::uint32_t photon : found.photons)
-        if (glm::dot(maps.photons[photon].direction, query.normal) > 0)
-            sum += gathered_power(maps.photons[photon], query);
-    return per_area(sum, disc_area(farthest(found)));
+    glm::dvec3 sum(0.0);
+    for (const std::uint32_t slot : found.slots)
+        if (const MetPhoton photon{*found.map, slot}; faces_query(photon, query))
+            sum += gathered_power(photon, query);
+    return per_area(maps.power_scale, sum, disc_area(farthest(found)));
 }
 
 } // namespace
@@ -118,22 +128,22 @@ Rgb estimate_irradiance(const PhotonMaps& maps, const MapSurfaces& surfaces,
         return estimate_plainly(maps, surfaces, query, scratch);
     const FoundPhotons found =
         find_photons(maps, surfaces.mesh, surfaces.partition, query, scratch.search);
-    if (found.photons.empty())
+    if (found.slots.empty())
         return Rgb(0);
-    if (found.photons.size() < maps.options.neighbours)
-        return estimate_sparse(maps, surfaces, query, found, scratch);
+    const Gathering from{maps, surfaces, query, *found.map};
+    if (found.slots.size() < maps.options.neighbours)
+        return estimate_sparse(from, found, scratch);
 
     const float radius = farthest(found);
     if (maps.options.mode == MapMode::global)
-        return density(maps, query, all_but_last(found), disc_area(radius));
+        return density(from, all_but_last(found), disc_area(radius));
     if (!(radius > 0))
         return Rgb(0);
     look_around(surfaces, query, radius, scratch);
     if (scratch.segments.empty())
-        return density(maps, query, all_but_last(found), disc_area(radius));
-    if (sees_all(maps, found.photons, scratch.disc))
-        return projected_density(maps, surfaces, query, all_but_last(found),
-                                 scratch.disc.area(radius));
+        return density(from, all_but_last(found), disc_area(radius));
+    if (sees_all(found, scratch.disc))
+        return projected_density(from, all_but_last(found), scratch.disc.area(radius));
     return estimate_visible(maps, surfaces, query, std::min(kWiden * radius, query.radius),
                             scratch);
 }

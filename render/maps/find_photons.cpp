@@ -17,9 +17,14 @@ double distance_to_segment(const glm::dvec3& point, const glm::dvec3& a, const g
     return glm::length(point - (a + t * along));
 }
 
+TreeQuery wanted(const PhotonMaps& maps, const PhotonQuery& query)
+{
+    return {query.position, maps.options.neighbours, query.radius * query.radius};
+}
+
 /// Algorithm 4 of the thesis up to where it turns to the shared map; empty: it does turn there.
-FoundPhotons find_in_local(const PhotonMaps& maps, const PhotonQuery& query, float limit,
-                           SearchScratch& scratch)
+FoundSlots find_in_local(const PhotonMaps& maps, const PhotonQuery& query, float limit,
+                         SearchScratch& scratch)
 {
     const std::uint32_t index = maps.local_of_face[maps.index_by_side(query.face, query.side)];
     if (index == kNone)
@@ -30,18 +35,18 @@ FoundPhotons find_in_local(const PhotonMaps& maps, const PhotonQuery& query, flo
         return {};
     }
     ++scratch.statistics.local.begun;
+    TreeQuery in_local = wanted(maps, query);
     // A photon at the limiting radius itself is already too far.
-    const float below = std::nextafter(limit * limit, 0.0f);
-    const TreeQuery wanted{query.position, maps.options.neighbours,
-                           std::min(below, query.radius * query.radius)};
-    const FoundSlots found = find_nearest(local.tree, wanted, scratch.local);
-    if (found.slots.size() < wanted.photons && limit <= query.radius) {
+    in_local.radius2 = std::min(in_local.radius2, std::nextafter(limit * limit, 0.0f));
+    in_local.order = local.shared_slots.data();
+    const FoundSlots found = find_nearest(local.tree, in_local, scratch.local);
+    if (found.slots.size() < in_local.photons && limit <= query.radius) {
         ++scratch.statistics.local.abandoned;
         return {};
     }
-    for (std::uint32_t& photon : found.slots)
-        photon = local.photons[photon];
-    return {found.slots, found.farthest2};
+    for (std::uint32_t& slot : found.slots)
+        slot = local.shared_slots[slot];
+    return found;
 }
 
 /// The radius that the k-th photon is likely to have: by the last search in the shared map or by
@@ -76,15 +81,10 @@ FoundSlots find_in_tier(const WideTree& shared, const TierMap& map, TreeQuery qu
     return {};
 }
 
-FoundPhotons find_in_tiers(const PhotonMaps& maps, const TriangleMesh& mesh,
-                           const Partition& partition, const PhotonQuery& query,
-                           SearchScratch& scratch)
+FoundSlots find_in_tiers(const PhotonMaps& maps, const WideTree& shared, const TriangleMesh& mesh,
+                         const Partition& partition, const PhotonQuery& query,
+                         SearchScratch& scratch)
 {
-    const MapId id = partition.map_of_face[query.face];
-    if (id == kNone)
-        return {};
-    const std::size_t map = maps.map_index(id, query.side);
-    const TreeQuery wanted{query.position, maps.options.neighbours, query.radius * query.radius};
     const auto search = [&](const TierMaps& tier, auto limiting_radius, TierSearches& searches) {
         if (tier.of_face.empty())
             return FoundSlots();
@@ -92,16 +92,14 @@ FoundPhotons find_in_tiers(const PhotonMaps& maps, const TriangleMesh& mesh,
         if (index == kNone)
             return FoundSlots();
         const float limit = limiting_radius(mesh, partition, query.face, query.position);
-        return find_in_tier(maps.trees[map], tier.maps[index], wanted, limit, searches,
+        return find_in_tier(shared, tier.maps[index], wanted(maps, query), limit, searches,
                             scratch.shared);
     };
     SearchStatistics& statistics = scratch.statistics;
     FoundSlots found = search(maps.local_tier, exact_limiting_radius, statistics.local);
     if (found.slots.empty())
         found = search(maps.group_tier, exact_group_radius, statistics.group);
-    for (std::uint32_t& photon : found.slots)
-        photon += static_cast<std::uint32_t>(maps.first_photon[map]);
-    return {found.slots, found.farthest2};
+    return found;
 }
 
 } // namespace
@@ -138,33 +136,44 @@ float limiting_radius(const TriangleMesh& mesh, const Partition& partition, Face
     return static_cast<float>(nearest);
 }
 
+const PhotonMap* map_of_query(const PhotonMaps& maps, const Partition& partition,
+                              const PhotonQuery& query)
+{
+    const MapId id = maps.options.mode == MapMode::global ? 0 : partition.map_of_face[query.face];
+    return id == kNone ? nullptr : maps.map_at(id, query.side);
+}
+
 float even_radius(const PhotonMaps& maps, const Partition& partition, const PhotonQuery& query)
 {
-    const MapId id = partition.map_of_face[query.face];
-    if (id == kNone)
+    const PhotonMap* map =
+        partition.map_of_face[query.face] == kNone ? nullptr : map_of_query(maps, partition, query);
+    if (map == nullptr)
         return std::numeric_limits<float>::infinity();
-    const std::size_t map = maps.map_index(id, query.side);
-    return filter_radius(maps.map_area[map], maps.options.neighbours, maps.trees[map].size);
+    return filter_radius(map->area, maps.options.neighbours, map->tree.size);
 }
 
 FoundPhotons find_photons(const PhotonMaps& maps, const TriangleMesh& mesh,
                           const Partition& partition, const PhotonQuery& query,
                           SearchScratch& scratch)
 {
-    if (maps.photons.empty())
+    if (maps.size == 0)
         return {};
     ++scratch.statistics.queries;
-    FoundPhotons found;
+    const PhotonMap* map = map_of_query(maps, partition, query);
+    if (map == nullptr)
+        return {};
+    FoundSlots found;
     if (maps.options.mode == MapMode::thesis) {
         const float limit = limiting_radius(mesh, partition, query.face, query.position);
         found = find_in_local(maps, query, limit, scratch);
     }
     if (!maps.local_tier.maps.empty() || !maps.group_tier.maps.empty())
-        found = find_in_tiers(maps, mesh, partition, query, scratch);
-    if (found.photons.empty())
-        found = find_in_shared(maps, partition, query, scratch.shared);
-    scratch.statistics.photons_found += found.photons.size();
-    return found;
+        found = find_in_tiers(maps, map->tree, mesh, partition, query, scratch);
+    FoundPhotons out{map, found.slots, found.farthest2};
+    if (out.slots.empty())
+        out = find_in_shared(maps, partition, query, scratch.shared);
+    scratch.statistics.photons_found += out.slots.size();
+    return out;
 }
 
 } // namespace hipmap

@@ -52,8 +52,9 @@ struct SearchScratch {
 
 /// The photons that a search found; valid until its scratch is used again.
 struct FoundPhotons {
-    std::span<const std::uint32_t> photons; ///< in the order of the tree, but the farthest is last
-    float farthest2 = 0.0f;                 ///< square distance of the last, square scene units
+    const PhotonMap* map = nullptr;       ///< that they lie in
+    std::span<const std::uint32_t> slots; ///< in the order of the tree, but the farthest is last
+    float farthest2 = 0.0f;               ///< square distance of the last, square scene units
 };
 
 /// Distance from a point of `face` to the nearest edge across which its shared map goes on;
@@ -61,12 +62,16 @@ struct FoundPhotons {
 float limiting_radius(const TriangleMesh& mesh, const Partition& partition, FaceId face,
                       const glm::vec3& point);
 
+/// The map of the first tier that a query reads; null if it holds no photon.
+const PhotonMap* map_of_query(const PhotonMaps& maps, const Partition& partition,
+                              const PhotonQuery& query);
+
 /// The radius within which k photons would lie were those of the query's map spread evenly over it,
 /// docs/photon_maps.md (5); infinite for an empty map or a face without one.
 float even_radius(const PhotonMaps& maps, const Partition& partition, const PhotonQuery& query);
 
 /// The k nearest photons of the query's map, fewer if there are no more within the radius; of
-/// equally near ones those with the lower (path, bounce).  A face without a map has none.
+/// equally near ones those with the lower slot.  A face without a map has none.
 /// Mode thesis looks in the face's local map first; what it returns is what the shared map would,
 /// in another order.  Mode hierarchical looks in the tiers it uses first; what it returns is what
 /// mode shared does, in the same order, whatever the surface.
@@ -74,36 +79,31 @@ FoundPhotons find_photons(const PhotonMaps& maps, const TriangleMesh& mesh,
                           const Partition& partition, const PhotonQuery& query,
                           SearchScratch& scratch);
 
-/// The `most` nearest from the first tier alone, of the photons that `accept(photon index)` lets
+/// The `most` nearest from the first tier alone, of the photons that `accept(map, slot)` lets
 /// through.
 template <typename Accept = AcceptAll>
 FoundPhotons find_most_in_shared(const PhotonMaps& maps, const Partition& partition,
                                  const PhotonQuery& query, std::size_t most, TreeScratch& scratch,
                                  const Accept& accept = {})
 {
-    const bool one_map = maps.options.mode == MapMode::global;
-    const MapId id = one_map ? 0 : partition.map_of_face[query.face];
-    if (id == kNone)
+    const PhotonMap* map = map_of_query(maps, partition, query);
+    if (map == nullptr)
         return {};
-    const std::size_t map = maps.map_index(id, query.side);
-    const auto first = static_cast<std::uint32_t>(maps.first_photon[map]);
     const TreeQuery wanted{query.position, most, query.radius * query.radius};
     FoundSlots found;
-    if (one_map && maps.options.estimate == EstimateForm::clipped) {
+    if (maps.options.mode == MapMode::global && maps.options.estimate == EstimateForm::clipped) {
         // Photons of all surfaces are in one map: only light that fell on the side looked at
         // counts.
-        found = find_nearest(maps.trees[map], wanted, scratch, [&](std::uint32_t i) {
-            return glm::dot(maps.photons[i].direction, query.normal) > 0 && accept(i);
+        found = find_nearest(map->tree, wanted, scratch, [&](std::uint32_t slot) {
+            return glm::dot(map->direction(slot), query.normal) > 0 && accept(*map, slot);
         });
     } else if constexpr (std::is_same_v<Accept, AcceptAll>) {
-        found = find_nearest(maps.trees[map], wanted, scratch);
+        found = find_nearest(map->tree, wanted, scratch);
     } else {
-        found = find_nearest(maps.trees[map], wanted, scratch,
-                             [&](std::uint32_t slot) { return accept(first + slot); });
+        found = find_nearest(map->tree, wanted, scratch,
+                             [&](std::uint32_t slot) { return accept(*map, slot); });
     }
-    for (std::uint32_t& photon : found.slots)
-        photon += first;
-    return {found.slots, found.farthest2};
+    return {map, found.slots, found.farthest2};
 }
 
 /// The k nearest of those.

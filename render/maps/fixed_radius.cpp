@@ -14,14 +14,14 @@ RadiusEstimates estimate_within(const PhotonMaps& maps, const MapSurfaces& surfa
 {
     assert(radii[0] >= radii[1] && radii[1] >= radii[2] && radii[2] >= 0);
     RadiusEstimates out{{Rgb(0), Rgb(0), Rgb(0)}, 0};
-    if (maps.photons.empty() || !(radii[0] > 0))
+    if (!(radii[0] > 0))
         return out;
     PhotonQuery within = query;
     within.radius = radii[0];
     constexpr std::size_t kAll = std::numeric_limits<std::uint32_t>::max();
     const FoundPhotons found =
         find_most_in_shared(maps, surfaces.partition, within, kAll, scratch.search.within);
-    if (found.photons.empty())
+    if (found.slots.empty())
         return out;
     const bool facing_only = maps.options.estimate == EstimateForm::thesis; // (7)
     const bool bounded = !facing_only && maps.options.mode != MapMode::global;
@@ -29,23 +29,25 @@ RadiusEstimates estimate_within(const PhotonMaps& maps, const MapSurfaces& surfa
         look_around(surfaces, query, radii[0], scratch);
     const bool tilted = bounded && !scratch.segments.empty(); // (4)
 
-    for (const std::uint32_t i : found.photons) {
-        const Photon& photon = maps.photons[i];
-        if ((bounded && !scratch.disc.sees(photon.position)) ||
-            (facing_only && !(glm::dot(photon.direction, query.normal) > 0)))
+    std::array<glm::dvec3, 3> sums{};
+    for (const std::uint32_t slot : found.slots) {
+        const MetPhoton photon{*found.map, slot};
+        const glm::vec3 position = found.map->tree.position(slot);
+        if ((bounded && !scratch.disc.sees(position)) ||
+            (facing_only && !faces_query(photon, query)))
             continue;
-        const Rgb power =
+        const glm::dvec3 power =
             tilted ? projected_power(photon, query, surfaces) : gathered_power(photon, query);
-        const glm::vec3 d = photon.position - query.position;
+        const glm::vec3 d = position - query.position;
         for (std::size_t r = 0; r < radii.size(); ++r)
             if (glm::dot(d, d) <= radii[r] * radii[r])
-                out.irradiance[r] += power;
+                sums[r] += power;
         ++out.photons;
     }
     for (std::size_t r = 0; r < radii.size(); ++r) {
         const bool cut = bounded && radii[r] > 0;
-        out.irradiance[r] =
-            per_area(out.irradiance[r], cut ? scratch.disc.area(radii[r]) : disc_area(radii[r]));
+        out.irradiance[r] = per_area(maps.power_scale, sums[r],
+                                     cut ? scratch.disc.area(radii[r]) : disc_area(radii[r]));
     }
     return out;
 }

@@ -5,28 +5,36 @@
 
 namespace hipmap {
 
-Rgb gathered_power(const Photon& photon, const PhotonQuery& query)
+glm::dvec3 gathered_power(const MetPhoton& photon, const PhotonQuery& query)
 {
+    const glm::dvec3 power = photon.map.powers.of(photon.slot);
     if (query.bsdf == nullptr)
-        return photon.power;
-    return photon.power *
-           diffuse_shape(*query.bsdf, query.shading_normal, photon.direction, query.toward_eye);
-}
-
-Rgb projected_power(const Photon& photon, const PhotonQuery& query, const MapSurfaces& surfaces)
-{
-    const Rgb power = gathered_power(photon, query);
-    if (photon.face == query.face)
         return power;
-    const float cosine = glm::dot(surfaces.normals[photon.face], surfaces.normals[query.face]);
-    return power * std::max(0.0f, cosine);
+    return power * double{diffuse_shape(*query.bsdf, query.shading_normal,
+                                        photon.map.direction(photon.slot), query.toward_eye)};
 }
 
-Rgb per_area(const Rgb& power, double area)
+glm::dvec3 projected_power(const MetPhoton& photon, const PhotonQuery& query,
+                           const MapSurfaces& surfaces)
+{
+    const glm::dvec3 power = gathered_power(photon, query);
+    const FaceId face = photon.map.faces[photon.slot];
+    if (face == query.face)
+        return power;
+    const float cosine = glm::dot(surfaces.normals[face], surfaces.normals[query.face]);
+    return power * double{std::max(0.0f, cosine)};
+}
+
+bool faces_query(const MetPhoton& photon, const PhotonQuery& query)
+{
+    return glm::dot(photon.map.direction(photon.slot), query.normal) > 0;
+}
+
+Rgb per_area(const PowerScale& scale, const glm::dvec3& sum, double area)
 {
     if (!(area > 0))
         return Rgb(0);
-    const Rgb out = power / static_cast<float>(area);
+    const Rgb out(scale.unit * sum / area);
     return is_finite(out) ? out : Rgb(0);
 }
 

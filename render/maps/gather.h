@@ -4,15 +4,26 @@
 
 namespace hipmap {
 
-/// What a photon adds to the sum of an estimate: its power, weighed by the shape of the query's
-/// diffuse lobe if that is not Lambert's.
-Rgb gathered_power(const Photon& photon, const PhotonQuery& query);
+/// A photon where an estimate meets it.
+struct MetPhoton {
+    const PhotonMap& map;
+    std::uint32_t slot;
+};
+
+/// What a photon adds to the sum of an estimate: its power in units of the maps' scale, weighed by
+/// the shape of the query's diffuse lobe if that is not Lambert's.
+glm::dvec3 gathered_power(const MetPhoton& photon, const PhotonQuery& query);
 
 /// The same by the cosine between the photon's face and the query's, docs/photon_maps.md (4).
-Rgb projected_power(const Photon& photon, const PhotonQuery& query, const MapSurfaces& surfaces);
+glm::dvec3 projected_power(const MetPhoton& photon, const PhotonQuery& query,
+                           const MapSurfaces& surfaces);
 
-/// Zero where the area is not above zero or the quotient not finite.
-Rgb per_area(const Rgb& power, double area);
+/// Whether the photon's light came from in front of the query's surface.
+bool faces_query(const MetPhoton& photon, const PhotonQuery& query);
+
+/// W/m2 from a sum in units of the scale.  Zero where the area is not above zero or the quotient
+/// not finite.
+Rgb per_area(const PowerScale& scale, const glm::dvec3& sum, double area);
 
 /// pi r^2, square scene units.
 double disc_area(float radius);

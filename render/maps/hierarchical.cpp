@@ -15,8 +15,8 @@ namespace hipmap {
 namespace {
 
 /// One photon of so many is a sample, and no more than so many in all.
-constexpr std::size_t kPhotonsPerSample = 64;
-constexpr std::size_t kMostSamples = 1024;
+constexpr std::uint64_t kPhotonsPerSample = 64;
+constexpr std::uint64_t kMostSamples = 1024;
 
 /// What it costs to ask a tier for its map and limiting radius, in nodes of a search;
 /// bench/tiers measures it.
@@ -27,7 +27,7 @@ using TierLimit = float (*)(const TriangleMesh&, const Partition&, FaceId, const
 
 /// Where the photons of a face, or of a group, on one side lie.
 struct Extent {
-    std::size_t map = 0; ///< shared map and side
+    std::size_t map = 0; ///< place of its shared map
     std::uint64_t photons = 0;
     std::uint64_t low = 0, high = 0; ///< slots
     double area = 0;                 ///< square scene units
@@ -45,16 +45,15 @@ struct TierDraft {
 void add_photons(const PhotonMaps& maps, TierDraft& draft)
 {
     // The photons of a face or group are in one map, so that no two threads meet.
-    tbb::parallel_for(std::size_t{0}, maps.trees.size(), [&](std::size_t map) {
-        for (std::uint64_t i = maps.first_photon[map]; i < maps.first_photon[map + 1]; ++i) {
-            const Photon& photon = maps.photons[i];
-            const std::uint32_t key = draft.key_of_face[photon.face];
+    tbb::parallel_for(std::size_t{0}, maps.maps.size(), [&](std::size_t m) {
+        const PhotonMap& map = maps.maps[m];
+        for (std::uint64_t slot = 0; slot < map.tree.size; ++slot) {
+            const std::uint32_t key = draft.key_of_face[map.faces[slot]];
             if (key == kNone)
                 continue;
-            Extent& extent = draft.extents[maps.index_by_side(key, photon.side)];
-            const std::uint64_t slot = i - maps.first_photon[map];
+            Extent& extent = draft.extents[maps.index_by_side(key, map.side)];
             if (extent.photons++ == 0) {
-                extent.map = map;
+                extent.map = m;
                 extent.low = slot;
             }
             extent.high = slot;
@@ -73,7 +72,7 @@ TierDraft draft_tier(const PhotonMaps& maps, const TriangleMesh& mesh, TierDraft
                 draft.extents[maps.index_by_side(key, side)].area += face_area(mesh, face);
     for (Extent& extent : draft.extents)
         if (extent.photons > 0 && extent.photons >= maps.options.local_min)
-            extent.node = lowest_node(maps.trees[extent.map], extent.low, extent.high);
+            extent.node = lowest_node(maps.maps[extent.map].tree, extent.low, extent.high);
         else
             extent.photons = 0;
     return draft;
@@ -83,26 +82,32 @@ TierDraft draft_tier(const PhotonMaps& maps, const TriangleMesh& mesh, TierDraft
 void count_searches(const PhotonMaps& maps, const TriangleMesh& mesh, const Partition& partition,
                     const TierDraft& draft, TierPlan& plan)
 {
-    const std::size_t step = std::max(kPhotonsPerSample, maps.photons.size() / kMostSamples + 1);
+    const std::uint64_t step = std::max(kPhotonsPerSample, maps.size / kMostSamples + 1);
     std::uint64_t samples = 0, asked = 0, answered = 0, spared = 0;
     TreeScratch scratch;
-    for (std::size_t i = 0; i < maps.photons.size(); i += step) {
-        ++samples;
-        const Photon& photon = maps.photons[i];
-        const std::uint32_t key = draft.key_of_face[photon.face];
+    const auto try_photon = [&](const PhotonMap& map, std::uint32_t slot) {
+        const FaceId face = map.faces[slot];
+        const std::uint32_t key = draft.key_of_face[face];
         if (key == kNone)
-            continue;
-        const std::uint32_t level = draft.extents[maps.index_by_side(key, photon.side)].node.level;
+            return;
+        const std::uint32_t level = draft.extents[maps.index_by_side(key, map.side)].node.level;
         if (level == 0)
-            continue;
+            return;
         ++asked;
-        const PhotonQuery query{photon.position, photon.direction, photon.face, photon.side};
+        const glm::vec3 position = map.tree.position(slot);
+        const PhotonQuery query{position, glm::vec3(0.0f), face, map.side};
         const FoundPhotons found = find_in_shared(maps, partition, query, scratch);
-        const float limit = draft.limit(mesh, partition, photon.face, photon.position);
+        const float limit = draft.limit(mesh, partition, face, position);
         if (!(found.farthest2 < limit * limit))
-            continue;
+            return;
         ++answered;
         spared += level;
+    };
+    std::uint64_t first = 0; // slot of the next sample in its map
+    for (const PhotonMap& map : maps.maps) {
+        for (; first < map.tree.size; first += step, ++samples)
+            try_photon(map, static_cast<std::uint32_t>(first));
+        first -= map.tree.size;
     }
     const auto all = static_cast<double>(std::max<std::uint64_t>(1, samples));
     plan.asked = static_cast<double>(asked) / all;
@@ -146,8 +151,8 @@ TierMaps build_tier(const PhotonMaps& maps, const TriangleMesh& mesh, const Part
     for (FaceId face = 0; face < mesh.face_count(); ++face)
         if (draft.key_of_face[face] != kNone)
             for (std::uint8_t side = 0; side < maps.sides(); ++side) {
-                const MapId map = partition.map_of_face[face];
-                plan.most = std::max(plan.most, maps.trees[maps.map_index(map, side)].levels - 1.0);
+                const PhotonMap* map = maps.map_at(partition.map_of_face[face], side);
+                plan.most = std::max(plan.most, map == nullptr ? 0.0 : map->tree.levels - 1.0);
             }
     const bool all = maps.options.tiers == TierChoice::all;
     plan.counted = all || plan.most > plan.asking;

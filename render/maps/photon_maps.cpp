@@ -57,31 +57,60 @@ std::vector<float> areas_of_maps(const PhotonMaps& maps, const TriangleMesh& mes
     return {area.begin(), area.end()};
 }
 
-/// Returns the photons' numbers in the order of the trees.
-Groups build_trees(PhotonMaps& maps, const std::vector<Photon>& photons, const Partition& partition)
+PhotonMap build_map(const PhotonMaps& maps, const std::vector<Photon>& photons,
+                    std::span<TreePoint> points)
 {
-    const std::size_t map_count = maps.map_area.size();
-    Groups groups = group_by_key(photons, map_count, [&](const Photon& photon) {
+    PhotonMap map;
+    map.tree = build_wide_tree(points);
+    map.powers = build_powers(map.tree, points, photons, maps.power_scale);
+    map.faces.resize(points.size());
+    map.directions.resize(maps.options.keep_directions() ? points.size() : 0);
+    tbb::parallel_for(std::size_t{0}, points.size(), [&](std::size_t slot) {
+        const Photon& photon = photons[points[slot].photon];
+        map.faces[slot] = photon.face;
+        if (!map.directions.empty())
+            map.directions[slot] = pack_direction(photon.direction);
+    });
+    map.side = photons[points[0].photon].side;
+    return map;
+}
+
+/// Returns the photons' numbers in the order of the trees.
+Groups build_shared_maps(PhotonMaps& maps, const std::vector<Photon>& photons,
+                         const TriangleMesh& mesh, const Partition& partition)
+{
+    const bool one_map = maps.options.mode == MapMode::global;
+    const std::size_t keys = one_map ? 1 : std::size_t{maps.sides()} * partition.map_count;
+    Groups groups = group_by_key(photons, keys, [&](const Photon& photon) {
         return maps.map_index(partition.map_of_face[photon.face], photon.side);
     });
-    maps.trees.resize(map_count);
-    tbb::parallel_for(std::size_t{0}, map_count,
-                      [&](std::size_t m) { maps.trees[m] = build_wide_tree(groups.of(m)); });
-    maps.first_photon = groups.first;
-    maps.photons.resize(photons.size());
-    tbb::parallel_for(std::size_t{0}, photons.size(),
-                      [&](std::size_t i) { maps.photons[i] = photons[groups.points[i].photon]; });
+    maps.map_of.assign(keys, kNone);
+    std::vector<std::size_t> key_of_map;
+    for (std::size_t key = 0; key < keys; ++key) {
+        if (groups.of(key).empty())
+            continue;
+        maps.map_of[key] = static_cast<std::uint32_t>(key_of_map.size());
+        key_of_map.push_back(key);
+    }
+    maps.maps.resize(key_of_map.size());
+    tbb::parallel_for(std::size_t{0}, maps.maps.size(), [&](std::size_t m) {
+        maps.maps[m] = build_map(maps, photons, groups.of(key_of_map[m]));
+    });
+    const std::vector<float> areas = areas_of_maps(maps, mesh, partition, keys);
+    for (std::size_t m = 0; m < maps.maps.size(); ++m)
+        maps.maps[m].area = areas[key_of_map[m]];
     return groups;
 }
 
 /// Algorithm 3 of the thesis: every face keeps references to its photons; then faces with fewer
 /// than local_min lose their map, the others get their filter radius.
-void build_local_maps(PhotonMaps& maps, const std::vector<Photon>& photons,
-                      const std::vector<TreePoint>& ordered, const TriangleMesh& mesh)
+void build_local_maps(PhotonMaps& maps, const std::vector<Photon>& photons, const Groups& shared,
+                      const TriangleMesh& mesh)
 {
-    std::vector<std::uint32_t> place(photons.size());
-    for (std::size_t i = 0; i < ordered.size(); ++i)
-        place[ordered[i].photon] = static_cast<std::uint32_t>(i);
+    std::vector<std::uint32_t> slot_of(photons.size());
+    for (std::size_t key = 0; key + 1 < shared.first.size(); ++key)
+        for (std::size_t i = shared.first[key]; i < shared.first[key + 1]; ++i)
+            slot_of[shared.points[i].photon] = static_cast<std::uint32_t>(i - shared.first[key]);
     const std::size_t keys = maps.sides() * mesh.face_count();
     Groups groups = group_by_key(photons, keys, [&](const Photon& photon) {
         return maps.index_by_side(photon.face, photon.side);
@@ -101,7 +130,7 @@ void build_local_maps(PhotonMaps& maps, const std::vector<Photon>& photons,
         LocalMap& local = maps.locals[i];
         local.tree = build_wide_tree(points);
         for (const TreePoint& point : points)
-            local.photons.push_back(place[point.photon]);
+            local.shared_slots.push_back(slot_of[point.photon]);
         local.filter_radius =
             filter_radius(face_area(mesh, static_cast<FaceId>(key_of_local[i] / maps.sides())),
                           maps.options.neighbours, points.size());
@@ -118,12 +147,12 @@ float filter_radius(double area, std::uint32_t neighbours, std::uint64_t photons
         std::sqrt(area * neighbours / (std::numbers::pi * static_cast<double>(photons))));
 }
 
-std::size_t PhotonMaps::filled_maps() const
+std::size_t PhotonMaps::bytes() const
 {
-    std::size_t filled = 0;
-    for (std::size_t m = 0; m + 1 < first_photon.size(); ++m)
-        filled += first_photon[m + 1] > first_photon[m] ? 1 : 0;
-    return filled;
+    std::size_t sum = map_of.size() * sizeof(std::uint32_t);
+    for (const PhotonMap& map : maps)
+        sum += sizeof(PhotonMap) + map.bytes();
+    return sum;
 }
 
 PhotonMaps build_photon_maps(const std::vector<Photon>& photons, const TriangleMesh& mesh,
@@ -134,12 +163,13 @@ PhotonMaps build_photon_maps(const std::vector<Photon>& photons, const TriangleM
                          " photons of one kind, more than 4294967295; ask for fewer --photons");
     PhotonMaps maps;
     maps.options = options;
-    const bool one_map = options.mode == MapMode::global;
-    maps.map_area = areas_of_maps(maps, mesh, partition,
-                                  one_map ? 1 : std::size_t{maps.sides()} * partition.map_count);
-    const Groups groups = build_trees(maps, photons, partition);
+    maps.size = photons.size();
+    if (photons.empty())
+        return maps;
+    maps.power_scale = power_scale(photons);
+    const Groups groups = build_shared_maps(maps, photons, mesh, partition);
     if (options.mode == MapMode::thesis)
-        build_local_maps(maps, photons, groups.points, mesh);
+        build_local_maps(maps, photons, groups, mesh);
     if (options.mode == MapMode::hierarchical)
         build_tiers(maps, mesh, partition);
     return maps;

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "common/partition/partition.h"
-#include "render/maps/wide_tree.h"
-#include "render/photons/photon.h"
+#include "render/maps/packed_direction.h"
+#include "render/maps/photon_powers.h"
 
 #include <cstdint>
 #include <optional>
@@ -37,13 +37,39 @@ struct MapOptions {
     std::uint32_t local_min = 500; ///< M: fewest photons of a local map
     EstimateForm estimate = EstimateForm::clipped;
     TierChoice tiers = TierChoice::paying;
+    bool directions = false; ///< a diffuse lobe that is not Lambert's will gather
+
+    /// Whether a gatherer asks for the directions of photons.
+    bool keep_directions() const
+    {
+        return directions || mode == MapMode::global || estimate == EstimateForm::thesis;
+    }
 };
 
-/// The photons of a face and side that has many of them, by reference into the photons of the set.
+/// The photons of a shared map and side (mode global: all), packed.
+struct PhotonMap {
+    WideTree tree;
+    PhotonPowers powers;
+    std::vector<FaceId> faces;               ///< [n] by slot
+    std::vector<PackedDirection> directions; ///< [n] by slot; empty if nobody asks for them
+    float area = 0.0f;                       ///< of the map's faces, square scene units
+    std::uint8_t side = 0;
+
+    /// Unit, towards where the photon came from.  Only if directions are kept.
+    glm::vec3 direction(std::uint32_t slot) const { return unpack_direction(directions[slot]); }
+    /// Bytes of the arrays.
+    std::size_t bytes() const
+    {
+        return tree.bytes() + powers.bytes() + faces.size() * sizeof(FaceId) +
+               directions.size() * sizeof(PackedDirection);
+    }
+};
+
+/// The photons of a face and side that has many of them, by reference into their shared map.
 struct LocalMap {
     WideTree tree;
-    std::vector<std::uint32_t> photons; ///< [n] by slot
-    float filter_radius = 0.0f;         ///< docs/photon_maps.md (5), scene units
+    std::vector<std::uint32_t> shared_slots; ///< [n] by slot
+    float filter_radius = 0.0f;              ///< docs/photon_maps.md (5), scene units
 };
 
 /// The part of a shared map's tree that holds all photons of a face, or of a group of faces.
@@ -77,11 +103,10 @@ struct TierMaps {
 /// may search.
 struct PhotonMaps {
     MapOptions options;
-    std::vector<Photon> photons; ///< [n] map by map, by slot of its tree
-    std::vector<std::uint64_t>
-        first_photon;            ///< [maps + 1]: map m owns photons [first[m], first[m+1])
-    std::vector<WideTree> trees; ///< [maps]; numbers are places in the order of (path, bounce)
-    std::vector<float> map_area; ///< [maps] of the faces, square scene units
+    std::uint64_t size = 0; ///< photons
+    PowerScale power_scale;
+    std::vector<PhotonMap> maps;       ///< of the first tier, those that hold a photon
+    std::vector<std::uint32_t> map_of; ///< by map_index: the place in `maps`; kNone: no photon
     std::vector<std::uint32_t>
         local_of_face; ///< [sides() F] by index_by_side; kNone; empty without locals
     std::vector<LocalMap> locals;
@@ -99,16 +124,23 @@ struct PhotonMaps {
     {
         return std::size_t{sides()} * face_or_map + side % sides();
     }
-    /// Maps of the first tier that hold a photon.
-    std::size_t filled_maps() const;
+    /// Null if there is no photon.
+    const PhotonMap* map_at(MapId map, std::uint8_t side) const
+    {
+        const std::uint32_t place = map_of.empty() ? kNone : map_of[map_index(map, side)];
+        return place == kNone ? nullptr : &maps[place];
+    }
+    /// Bytes of the arrays of the first tier.
+    std::size_t bytes() const;
 };
 
 /// sqrt(A k / (pi N)), docs/photon_maps.md (5); infinite without photons.
 float filter_radius(double area, std::uint32_t neighbours, std::uint64_t photons);
 
 /// Splits `photons`, in the order of (path, bounce), into maps and builds their trees, in parallel.
-/// O(n log n).  Same photons, same maps, at any thread count.  No photons: empty maps, which find
-/// nothing.  Throws InputError for 2^32 photons or more.
+/// O(n log n).  Same photons, same maps, at any thread count.  About 23.7 bytes a photon are kept,
+/// 27.7 with directions.  No photons: no maps, nothing is found.  Throws InputError for 2^32
+/// photons or more.
 PhotonMaps build_photon_maps(const std::vector<Photon>& photons, const TriangleMesh& mesh,
                              const Partition& partition, const MapOptions& options);
 

@@ -20,11 +20,6 @@ float kth_of_collected(std::size_t k, const Bounds2& bounds, std::size_t inside,
                       : greatest_distance2(bounds.high2, scratch);
 }
 
-std::uint32_t photon_of(const WideTree& tree, std::uint32_t slot)
-{
-    return tree.blocks[slot / kTreeWidth].photon[slot % kTreeWidth];
-}
-
 } // namespace
 
 float limit2(const WideTree& tree, const TreeQuery& query)
@@ -64,9 +59,9 @@ FoundSlots select(const WideTree& tree, const TreeQuery& query, const Bounds2& b
         found.farthest2 = kth_of_collected(query.photons, bounds, inside, scratch);
         const Emitted emitted = emit_nearest(found.farthest2, scratch);
         const auto ties = std::span(scratch.ties).first(emitted.as_far);
-        if (ties.size() > 1)
+        if (query.order != nullptr)
             std::sort(ties.begin(), ties.end(), [&](std::uint32_t a, std::uint32_t b) {
-                return photon_of(tree, a) < photon_of(tree, b);
+                return query.order[a] < query.order[b];
             });
         const std::size_t count = std::min(emitted.nearer + ties.size(), query.photons);
         for (std::size_t i = emitted.nearer; i < count; ++i)

@@ -14,7 +14,9 @@ struct TreeQuery {
     glm::vec3 point;                                        ///< scene units, finite
     std::size_t photons;                                    ///< k, the most wanted, >= 1
     float radius2 = std::numeric_limits<float>::infinity(); ///< nothing farther counts
-    TreeNode from = {}; ///< begins there: photons outside it may be missed
+    TreeNode from = {};                   ///< begins there: photons outside it may be missed
+    const std::uint32_t* order = nullptr; ///< [n] by slot: of equally near photons those that come
+                                          ///< first in it count as nearer; none: by slot
 };
 
 /// Memory that one thread lends to its searches: it grows, and is then reused.  It remembers the
@@ -52,7 +54,7 @@ struct FoundSlots {
 
 /// Lets every photon through.
 struct AcceptAll {
-    bool operator()(std::uint32_t) const { return true; }
+    bool operator()(auto...) const { return true; }
 };
 
 /// The steps of find_nearest.
@@ -108,7 +110,7 @@ FoundSlots select(const WideTree& tree, const TreeQuery& query, const Bounds2& b
 } // namespace tree_search
 
 /// The k nearest photons that `accept(slot)` lets through, fewer if there are no more within the
-/// radius; of equally near ones those with the lower number.  Exact, whatever the scratch
+/// radius; of equally near ones those first in the order.  Exact, whatever the scratch
 /// remembers, and in the same order on every processor.  Thread-safe with a scratch for each
 /// thread. Cost: O(k + log n) typically; nothing is allocated once the scratch has grown.
 template <typename Accept = AcceptAll>

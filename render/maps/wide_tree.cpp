@@ -170,7 +170,6 @@ Box fill_block(std::span<const TreePoint> points, PhotonBlock& block)
         for (int axis = 0; axis < 3; ++axis)
             block.position[axis][lane] =
                 there ? points[lane].position[axis] : std::numeric_limits<float>::infinity();
-        block.photon[lane] = there ? points[lane].photon : 0;
     }
     return box;
 }

@@ -36,13 +36,12 @@ PhotonQuery query_at(const TriangleMesh& mesh, std::uint64_t i)
 }
 
 /// Nearest first; the farthest must have come last.
-std::vector<Neighbour> sorted(const FoundPhotons& found, const PhotonMaps& maps,
-                              const PhotonQuery& query)
+std::vector<Neighbour> sorted(const FoundPhotons& found, const PhotonQuery& query)
 {
     std::vector<Neighbour> out;
-    for (const std::uint32_t i : found.photons) {
-        const glm::vec3 d = maps.photons[i].position - query.position;
-        out.push_back({glm::dot(d, d), i});
+    for (const std::uint32_t slot : found.slots) {
+        const glm::vec3 d = found.map->tree.position(slot) - query.position;
+        out.push_back({glm::dot(d, d), slot});
     }
     if (!out.empty()) {
         const std::uint32_t last = out.back().photon;
@@ -53,19 +52,19 @@ std::vector<Neighbour> sorted(const FoundPhotons& found, const PhotonMaps& maps,
     return out;
 }
 
-/// What a query of the mode should find, by its definition.
+/// What a query of the mode should find, by its definition: slots of its map.
 std::vector<Neighbour> find_by_hand(const PhotonMaps& maps, const Partition& partition,
                                     const PhotonQuery& query)
 {
+    const PhotonMap& map = *map_of_query(maps, partition, query);
     std::vector<glm::vec3> positions;
-    for (const Photon& photon : maps.photons)
-        positions.push_back(photon.position);
-    const auto passes = [&](std::uint32_t i) {
-        const Photon& photon = maps.photons[i];
+    for (std::uint32_t slot = 0; slot < map.tree.size; ++slot)
+        positions.push_back(map.tree.position(slot));
+    const auto passes = [&](std::uint32_t slot) {
         if (maps.options.mode == MapMode::global)
-            return glm::dot(photon.direction, query.normal) > 0;
-        return photon.side == query.side &&
-               partition.map_of_face[photon.face] == partition.map_of_face[query.face];
+            return glm::dot(map.direction(slot), query.normal) > 0;
+        return map.side == query.side &&
+               partition.map_of_face[map.faces[slot]] == partition.map_of_face[query.face];
     };
     return brute_force::k_nearest(positions, query.position, maps.options.neighbours, query.radius,
                                   passes);
@@ -85,7 +84,7 @@ TEST_CASE("find photons: every mode finds what its definition says", "[maps]")
             for (std::uint64_t i = 0; i < 200; ++i) {
                 const PhotonQuery query = query_at(mesh, i);
                 const auto found = find_photons(maps, mesh, ready->partition, query, scratch);
-                CHECK(brute_force::same(sorted(found, maps, query),
+                CHECK(brute_force::same(sorted(found, query),
                                         find_by_hand(maps, ready->partition, query)));
             }
             CHECK(scratch.statistics.queries == 200);
@@ -148,7 +147,7 @@ TEST_CASE("photon maps: no photons, nothing found", "[maps]")
         SearchScratch scratch;
         CHECK(find_photons(maps, ready->scene.mesh, ready->partition,
                            query_at(ready->scene.mesh, 0), scratch)
-                  .photons.empty());
-        CHECK(maps.filled_maps() == 0);
+                  .slots.empty());
+        CHECK(maps.maps.empty());
     }
 }

@@ -63,13 +63,14 @@ std::vector<Photon> scatter_photons(const TriangleMesh& mesh, const Partition& p
 struct Case {
     TriangleMesh mesh;
     Partition partition;
+    std::vector<Photon> photons;
     PhotonMaps shared, tiers;
 
     Case(std::uint64_t seed, RandomSequence& random) : mesh(random_surface(seed))
     {
         const double angle = random.next() < 0.3f ? 0.5 : 3.1;
         partition = build_partition(tiny::make_scene(mesh), {.angle_threshold = angle}).partition;
-        const std::vector<Photon> photons = scatter_photons(mesh, partition, random);
+        photons = scatter_photons(mesh, partition, random);
         MapOptions options;
         options.neighbours = 1 + static_cast<std::uint32_t>(12 * random.next());
         options.local_min = static_cast<std::uint32_t>(40 * random.next());
@@ -84,24 +85,24 @@ struct Case {
 
 bool same(const FoundPhotons& a, const FoundPhotons& b)
 {
-    return std::equal(a.photons.begin(), a.photons.end(), b.photons.begin(), b.photons.end()) &&
+    return std::equal(a.slots.begin(), a.slots.end(), b.slots.begin(), b.slots.end()) &&
            a.farthest2 == b.farthest2;
 }
 
 bool same_as_brute_force(const Case& c, const PhotonQuery& query, const FoundPhotons& found)
 {
     std::vector<glm::vec3> positions;
-    for (const Photon& photon : c.shared.photons)
+    for (const Photon& photon : c.photons)
         positions.push_back(photon.position);
     const auto all = brute_force::k_nearest(
         positions, query.position, c.shared.options.neighbours, query.radius, [&](std::uint32_t i) {
-            const Photon& photon = c.shared.photons[i];
+            const Photon& photon = c.photons[i];
             return (c.shared.sides() == 1 || photon.side == query.side) &&
                    c.partition.map_of_face[photon.face] == c.partition.map_of_face[query.face];
         });
     std::vector<float> distances;
-    for (const std::uint32_t i : found.photons) {
-        const glm::vec3 d = positions[i] - query.position;
+    for (const std::uint32_t slot : found.slots) {
+        const glm::vec3 d = found.map->tree.position(slot) - query.position;
         distances.push_back(glm::dot(d, d));
     }
     std::sort(distances.begin(), distances.end());

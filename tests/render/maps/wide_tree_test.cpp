@@ -51,11 +51,20 @@ struct OwnedTree {
     std::vector<TreePoint> points; ///< by slot
     WideTree tree;
 
+    std::vector<std::uint32_t> photons; ///< their numbers by slot
+
     explicit OwnedTree(const Points& positions)
     {
         for (std::size_t i = 0; i < positions.size(); ++i)
             points.push_back({positions[i], static_cast<std::uint32_t>(i)});
         tree = build_wide_tree(points);
+        for (const TreePoint& point : points)
+            photons.push_back(point.photon);
+    }
+    /// Of equally near photons those with the lower number.
+    TreeQuery query(const glm::vec3& at, std::size_t k, float radius = kFar) const
+    {
+        return {at, k, radius * radius, {}, photons.data()};
     }
     std::uint32_t photon(std::uint32_t slot) const { return points[slot].photon; }
 };
@@ -102,7 +111,7 @@ int compare(const Points& points, const Points& queries)
     for (const glm::vec3& query : queries)
         for (const std::size_t k : {1, 2, 15, 50, 600, 30000})
             for (const float radius : {0.0f, 0.1f, kFar}) {
-                const TreeQuery wanted{query, k, radius * radius};
+                const TreeQuery wanted = owner.query(query, k, radius);
                 CHECK(brute_force::same(
                     sorted(owner, query, find_nearest(owner.tree, wanted, scratch)),
                     brute_force::k_nearest(points, query, k, radius, pass)));
@@ -169,7 +178,7 @@ TEST_CASE("wide tree: a search does not take a tree for the one that was in its 
         point *= 0.75f;
     owner = OwnedTree(points);
     for (std::size_t i = 0; i < queries.size(); ++i) {
-        const FoundSlots found = find_nearest(owner.tree, {queries[i], 20}, used[i]);
+        const FoundSlots found = find_nearest(owner.tree, owner.query(queries[i], 20), used[i]);
         CHECK(brute_force::same(sorted(owner, queries[i], found),
                                 brute_force::k_nearest(points, queries[i], 20, kFar, AcceptAll())));
     }
@@ -184,7 +193,7 @@ TEST_CASE("wide tree: a search that is not a number ends", "[maps]")
     CHECK(find_nearest(owner.tree, {glm::vec3(0.5f), 50}, scratch).slots.size() == 50);
 }
 
-TEST_CASE("wide tree: the same at any thread count, every photon once, 18 bytes each", "[maps]")
+TEST_CASE("wide tree: the same at any thread count, every photon once, 14 bytes each", "[maps]")
 {
     constexpr std::size_t kCount = 100003;
     const Points points = make_points(kPlaces[3].second, 5, kCount);
@@ -202,15 +211,24 @@ TEST_CASE("wide tree: the same at any thread count, every photon once, 18 bytes 
         CHECK(std::memcmp(tree.nodes.data(), first.nodes.data(),
                           tree.nodes.size() * sizeof(BoxNode)) == 0);
     }
-    CHECK(first.bytes() < 18 * kCount);
+    CHECK(first.bytes() < 14 * kCount);
     std::vector<bool> seen(kCount, false);
     for (std::uint32_t slot = 0; slot < kCount; ++slot) {
-        const PhotonBlock& block = first.blocks[slot / kTreeWidth];
-        const std::uint32_t lane = slot % kTreeWidth, photon = block.photon[lane];
-        CHECK(photon == trees[0].photon(slot));
+        const std::uint32_t photon = trees[0].photon(slot);
         CHECK_FALSE(seen[photon]);
         seen[photon] = true;
-        CHECK(points[photon] ==
-              glm::vec3(block.position[0][lane], block.position[1][lane], block.position[2][lane]));
+        CHECK(points[photon] == first.position(slot));
+    }
+}
+
+TEST_CASE("wide tree: of equally near photons those with the lower slots", "[maps]")
+{
+    const OwnedTree owner(make_points(kPlaces[4].second, 1, 1000)); // all in one place
+    TreeScratch scratch;
+    for (const std::size_t k : {1, 17, 999}) {
+        const FoundSlots found = find_nearest(owner.tree, {glm::vec3(0), k}, scratch);
+        REQUIRE(found.slots.size() == k);
+        for (std::uint32_t i = 0; i < k; ++i)
+            CHECK(found.slots[i] == i);
     }
 }
