@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bench/textbook_tree.h"
+#include "render/maps/neighbour_heap.h"
 
 #include <glm/glm.hpp>
 

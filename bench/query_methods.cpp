@@ -1,6 +1,6 @@
 #include "bench/query_methods.h"
 
-#include "bench/textbook_tree.h"
+#include "render/maps/kd_tree.h"
 #include "render/maps/wide_search.h"
 
 #include <nanoflann.hpp>
@@ -153,43 +153,56 @@ class SeededNanoflann : public QueryMethod {
     float last_radius_ = 0;
 };
 
-/// The left-balanced tree with a heap.
+/// A tree of the dissertation's time with a heap.
 class Textbook : public QueryMethod {
   public:
-    Textbook(const Photons& photons, const Powers& powers, bool by_map)
-        : powers_(powers), by_map_(by_map), points_(points_by_map(photons, by_map))
+    Textbook(const Photons& photons, const Powers& powers, TreeKind kind, bool by_map)
+        : powers_(powers), kind_(kind), by_map_(by_map)
     {
-        for (std::vector<TreePoint>& points : points_) {
-            axes_.emplace_back(points.size());
-            order_tree(points, axes_.back());
-        }
+        for (std::vector<TreePoint>& points : points_by_map(photons, by_map))
+            if (kind == TreeKind::balanced)
+                balanced_.push_back(build_balanced_tree(std::move(points)));
+            else
+                unbalanced_.push_back(build_insertion_tree(points));
     }
-    const char* name() const override { return by_map_ ? "textbook, by map" : "textbook"; }
+    const char* name() const override
+    {
+        if (kind_ == TreeKind::unbalanced)
+            return by_map_ ? "unbalanced, by map" : "unbalanced";
+        return by_map_ ? "textbook, by map" : "textbook";
+    }
     void prepare(std::size_t k) override { storage_.resize(k); }
     void search(const RoomPoint& query) override
     {
         const std::size_t map = by_map_ ? query.map : 0;
         NeighbourHeap heap(storage_, std::numeric_limits<float>::infinity());
-        search_tree({points_[map], axes_[map]}, query.position, AcceptAll(), heap);
-        found_ = heap.sorted();
+        if (kind_ == TreeKind::balanced)
+            search_tree(balanced_[map], query.position, AcceptAll(), heap);
+        else
+            search_tree(unbalanced_[map], query.position, AcceptAll(), heap, pending_);
+        found_ = heap.farthest_last();
     }
     glm::vec4 power() const override { return sum_powers(powers_, found_); }
     std::vector<std::uint32_t> found() const override { return photons_of(found_); }
     std::size_t bytes() const override
     {
         std::size_t bytes = 0;
-        for (const std::vector<TreePoint>& points : points_)
-            bytes += points.size() * (sizeof(TreePoint) + 1);
+        for (const BalancedTree& tree : balanced_)
+            bytes += tree.bytes();
+        for (const InsertionTree& tree : unbalanced_)
+            bytes += tree.bytes();
         return bytes;
     }
     bool by_map() const override { return by_map_; }
 
   private:
     const Powers& powers_;
+    TreeKind kind_;
     bool by_map_;
-    std::vector<std::vector<TreePoint>> points_;
-    std::vector<std::vector<std::uint8_t>> axes_;
+    std::vector<BalancedTree> balanced_; ///< by map; or those of the other kind
+    std::vector<InsertionTree> unbalanced_;
     std::vector<Neighbour> storage_;
+    std::vector<PendingNode> pending_;
     std::span<const Neighbour> found_;
 };
 
@@ -271,8 +284,9 @@ std::vector<BuiltMethod> build_methods(const std::vector<RoomPoint>& photons, co
     std::vector<BuiltMethod> methods;
     methods.push_back(build<Nanoflann>(photons, powers));
     methods.push_back(build<SeededNanoflann>(photons, powers));
-    methods.push_back(build<Textbook>(photons, powers, false));
-    methods.push_back(build<Textbook>(photons, powers, true));
+    for (const TreeKind kind : {TreeKind::balanced, TreeKind::unbalanced})
+        for (const bool by_map : {false, true})
+            methods.push_back(build<Textbook>(photons, powers, kind, by_map));
     methods.push_back(build<Wide>(photons, powers, false));
     methods.push_back(build<Wide>(photons, powers, true));
     return methods;

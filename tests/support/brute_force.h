@@ -1,6 +1,8 @@
 #pragma once
 
-#include "bench/textbook_tree.h"
+#include "render/maps/neighbour_heap.h"
+
+#include <glm/glm.hpp>
 
 #include <algorithm>
 #include <functional>

@@ -1,10 +1,11 @@
-#include "bench/textbook_tree.h"
+#include "render/maps/balanced_tree.h"
 
 #include "common/math/bounds.h"
 
 #include <tbb/parallel_invoke.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace hipmap {
 
@@ -24,36 +25,9 @@ int widest_axis(std::span<const TreePoint> points)
     return extent.y >= extent.z ? 1 : 2;
 }
 
-} // namespace
-
-void NeighbourHeap::offer(const Neighbour& candidate)
+void order(std::span<TreePoint> points, std::span<std::uint8_t> axes)
 {
-    Neighbour* const begin = storage_.data();
-    if (!full()) {
-        begin[size_++] = candidate;
-        std::push_heap(begin, begin + size_);
-        if (full())
-            bound2_ = begin->distance2;
-        return;
-    }
-    if (!(candidate < *begin))
-        return;
-    std::pop_heap(begin, begin + size_);
-    begin[size_ - 1] = candidate;
-    std::push_heap(begin, begin + size_);
-    bound2_ = begin->distance2;
-}
-
-std::span<Neighbour> NeighbourHeap::sorted()
-{
-    const std::span<Neighbour> found = storage_.first(size_);
-    std::sort_heap(found.begin(), found.end());
-    return found;
-}
-
-void order_tree(std::span<TreePoint> points, std::span<std::uint8_t> axes)
-{
-    if (points.size() <= kLeafSize)
+    if (points.size() <= kBalancedLeaf)
         return;
     const int axis = widest_axis(points);
     const std::size_t middle = points.size() / 2;
@@ -63,14 +37,24 @@ void order_tree(std::span<TreePoint> points, std::span<std::uint8_t> axes)
                          return x < y || (x == y && a.photon < b.photon);
                      });
     axes[middle] = static_cast<std::uint8_t>(axis);
-    const auto low = [&] { order_tree(points.first(middle), axes.first(middle)); };
-    const auto high = [&] { order_tree(points.subspan(middle + 1), axes.subspan(middle + 1)); };
+    const auto low = [&] { order(points.first(middle), axes.first(middle)); };
+    const auto high = [&] { order(points.subspan(middle + 1), axes.subspan(middle + 1)); };
     if (points.size() >= kParallelSize) {
         tbb::parallel_invoke(low, high);
     } else {
         low();
         high();
     }
+}
+
+} // namespace
+
+BalancedTree build_balanced_tree(std::vector<TreePoint> points)
+{
+    BalancedTree tree{std::move(points), {}};
+    tree.axes.resize(tree.points.size());
+    order(tree.points, tree.axes);
+    return tree;
 }
 
 } // namespace hipmap

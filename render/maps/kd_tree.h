@@ -1,0 +1,59 @@
+#pragma once
+
+#include "render/maps/balanced_tree.h"
+#include "render/maps/insertion_tree.h"
+#include "render/maps/wide_search.h"
+
+namespace hipmap {
+
+/// What the photons of a map are searched in.
+enum class TreeKind : std::uint8_t {
+    wide,       ///< WideTree, ours
+    balanced,   ///< BalancedTree: of the dissertation's time, to be measured against
+    unbalanced, ///< InsertionTree: the rival of its time
+};
+
+/// A map's photons in a tree of the dissertation's time; it has one of the two.  A photon's slot is
+/// its place in the order of the tree's array.
+struct KdTree {
+    BalancedTree balanced;
+    InsertionTree unbalanced;
+
+    std::size_t size() const { return balanced.points.size() + unbalanced.nodes.size(); }
+};
+
+/// Orders `points` by slot and builds their tree; kind: not wide.  Cost, empty input and threads
+/// as of the tree it is.
+KdTree build_kd_tree(TreeKind kind, std::span<TreePoint> points);
+
+/// Memory that one thread lends to its searches: it grows, and is then reused.
+struct KdScratch {
+    std::vector<Neighbour> heap;
+    std::vector<PendingNode> pending;
+    std::vector<std::uint32_t> found;
+};
+
+/// What the same search in a WideTree finds, by other slots: the k nearest that `accept(slot)` lets
+/// through, fewer if there are no more within the radius; of equally near ones those with the lower
+/// slot.  Jensen's search with a max-heap, which knows nothing of the search before.  Thread-safe
+/// with a scratch for each thread.
+template <typename Accept = AcceptAll>
+FoundSlots find_nearest(const KdTree& tree, const TreeQuery& query, KdScratch& scratch,
+                        const Accept& accept = {})
+{
+    const std::size_t most = std::min(query.photons, tree.size());
+    if (most == 0)
+        return {};
+    scratch.heap.resize(std::max(scratch.heap.size(), most));
+    scratch.found.resize(scratch.heap.size());
+    NeighbourHeap heap(std::span(scratch.heap).first(most), query.radius2);
+    search_tree(tree.balanced, query.point, accept, heap);
+    search_tree(tree.unbalanced, query.point, accept, heap, scratch.pending);
+    const std::span<const Neighbour> found = heap.farthest_last();
+    for (std::size_t i = 0; i < found.size(); ++i)
+        scratch.found[i] = found[i].photon;
+    return {std::span(scratch.found).first(found.size()),
+            found.empty() ? 0.0f : found.back().distance2};
+}
+
+} // namespace hipmap
