@@ -145,6 +145,7 @@ int render(RenderArguments& arguments)
     if (arguments.render.integrator == Integrator::direct)
         print_photons(rendered.statistics, report);
     if (arguments.render.maps.mode == MapMode::hierarchical &&
+        arguments.render.maps.tree == TreeKind::wide &&
         arguments.render.integrator == Integrator::direct)
         print_tiers(rendered.statistics, report);
     warn_of_dropped(rendered.statistics, report);

@@ -19,6 +19,10 @@ const std::map<std::string, MapMode> kMapModes = {{"none", MapMode::none},
 const std::map<std::string, TierChoice> kTierChoices = {{"paying", TierChoice::paying},
                                                         {"all", TierChoice::all}};
 
+const std::map<std::string, TreeKind> kTrees = {{"wide", TreeKind::wide},
+                                                {"balanced", TreeKind::balanced},
+                                                {"unbalanced", TreeKind::unbalanced}};
+
 const std::map<std::string, EstimateForm> kEstimates = {{"clipped", EstimateForm::clipped},
                                                         {"thesis", EstimateForm::thesis}};
 
@@ -85,6 +89,9 @@ void add_method(CLI::App& app, RenderArguments& arguments)
     add_choice(app, "--tiers", render.maps.tiers, kTierChoices,
                "Local and group maps of --maps hierarchical: paying, or all, to measure them "
                "[paying]");
+    add_choice(app, "--tree", render.maps.tree, kTrees,
+               "What photons are searched in: wide; or, to compare with, balanced (Jensen's "
+               "kd-tree) or unbalanced (a kd-tree made by inserting) [wide]");
     add_choice(
         app, "--estimate", render.maps.estimate, kEstimates,
         "Irradiance from k photons: clipped (k-1 of them over the area seen from the point), "

@@ -34,7 +34,7 @@ Json tier_json(const TierPlan& plan, const TierSearches& searches)
     return json;
 }
 
-Json kind_json(const KindStatistics& kind, MapMode mode)
+Json kind_json(const KindStatistics& kind, const MapOptions& maps)
 {
     Json json = {{"stored", kind.stored},
                  {"shared_maps", kind.shared_maps},
@@ -42,11 +42,13 @@ Json kind_json(const KindStatistics& kind, MapMode mode)
                  {"group_maps", kind.group_maps},
                  {"queries", kind.searches.queries},
                  {"photons_found", kind.searches.photons_found}};
-    if (mode == MapMode::thesis)
-        json["local"] = searches_json(kind.searches.local);
-    if (mode == MapMode::hierarchical) {
+    const bool planned = maps.mode == MapMode::hierarchical && maps.tree == TreeKind::wide;
+    if (planned) {
         json["local"] = tier_json(kind.local_plan, kind.searches.local);
         json["group"] = tier_json(kind.group_plan, kind.searches.group);
+    } else if (maps.mode == MapMode::thesis || maps.mode == MapMode::hierarchical) {
+        json["local"] = searches_json(kind.searches.local);
+        json["group"] = searches_json(kind.searches.group);
     }
     return json;
 }
@@ -60,7 +62,9 @@ Json options_json(const RenderArguments& arguments, const Scene& scene)
 {
     const RenderOptions& options = arguments.render;
     static const char* const kModes[] = {"none", "global", "shared", "thesis", "hierarchical"};
+    static const char* const kTrees[] = {"wide", "balanced", "unbalanced"};
     return {{"maps", kModes[static_cast<int>(options.maps.mode)]},
+            {"tree", kTrees[static_cast<int>(options.maps.tree)]},
             {"estimate", options.maps.estimate == EstimateForm::thesis ? "thesis" : "clipped"},
             {"integrator", options.integrator == Integrator::path ? "path" : "direct"},
             {"direct", options.direct == DirectLight::photons ? "photons" : "shadow-rays"},
@@ -107,8 +111,8 @@ std::string statistics_json(const RenderArguments& arguments, const Scene& scene
                        {"stored", render.caustic.stored + render.global.stored},
                        {"dropped", render.dropped_photons},
                        {"paths_cut", render.cut_paths},
-                       {"caustic", kind_json(render.caustic, options.maps.mode)},
-                       {"global", kind_json(render.global, options.maps.mode)}};
+                       {"caustic", kind_json(render.caustic, options.maps)},
+                       {"global", kind_json(render.global, options.maps)}};
     json["power_W"] = {{"emitted", rgb_json(render.power.emitted * unit2)},
                        {"absorbed", rgb_json(render.power.absorbed * unit2)},
                        {"escaped", rgb_json(render.power.escaped * unit2)}};

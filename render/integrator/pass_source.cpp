@@ -101,8 +101,8 @@ void count_kind(KindStatistics& kind, const PhotonMaps& maps)
 {
     kind.stored += maps.size;
     kind.shared_maps = maps.maps.size();
-    kind.local_maps = maps.locals.size() + maps.local_tier.maps.size();
-    kind.group_maps = maps.group_tier.maps.size();
+    kind.local_maps = maps.locals.maps.size() + maps.local_tier.maps.size();
+    kind.group_maps = maps.groups.maps.size() + maps.group_tier.maps.size();
     kind.local_plan = maps.local_tier.plan;
     kind.group_plan = maps.group_tier.plan;
 }

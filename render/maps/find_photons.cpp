@@ -22,26 +22,39 @@ TreeQuery wanted(const PhotonMaps& maps, const PhotonQuery& query)
     return {query.position, maps.options.neighbours, query.radius * query.radius};
 }
 
+using LimitingRadius = float (*)(const TriangleMesh&, const Partition&, FaceId, const glm::vec3&);
+
+/// A tier of local maps, and what is counted of it.
+struct LocalTier {
+    const LocalMaps& locals;
+    LimitingRadius limiting_radius;
+    TierSearches& searches;
+};
+
 /// Algorithm 4 of the thesis up to where it turns to the shared map; empty: it does turn there.
-FoundSlots find_in_local(const PhotonMaps& maps, const PhotonQuery& query, float limit,
-                         SearchScratch& scratch)
+FoundSlots find_in_local(const PhotonMaps& maps, const TriangleMesh& mesh,
+                         const Partition& partition, const PhotonQuery& query,
+                         const LocalTier& tier, MapScratch& scratch)
 {
-    const std::uint32_t index = maps.local_of_face[maps.index_by_side(query.face, query.side)];
+    if (tier.locals.maps.empty())
+        return {};
+    const std::uint32_t index = tier.locals.of_face[maps.index_by_side(query.face, query.side)];
     if (index == kNone)
         return {};
-    const LocalMap& local = maps.locals[index];
+    const LocalMap& local = tier.locals.maps[index];
+    const float limit = tier.limiting_radius(mesh, partition, query.face, query.position);
     if (local.filter_radius > limit) {
-        ++scratch.statistics.local.skipped;
+        ++tier.searches.skipped;
         return {};
     }
-    ++scratch.statistics.local.begun;
+    ++tier.searches.begun;
     TreeQuery in_local = wanted(maps, query);
     // A photon at the limiting radius itself is already too far.
     in_local.radius2 = std::min(in_local.radius2, std::nextafter(limit * limit, 0.0f));
     in_local.order = local.shared_slots.data();
-    const FoundSlots found = find_nearest(local.tree, in_local, scratch.local);
+    const FoundSlots found = find_in_map(local, in_local, scratch);
     if (found.slots.size() < in_local.photons && limit <= query.radius) {
-        ++scratch.statistics.local.abandoned;
+        ++tier.searches.abandoned;
         return {};
     }
     for (std::uint32_t& slot : found.slots)
@@ -163,16 +176,21 @@ FoundPhotons find_photons(const PhotonMaps& maps, const TriangleMesh& mesh,
     if (map == nullptr)
         return {};
     FoundSlots found;
-    if (maps.options.mode == MapMode::thesis) {
-        const float limit = limiting_radius(mesh, partition, query.face, query.position);
-        found = find_in_local(maps, query, limit, scratch);
+    SearchStatistics& statistics = scratch.statistics;
+    const bool thesis = maps.options.mode == MapMode::thesis;
+    const LocalTier faces{maps.locals, thesis ? limiting_radius : exact_limiting_radius,
+                          statistics.local};
+    found = find_in_local(maps, mesh, partition, query, faces, scratch.local);
+    if (found.slots.empty()) {
+        const LocalTier groups{maps.groups, exact_group_radius, statistics.group};
+        found = find_in_local(maps, mesh, partition, query, groups, scratch.local);
     }
     if (!maps.local_tier.maps.empty() || !maps.group_tier.maps.empty())
         found = find_in_tiers(maps, map->tree, mesh, partition, query, scratch);
     FoundPhotons out{map, found.slots, found.farthest2};
     if (out.slots.empty())
         out = find_in_shared(maps, partition, query, scratch.shared);
-    scratch.statistics.photons_found += out.slots.size();
+    statistics.photons_found += out.slots.size();
     return out;
 }
 

@@ -40,13 +40,18 @@ struct SearchStatistics {
     SearchStatistics& operator+=(const SearchStatistics& other);
 };
 
+/// Memory for searches in maps of either kind of tree.
+struct MapScratch : TreeScratch {
+    KdScratch kd;
+};
+
 /// Memory that one thread lends to its searches, so that none allocates.  Each kind of search
 /// remembers the last of its own kind.
 struct SearchScratch {
-    TreeScratch shared;
-    TreeScratch local;
-    TreeScratch accepted; ///< of searches that turn photons down
-    TreeScratch within;   ///< of searches for all photons within a radius
+    MapScratch shared;
+    MapScratch local;
+    MapScratch accepted; ///< of searches that turn photons down
+    MapScratch within;   ///< of searches for all photons within a radius
     SearchStatistics statistics;
 };
 
@@ -74,16 +79,27 @@ float even_radius(const PhotonMaps& maps, const Partition& partition, const Phot
 /// equally near ones those with the lower slot.  A face without a map has none.
 /// Mode thesis looks in the face's local map first; what it returns is what the shared map would,
 /// in another order.  Mode hierarchical looks in the tiers it uses first; what it returns is what
-/// mode shared does, in the same order, whatever the surface.
+/// mode shared does, in the same order, whatever the surface.  Trees of another kind find the same
+/// too, in another order and by other slots.
 FoundPhotons find_photons(const PhotonMaps& maps, const TriangleMesh& mesh,
                           const Partition& partition, const PhotonQuery& query,
                           SearchScratch& scratch);
+
+/// Searches the kind of tree that there is.  Map: PhotonMap or LocalMap.
+template <typename Map, typename Accept = AcceptAll>
+FoundSlots find_in_map(const Map& map, const TreeQuery& wanted, MapScratch& scratch,
+                       const Accept& accept = {})
+{
+    if (map.kd_tree.size() > 0)
+        return find_nearest(map.kd_tree, wanted, scratch.kd, accept);
+    return find_nearest(map.tree, wanted, scratch, accept);
+}
 
 /// The `most` nearest from the first tier alone, of the photons that `accept(map, slot)` lets
 /// through.
 template <typename Accept = AcceptAll>
 FoundPhotons find_most_in_shared(const PhotonMaps& maps, const Partition& partition,
-                                 const PhotonQuery& query, std::size_t most, TreeScratch& scratch,
+                                 const PhotonQuery& query, std::size_t most, MapScratch& scratch,
                                  const Accept& accept = {})
 {
     const PhotonMap* map = map_of_query(maps, partition, query);
@@ -94,14 +110,14 @@ FoundPhotons find_most_in_shared(const PhotonMaps& maps, const Partition& partit
     if (maps.options.mode == MapMode::global && maps.options.estimate == EstimateForm::clipped) {
         // Photons of all surfaces are in one map: only light that fell on the side looked at
         // counts.
-        found = find_nearest(map->tree, wanted, scratch, [&](std::uint32_t slot) {
+        found = find_in_map(*map, wanted, scratch, [&](std::uint32_t slot) {
             return glm::dot(map->direction(slot), query.normal) > 0 && accept(*map, slot);
         });
     } else if constexpr (std::is_same_v<Accept, AcceptAll>) {
-        found = find_nearest(map->tree, wanted, scratch);
+        found = find_in_map(*map, wanted, scratch);
     } else {
-        found = find_nearest(map->tree, wanted, scratch,
-                             [&](std::uint32_t slot) { return accept(*map, slot); });
+        found = find_in_map(*map, wanted, scratch,
+                            [&](std::uint32_t slot) { return accept(*map, slot); });
     }
     return {map, found.slots, found.farthest2};
 }
@@ -109,7 +125,7 @@ FoundPhotons find_most_in_shared(const PhotonMaps& maps, const Partition& partit
 /// The k nearest of those.
 template <typename Accept = AcceptAll>
 FoundPhotons find_in_shared(const PhotonMaps& maps, const Partition& partition,
-                            const PhotonQuery& query, TreeScratch& scratch,
+                            const PhotonQuery& query, MapScratch& scratch,
                             const Accept& accept = {})
 {
     return find_most_in_shared(maps, partition, query, maps.options.neighbours, scratch, accept);

@@ -84,7 +84,7 @@ void count_searches(const PhotonMaps& maps, const TriangleMesh& mesh, const Part
 {
     const std::uint64_t step = std::max(kPhotonsPerSample, maps.size / kMostSamples + 1);
     std::uint64_t samples = 0, asked = 0, answered = 0, spared = 0;
-    TreeScratch scratch;
+    MapScratch scratch;
     const auto try_photon = [&](const PhotonMap& map, std::uint32_t slot) {
         const FaceId face = map.faces[slot];
         const std::uint32_t key = draft.key_of_face[face];

@@ -20,6 +20,8 @@ struct KdTree {
     InsertionTree unbalanced;
 
     std::size_t size() const { return balanced.points.size() + unbalanced.nodes.size(); }
+    /// Bytes of the arrays.
+    std::size_t bytes() const { return balanced.bytes() + unbalanced.bytes(); }
 };
 
 /// Orders `points` by slot and builds their tree; kind: not wide.  Cost, empty input and threads

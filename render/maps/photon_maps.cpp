@@ -57,11 +57,22 @@ std::vector<float> areas_of_maps(const PhotonMaps& maps, const TriangleMesh& mes
     return {area.begin(), area.end()};
 }
 
+/// For a map's own photons; `wide` then has their positions, whatever is searched.
+void build_tree(TreeKind kind, std::span<TreePoint> points, WideTree& wide, KdTree& kd)
+{
+    if (kind == TreeKind::wide) {
+        wide = build_wide_tree(points);
+        return;
+    }
+    kd = build_kd_tree(kind, points);
+    wide = build_blocks(points);
+}
+
 PhotonMap build_map(const PhotonMaps& maps, const std::vector<Photon>& photons,
                     std::span<TreePoint> points)
 {
     PhotonMap map;
-    map.tree = build_wide_tree(points);
+    build_tree(maps.options.tree, points, map.tree, map.kd_tree);
     map.powers = build_powers(map.tree, points, photons, maps.power_scale);
     map.faces.resize(points.size());
     map.directions.resize(maps.options.keep_directions() ? points.size() : 0);
@@ -102,39 +113,82 @@ Groups build_shared_maps(PhotonMaps& maps, const std::vector<Photon>& photons,
     return groups;
 }
 
-/// Algorithm 3 of the thesis: every face keeps references to its photons; then faces with fewer
-/// than local_min lose their map, the others get their filter radius.
-void build_local_maps(PhotonMaps& maps, const std::vector<Photon>& photons, const Groups& shared,
-                      const TriangleMesh& mesh)
+/// The slots of the photons in their shared maps, by number.
+std::vector<std::uint32_t> slots_by_number(const Groups& shared)
 {
-    std::vector<std::uint32_t> slot_of(photons.size());
+    std::vector<std::uint32_t> slot_of(shared.points.size());
     for (std::size_t key = 0; key + 1 < shared.first.size(); ++key)
         for (std::size_t i = shared.first[key]; i < shared.first[key + 1]; ++i)
             slot_of[shared.points[i].photon] = static_cast<std::uint32_t>(i - shared.first[key]);
-    const std::size_t keys = maps.sides() * mesh.face_count();
-    Groups groups = group_by_key(photons, keys, [&](const Photon& photon) {
-        return maps.index_by_side(photon.face, photon.side);
-    });
-    maps.local_of_face.assign(keys, kNone);
+    return slot_of;
+}
+
+/// What local maps are of: faces, or groups of them.
+struct LocalKeys {
+    const std::vector<std::uint32_t>& of_face; ///< [F] below `count`; kNone: never a map
+    std::size_t count;
+};
+
+/// Algorithm 3 of the thesis: every face, or group, keeps references to its photons; then those
+/// with fewer than local_min lose their map, the others get their filter radius.
+LocalMaps build_local_maps(const PhotonMaps& maps, const std::vector<Photon>& photons,
+                           const std::vector<std::uint32_t>& slot_of, const TriangleMesh& mesh,
+                           const LocalKeys& wanted)
+{
+    const std::size_t keys = maps.sides() * wanted.count; // and one for what never has a map
+    const auto key_of = [&](FaceId face, std::uint8_t side) {
+        const std::uint32_t key = wanted.of_face[face];
+        return key == kNone ? keys : maps.index_by_side(key, side);
+    };
+    Groups groups = group_by_key(
+        photons, keys + 1, [&](const Photon& photon) { return key_of(photon.face, photon.side); });
+    std::vector<std::uint32_t> local_of_key(keys + 1, kNone);
     std::vector<std::size_t> key_of_local;
     for (std::size_t key = 0; key < keys; ++key) {
         const std::size_t count = groups.of(key).size();
         if (count == 0 || count < maps.options.local_min)
             continue;
-        maps.local_of_face[key] = static_cast<std::uint32_t>(key_of_local.size());
+        local_of_key[key] = static_cast<std::uint32_t>(key_of_local.size());
         key_of_local.push_back(key);
     }
-    maps.locals.resize(key_of_local.size());
-    tbb::parallel_for(std::size_t{0}, maps.locals.size(), [&](std::size_t i) {
+    LocalMaps out;
+    std::vector<double> area(keys + 1, 0.0);
+    for (FaceId face = 0; face < mesh.face_count(); ++face)
+        for (std::uint8_t side = 0; side < maps.sides(); ++side) {
+            out.of_face.push_back(local_of_key[key_of(face, side)]);
+            area[key_of(face, side)] += face_area(mesh, face);
+        }
+    out.maps.resize(key_of_local.size());
+    tbb::parallel_for(std::size_t{0}, out.maps.size(), [&](std::size_t i) {
         const std::span<TreePoint> points = groups.of(key_of_local[i]);
-        LocalMap& local = maps.locals[i];
-        local.tree = build_wide_tree(points);
+        LocalMap& local = out.maps[i];
+        if (maps.options.tree == TreeKind::wide)
+            local.tree = build_wide_tree(points);
+        else
+            local.kd_tree = build_kd_tree(maps.options.tree, points);
         for (const TreePoint& point : points)
             local.shared_slots.push_back(slot_of[point.photon]);
         local.filter_radius =
-            filter_radius(face_area(mesh, static_cast<FaceId>(key_of_local[i] / maps.sides())),
-                          maps.options.neighbours, points.size());
+            filter_radius(area[key_of_local[i]], maps.options.neighbours, points.size());
     });
+    return out;
+}
+
+/// Maps of faces and of groups by reference: the thesis' local maps, and the tiers of mode
+/// hierarchical on kd-trees, no part of which is a tree for them.
+void build_copied_tiers(PhotonMaps& maps, const std::vector<Photon>& photons, const Groups& shared,
+                        const TriangleMesh& mesh, const Partition& partition)
+{
+    const bool thesis = maps.options.mode == MapMode::thesis;
+    const std::vector<std::uint32_t> slot_of = slots_by_number(shared);
+    std::vector<std::uint32_t> faces(mesh.face_count(), kNone);
+    for (FaceId face = 0; face < mesh.face_count(); ++face)
+        if (thesis || partition.candidate[face])
+            faces[face] = face;
+    maps.locals = build_local_maps(maps, photons, slot_of, mesh, {faces, mesh.face_count()});
+    if (!thesis)
+        maps.groups = build_local_maps(maps, photons, slot_of, mesh,
+                                       {partition.group_of_face, partition.group_count});
 }
 
 } // namespace
@@ -168,9 +222,10 @@ PhotonMaps build_photon_maps(const std::vector<Photon>& photons, const TriangleM
         return maps;
     maps.power_scale = power_scale(photons);
     const Groups groups = build_shared_maps(maps, photons, mesh, partition);
-    if (options.mode == MapMode::thesis)
-        build_local_maps(maps, photons, groups, mesh);
-    if (options.mode == MapMode::hierarchical)
+    const bool tiers = options.mode == MapMode::hierarchical;
+    if (options.mode == MapMode::thesis || (tiers && options.tree != TreeKind::wide))
+        build_copied_tiers(maps, photons, groups, mesh, partition);
+    else if (tiers)
         build_tiers(maps, mesh, partition);
     return maps;
 }

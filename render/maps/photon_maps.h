@@ -1,6 +1,7 @@
 #pragma once
 
 #include "common/partition/partition.h"
+#include "render/maps/kd_tree.h"
 #include "render/maps/packed_direction.h"
 #include "render/maps/photon_powers.h"
 
@@ -38,6 +39,7 @@ struct MapOptions {
     EstimateForm estimate = EstimateForm::clipped;
     TierChoice tiers = TierChoice::paying;
     bool directions = false; ///< a diffuse lobe that is not Lambert's will gather
+    TreeKind tree = TreeKind::wide;
 
     /// Whether a gatherer asks for the directions of photons.
     bool keep_directions() const
@@ -49,6 +51,7 @@ struct MapOptions {
 /// The photons of a shared map and side (mode global: all), packed.
 struct PhotonMap {
     WideTree tree;
+    KdTree kd_tree; ///< searched instead, if MapOptions::tree says so: `tree` is then blocks alone
     PhotonPowers powers;
     std::vector<FaceId> faces;               ///< [n] by slot
     std::vector<PackedDirection> directions; ///< [n] by slot; empty if nobody asks for them
@@ -60,16 +63,24 @@ struct PhotonMap {
     /// Bytes of the arrays.
     std::size_t bytes() const
     {
-        return tree.bytes() + powers.bytes() + faces.size() * sizeof(FaceId) +
+        return tree.bytes() + kd_tree.bytes() + powers.bytes() + faces.size() * sizeof(FaceId) +
                directions.size() * sizeof(PackedDirection);
     }
 };
 
-/// The photons of a face and side that has many of them, by reference into their shared map.
+/// The photons of a face (or group) and side that has many of them, by reference into their shared
+/// map.
 struct LocalMap {
     WideTree tree;
+    KdTree kd_tree;                          ///< instead, if MapOptions::tree says so
     std::vector<std::uint32_t> shared_slots; ///< [n] by slot
     float filter_radius = 0.0f;              ///< docs/photon_maps.md (5), scene units
+};
+
+/// Local maps of faces or of groups.
+struct LocalMaps {
+    std::vector<std::uint32_t> of_face; ///< [sides() F] by index_by_side; kNone; empty without maps
+    std::vector<LocalMap> maps;
 };
 
 /// The part of a shared map's tree that holds all photons of a face, or of a group of faces.
@@ -107,10 +118,9 @@ struct PhotonMaps {
     PowerScale power_scale;
     std::vector<PhotonMap> maps;       ///< of the first tier, those that hold a photon
     std::vector<std::uint32_t> map_of; ///< by map_index: the place in `maps`; kNone: no photon
-    std::vector<std::uint32_t>
-        local_of_face; ///< [sides() F] by index_by_side; kNone; empty without locals
-    std::vector<LocalMap> locals;
-    TierMaps local_tier, group_tier; ///< mode hierarchical
+    LocalMaps locals;                  ///< mode thesis; hierarchical on kd-trees
+    LocalMaps groups;                  ///< hierarchical on kd-trees
+    TierMaps local_tier, group_tier;   ///< hierarchical on wide trees
 
     /// Sides of a surface that have maps of their own: the thesis' estimate drops photons of the
     /// wrong side only when they are chosen.

@@ -279,4 +279,13 @@ WideTree build_wide_tree(std::span<TreePoint> points)
     return tree;
 }
 
+WideTree build_blocks(std::span<const TreePoint> points)
+{
+    WideTree tree;
+    tree.size = points.size();
+    tree.blocks.resize((points.size() + kTreeWidth - 1) / kTreeWidth);
+    fill_level<TreePoint, PhotonBlock>(points, tree.blocks, fill_block);
+    return tree;
+}
+
 } // namespace hipmap

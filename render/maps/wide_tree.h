@@ -77,4 +77,8 @@ TreeNode lowest_node(const WideTree& tree, std::uint64_t low, std::uint64_t high
 /// below 1e18, points fewer than 2^32.  None: a tree that finds nothing.
 WideTree build_wide_tree(std::span<TreePoint> points);
 
+/// The blocks alone, in the order of the points: for positions by slot where the search is
+/// another's.
+WideTree build_blocks(std::span<const TreePoint> points);
+
 } // namespace hipmap

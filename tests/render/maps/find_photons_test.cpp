@@ -97,7 +97,7 @@ TEST_CASE("find photons: thesis searches locally, skips and abandons", "[maps]")
     const TriangleMesh& mesh = ready->scene.mesh;
     const PhotonMaps maps = build_photon_maps(scatter_photons(mesh, 6000, 1), mesh,
                                               ready->partition, {MapMode::thesis, 25, 100});
-    CHECK(maps.locals.size() == 24); // 12 faces, two sides
+    CHECK(maps.locals.maps.size() == 24); // 12 faces, two sides
     SearchScratch scratch;
     for (std::uint64_t i = 0; i < 2000; ++i)
         find_photons(maps, mesh, ready->partition, query_at(mesh, i), scratch);
@@ -120,7 +120,7 @@ TEST_CASE("find photons: a face with fewer photons than the minimum has no local
     const PhotonMaps maps =
         build_photon_maps(photons, mesh, ready->partition, {MapMode::thesis, 25, minimum});
     for (std::size_t key = 0; key < count.size(); ++key)
-        CHECK((maps.local_of_face[key] != kNone) == (count[key] >= minimum));
+        CHECK((maps.locals.of_face[key] != kNone) == (count[key] >= minimum));
 }
 
 TEST_CASE("limiting radius: distance to the nearest connected edge alone", "[maps]")
