@@ -40,6 +40,7 @@ Json kind_json(const KindStatistics& kind, const MapOptions& maps)
                  {"shared_maps", kind.shared_maps},
                  {"local_maps", kind.local_maps},
                  {"group_maps", kind.group_maps},
+                 {"largest_map", kind.largest_map},
                  {"queries", kind.searches.queries},
                  {"photons_found", kind.searches.photons_found}};
     const bool planned = maps.mode == MapMode::hierarchical && maps.tree == TreeKind::wide;
@@ -106,6 +107,8 @@ std::string statistics_json(const RenderArguments& arguments, const Scene& scene
     json["options"] = options_json(arguments, scene);
     json["passes_done"] = render.passes;
     json["seconds"] = seconds_json(render, run);
+    json["processor_seconds"] = {{"maps", render.processor_maps},
+                                 {"image", render.processor_image}};
     json["photons"] = {{"emitted", render.emitted},
                        {"aimed", render.aimed},
                        {"stored", render.caustic.stored + render.global.stored},

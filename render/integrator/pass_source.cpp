@@ -101,6 +101,7 @@ void count_kind(KindStatistics& kind, const PhotonMaps& maps)
 {
     kind.stored += maps.size;
     kind.shared_maps = maps.maps.size();
+    kind.largest_map = maps.largest_map();
     kind.local_maps = maps.locals.maps.size() + maps.local_tier.maps.size();
     kind.group_maps = maps.groups.maps.size() + maps.group_tier.maps.size();
     kind.local_plan = maps.local_tier.plan;
@@ -136,6 +137,7 @@ PassMapSet make_maps(const RenderScene& scene, const RenderOptions& options, std
     count_kind(statistics.caustic, maps.caustic);
     count_kind(statistics.global, maps.global);
     statistics.seconds_maps += building.seconds();
+    statistics.processor_maps += building.processor_seconds();
     return maps;
 }
 
@@ -176,6 +178,7 @@ RenderedPass render_pass(const RenderScene& scene, const MapSurfaces& surfaces,
     const TileRenderer renderer(pass_maps, options, pass);
     out.whole = render_tiles(renderer, control, out.images, statistics);
     statistics.seconds_image += watch.seconds();
+    statistics.processor_image += watch.processor_seconds();
     return out;
 }
 

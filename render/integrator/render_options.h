@@ -29,6 +29,7 @@ struct KindStatistics {
     std::uint64_t shared_maps = 0;   ///< maps of the first tier that hold photons, of the last pass
     std::uint64_t local_maps = 0;    ///< of the last pass
     std::uint64_t group_maps = 0;    ///< of the last pass
+    std::uint64_t largest_map = 0;   ///< photons of the largest map of the first tier, last pass
     TierPlan local_plan, group_plan; ///< of the last pass, mode hierarchical
     SearchStatistics searches;
 };
@@ -47,6 +48,8 @@ struct RenderStatistics {
     double seconds_photons = 0;
     double seconds_maps = 0;
     double seconds_image = 0;
+    double processor_maps = 0; ///< seconds of the processor, of all threads together
+    double processor_image = 0;
 };
 
 } // namespace hipmap

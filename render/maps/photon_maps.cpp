@@ -5,6 +5,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -207,6 +208,14 @@ std::size_t PhotonMaps::bytes() const
     for (const PhotonMap& map : maps)
         sum += sizeof(PhotonMap) + map.bytes();
     return sum;
+}
+
+std::uint64_t PhotonMaps::largest_map() const
+{
+    std::uint64_t largest = 0;
+    for (const PhotonMap& map : maps)
+        largest = std::max(largest, map.tree.size);
+    return largest;
 }
 
 PhotonMaps build_photon_maps(const std::vector<Photon>& photons, const TriangleMesh& mesh,

@@ -142,6 +142,8 @@ struct PhotonMaps {
     }
     /// Bytes of the arrays of the first tier.
     std::size_t bytes() const;
+    /// Photons of the largest map of the first tier.
+    std::uint64_t largest_map() const;
 };
 
 /// sqrt(A k / (pi N)), docs/photon_maps.md (5); infinite without photons.
