@@ -3,6 +3,7 @@
 #include "common/file/output_file.h"
 
 #include <cstdio>
+#include <iomanip>
 #include <numeric>
 #include <sstream>
 
@@ -26,28 +27,58 @@ std::vector<glm::vec2> points_near_creases(double radius)
     return points;
 }
 
-std::string measure_profile(EvenRoomOptions options)
+/// What is estimated at the points.
+struct Series {
+    const char* name;
+    MapMode mode;
+    EstimateForm form;
+    bool dark_floor; ///< light falls on the walls alone, and what the floor shows has leaked
+};
+
+constexpr Series kSeries[] = {{"shared clipped", MapMode::shared, EstimateForm::clipped, false},
+                              {"shared thesis", MapMode::shared, EstimateForm::thesis, false},
+                              {"global thesis", MapMode::global, EstimateForm::thesis, false},
+                              {"dark shared", MapMode::shared, EstimateForm::thesis, true},
+                              {"dark global", MapMode::global, EstimateForm::thesis, true}};
+
+std::vector<double> measure_series(const Series& series, const std::vector<glm::vec2>& points,
+                                   EvenRoomOptions options)
 {
-    constexpr std::size_t kPerCrease = kSteps + 1;
+    options.maps.mode = series.mode;
+    options.maps.estimate = series.form;
+    options.dark_floor = series.dark_floor;
+    std::vector<double> means;
+    for (const std::vector<double>& values : estimates_in_even_room(points, options))
+        means.push_back(std::accumulate(values.begin(), values.end(), 0.0) / values.size());
+    return means;
+}
+
+std::string measure_profile(const EvenRoomOptions& options)
+{
     const double radius = filter_radius(6, options.maps.neighbours, options.photons);
     const std::vector<glm::vec2> points = points_near_creases(radius);
-    std::vector<std::vector<double>> by_form;
-    for (const EstimateForm form : {EstimateForm::clipped, EstimateForm::thesis}) {
-        options.maps.estimate = form;
-        std::vector<double>& means = by_form.emplace_back();
-        for (const std::vector<double>& values : estimates_in_even_room(points, options))
-            means.push_back(std::accumulate(values.begin(), values.end(), 0.0) / values.size());
+    std::ostringstream csv, table;
+    csv << "crease,distance";
+    table << "        distance";
+    std::vector<std::vector<double>> means;
+    for (const Series& series : kSeries) {
+        csv << ',' << series.name;
+        table << std::setw(16) << series.name;
+        means.push_back(measure_series(series, points, options));
     }
-    std::ostringstream csv;
-    csv << "distance,edge clipped,edge thesis,corner clipped,corner thesis\n";
-    std::printf("distance    edge: clipped  thesis    corner: clipped  thesis\n");
-    for (std::size_t i = 0; i < kPerCrease; ++i) {
-        const double distance = kFarthest * double(i) / kSteps;
-        const std::array<double, 4> row{by_form[0][i], by_form[1][i], by_form[0][i + kPerCrease],
-                                        by_form[1][i + kPerCrease]};
-        std::printf("%8.3f %16.4f %7.4f %18.4f %7.4f\n", distance, row[0], row[1], row[2], row[3]);
-        csv << distance << ',' << row[0] << ',' << row[1] << ',' << row[2] << ',' << row[3] << '\n';
+    table << std::fixed << std::setprecision(4);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const double distance = kFarthest * double(i % (kSteps + 1)) / kSteps;
+        const char* const crease = i <= kSteps ? "edge" : "corner";
+        csv << '\n' << crease << ',' << distance;
+        table << '\n' << std::setw(6) << crease << std::setw(10) << distance;
+        for (const std::vector<double>& mean : means) {
+            csv << ',' << mean[i];
+            table << std::setw(16) << mean[i];
+        }
     }
+    csv << '\n';
+    std::printf("%s\n", table.str().c_str());
     return csv.str();
 }
 
@@ -59,7 +90,8 @@ int main(int argc, char** argv)
 {
     return hipmap::run_tool([&] {
         CLI::App app("Irradiance near an edge and a corner of a room where it is 1 everywhere, by "
-                     "both estimates. Distances in radii that hold k photons.",
+                     "both estimates, and of a floor where it is 0 (dark) between walls where it "
+                     "is 1. Distances in radii that hold k photons.",
                      "crease_profile");
         hipmap::EvenRoomOptions options;
         std::string file;

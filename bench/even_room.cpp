@@ -1,5 +1,6 @@
 #include "bench/even_room.h"
 
+#include "common/math/frame.h"
 #include "common/math/random.h"
 #include "common/math/sampling.h"
 #include "common/rays/surface_point.h"
@@ -27,16 +28,21 @@ TriangleMesh unit_room()
     return mesh;
 }
 
-std::vector<Photon> even_photons(const TriangleMesh& mesh, std::size_t count, std::uint64_t set)
+std::vector<Photon> even_photons(const TriangleMesh& mesh, const EvenRoomOptions& options,
+                                 std::uint64_t set)
 {
     std::vector<Photon> photons;
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < options.photons; ++i) {
         RandomSequence random(0, RandomStream::photons, static_cast<std::uint32_t>(set), i);
         const std::size_t wall = i % 6;
+        if (options.dark_floor && wall == 0)
+            continue;
         const auto face = static_cast<FaceId>(2 * wall + (random.next() < 0.5f ? 0 : 1));
         const SurfacePoint at = surface_point(mesh, face, sample_triangle(random.next2()));
-        const float power = 6.0f / static_cast<float>(count);
-        photons.push_back({at.position, Rgb(power), at.geometric_normal, face, 0});
+        const float power = 6.0f / static_cast<float>(options.photons);
+        const glm::vec3 from =
+            Frame(at.geometric_normal).to_world(sample_cosine_hemisphere(random.next2()));
+        photons.push_back({at.position, Rgb(power), from, face, 0});
     }
     return photons;
 }
@@ -53,7 +59,7 @@ std::vector<std::vector<double>> estimates_in_even_room(const std::vector<glm::v
     EstimateScratch scratch;
     std::vector<std::vector<double>> estimates(points.size());
     for (std::size_t set = 0; set < options.sets; ++set) {
-        const PhotonMaps maps = build_photon_maps(even_photons(scene.mesh, options.photons, set),
+        const PhotonMaps maps = build_photon_maps(even_photons(scene.mesh, options, set),
                                                   scene.mesh, partition, options.maps);
         for (std::size_t i = 0; i < points.size(); ++i) {
             const FaceId face = points[i].y <= points[i].x ? 0 : 1;

@@ -8,11 +8,13 @@
 namespace hipmap {
 
 /// Photons spread evenly over the inside of a unit cube, in independent sets: the irradiance is 1
-/// wherever one looks, right up to the edges and corners where its walls meet.
+/// wherever one looks, right up to the edges and corners where its walls meet.  They come from all
+/// directions, as from an even sky.
 struct EvenRoomOptions {
     MapOptions maps;
     std::size_t photons = 60'000; ///< of a set; each wall gets a sixth
     std::size_t sets = 100;
+    bool dark_floor = false; ///< nothing falls on the floor: the irradiance there is 0
 };
 
 /// Estimates of the irradiance at points of the floor, x and y in [0, 1]: [points][sets].
