@@ -2,7 +2,7 @@
 
     blender -b --factory-startup --python experiments/scenes/hexagonal.py -- OUT.glb
 
-A table with stools under a pendant lamp; a glowing hexagon under the ceiling lights the rest.
+A table with stools under a pendant lamp; a pane of light under the ceiling lights the rest.
 Metres; Blender's axes (z up).
 """
 
@@ -23,17 +23,22 @@ def add_room(white):
     teal = m.matte("Teal", (0.1, 0.33, 0.35))
     rose = m.matte("Rose", (0.6, 0.33, 0.28))
     m.add_room((LEFT, NEAR, 0), (RIGHT, FAR, CEILING), white,
-               {"bottom": floor, "left": teal, "front": rose}, cell=2.4)
+               {"bottom": floor, "left": teal, "front": rose})
 
 
 def add_lamps(case):
-    daylight = m.glowing("Daylight", (1, 0.96, 0.9), 14)
-    warm = m.glowing("Warm", (1, 0.8, 0.55), 40)
-    m.add_prism("Ceiling lamp", (0.85, 1.0, CEILING - 0.06), 0.5, 0.06, case, ["top"],
-                {"bottom": daylight})
+    """Two light primitives: a triangle in a hexagon under the ceiling, a bulb in a pendant."""
+    daylight = m.glowing("Daylight", (1, 0.96, 0.9), 28)
+    x, y, radius, low = 0.85, 1.0, 0.5, CEILING - 0.06
+    m.add_prism("Ceiling lamp", (x, y, low), radius, 0.06, case, ["bottom", "top"])
+    angles = [math.radians(60 * i) for i in range(6)]
+    corners = [(x + radius * math.cos(a), y + radius * math.sin(a), low) for a in angles]
+    m.add_mesh("Pane", corners, [(0, (4, 2, 0)), (1, (2, 1, 0)), (1, (4, 3, 2)), (1, (0, 5, 4))],
+               [daylight, case])
     shade = m.matte("Shade", (0.16, 0.16, 0.17))
-    m.add_prism("Pendant", (*TABLE, 1.62), 0.17, 0.16, shade, [], {"bottom": warm})
+    m.add_prism("Pendant", (*TABLE, 1.62), 0.17, 0.16, shade, ["bottom"])
     m.add_prism("Rod", (*TABLE, 1.78), 0.012, CEILING - 1.78, shade, ["bottom", "top"])
+    m.add_point_lamp("Bulb", (*TABLE, 1.66), 24, (1, 0.8, 0.55))
 
 
 def add_table(wood, glass):
