@@ -10,21 +10,36 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 SCENES = {1: "axis_aligned", 2: "hexagonal", 3: "egg_chair"}
 MODES = ("global", "shared", "thesis", "hierarchical")
+TREES = ("balanced", "unbalanced", "wide")
 # Light paths for each light primitive and neighbours k of tests 1 to 5 (dissertation).
-TESTS = ((2500, 25), (5000, 50), (15000, 150), (30000, 300), (60000, 600))
+TESTS = {1: (2500, 25), 2: (5000, 50), 3: (15000, 150), 4: (30000, 300), 5: (60000, 600)}
 ANGLE_DEG = 90  # the dissertation's threshold
+LOCAL_MIN_PER_NEIGHBOUR = 10  # the dissertation's M / k
 
 
 @dataclasses.dataclass(frozen=True)
 class Bench:
     """tools: folder of the programs.  folder: for their files.  size: pixels across an image.
-    divide: photons and k are divided by it."""
+    repeats: runs of each.  divide: photons and k are divided by it."""
 
     tools: pathlib.Path
     folder: pathlib.Path
     size: int
     repeats: int
     divide: int
+
+
+@dataclasses.dataclass(frozen=True)
+class Setting:
+    """One rendering.  ratio: M / k."""
+
+    scene: int
+    test: int
+    mode: str
+    tree: str
+    estimate: str = "thesis"
+    tiers: str = "paying"
+    ratio: float = LOCAL_MIN_PER_NEIGHBOUR
 
 
 def scene_path(scene):
@@ -52,6 +67,7 @@ def run_tool(bench, tool, *arguments):
     if done.returncode != 0:
         lines = done.stderr.splitlines() or ["no message"]
         sys.exit(f"error: {tool} ended with code {done.returncode}: {lines[-1]}")
+    return done.stdout
 
 
 def partition_path(bench, scene):
@@ -63,38 +79,76 @@ def make_partition(bench, scene):
              "--angle", ANGLE_DEG)
 
 
-def render(bench, scene, mode, photons, k):
+def light_paths(bench, scene, test):
+    return TESTS[test][0] // bench.divide * light_primitives(scene_path(scene))
+
+
+def neighbours(bench, test):
+    return max(2, TESTS[test][1] // bench.divide)
+
+
+def render(bench, setting, photons):
     """The statistics (docs/statistics.md) of one pass in which all light is gathered from photons.
 
     photons: light paths; 0 leaves the maps empty."""
     stats = bench.folder / "stats.json"
-    run_tool(bench, "render", scene_path(scene), partition_path(bench, scene),
-             "-o", bench.folder / "image.pfm", "--stats", stats, "--maps", mode,
-             "--photons", photons, "--neighbours", k, "--local-min", 10 * k,
+    k = neighbours(bench, setting.test)
+    run_tool(bench, "render", scene_path(setting.scene), partition_path(bench, setting.scene),
+             "-o", bench.folder / "image.pfm", "--stats", stats, "--maps", setting.mode,
+             "--tree", setting.tree, "--estimate", setting.estimate, "--tiers", setting.tiers,
+             "--photons", photons, "--neighbours", k, "--local-min", round(setting.ratio * k),
              "--integrator", "direct", "--direct", "photons", "--diffuse", "lambert",
              "--passes", 1, "--samples", 1, "--size", bench.size)
     return json.loads(stats.read_text())
 
 
-def image_seconds(stats):
-    return stats["seconds"]["image"]
+def summary(stats):
+    """Of one rendering, what the tables need.  Seconds are of the processor, of all threads."""
+    photons = stats["photons"]
+    kinds = {kind: photons[kind] for kind in ("caustic", "global")}
+    count = {name: sum(kind[name] for kind in kinds.values())
+             for name in ("shared_maps", "local_maps", "group_maps")}
+    return {"stored": photons["stored"], "aimed": photons["aimed"], **count,
+            "largest_map": max(kind["largest_map"] for kind in kinds.values()),
+            "kinds": {name: {key: kind[key] for key in ("stored", "queries", "shared_maps",
+                                                        "local_maps", "local", "group")
+                             if key in kind} for name, kind in kinds.items()},
+            "build_s": stats["processor_seconds"]["maps"],
+            "image_s": stats["processor_seconds"]["image"]}
 
 
-def measure(bench, scene, test, mode):
-    """One row of the results; the fastest of the repeats, as others only ever slow it down."""
-    per_primitive, k = TESTS[test - 1]
-    per_primitive, k = per_primitive // bench.divide, max(2, k // bench.divide)
-    photons = per_primitive * light_primitives(scene_path(scene))
-    runs = [render(bench, scene, mode, photons, k) for _ in range(bench.repeats)]
-    empty = [render(bench, scene, mode, 0, k) for _ in range(bench.repeats)]
-    image, without = (min(map(image_seconds, some)) for some in (runs, empty))
-    kinds = [runs[0]["photons"][kind] for kind in ("caustic", "global")]
-    return {
-        "scene": scene, "test": test, "mode": mode, "k": k, "local_min": 10 * k,
-        "per_primitive": per_primitive, "emitted": photons,
-        "aimed": runs[0]["photons"]["aimed"], "stored": runs[0]["photons"]["stored"],
-        "shared_maps": sum(kind["shared_maps"] for kind in kinds),
-        "local_maps": sum(kind["local_maps"] for kind in kinds),
-        "build_s": min(run["seconds"]["maps"] for run in runs),
-        "image_s": image, "empty_s": without, "net_s": image - without,
-    }
+def measure_together(bench, settings, ran):
+    """Rows of some settings of one scene and test, measured in turn again and again, so that what
+    else the machine does falls on all alike.  ran(setting, row): after each rendering."""
+    scene, test = settings[0].scene, settings[0].test
+    photons = light_paths(bench, scene, test)
+    rows = [{**dataclasses.asdict(setting), "k": neighbours(bench, test), "emitted": photons,
+             "build_runs": [], "image_runs": [], "empty_runs": []} for setting in settings]
+    for _ in range(bench.repeats):
+        empty = summary(render(bench, settings[0], 0))["image_s"]
+        for setting, row in zip(settings, rows):
+            done = summary(render(bench, setting, photons))
+            row["build_runs"].append(done.pop("build_s"))
+            row["image_runs"].append(done.pop("image_s"))
+            row["empty_runs"].append(empty)
+            row.update(done)
+            ran(setting, row)
+    return [complete(row) for row in rows]
+
+
+def complete(row):
+    """The fastest of the runs counts, as others only ever slow it down."""
+    image, empty = min(row["image_runs"]), min(row["empty_runs"])
+    return {**row, "build_s": min(row["build_runs"]), "image_s": image, "empty_s": empty,
+            "net_s": image - empty}
+
+
+def net_runs(row):
+    return [image - row["empty_s"] for image in row["image_runs"]]
+
+
+def ratio(above, below, of=net_runs):
+    """How many times the cost of `below` that of `above` is: by the fastest runs, and the least and
+    the most of the rounds in which both were measured."""
+    rounds = [a / b for a, b in zip(of(above), of(below))]
+    return min(of(above)) / min(of(below)), min(rounds), max(rounds)

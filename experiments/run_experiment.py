@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Repeats the experiment of Mpawulo's dissertation (2005) on the scenes beside it.
+"""Does the experiment of Mpawulo's dissertation (2005) again, on the scenes beside it.
 
     experiments/run_experiment.py                      # writes docs/experiments.md
     experiments/run_experiment.py --quick --scenes 1   # a look; writes below out/
 
-Needs build/release/bin (./pipeline.sh builds it) and, for the figures, Debian's python3-matplotlib.
+Needs the programs in build/release/bin and, for the plots, Debian's python3-matplotlib.
 """
 
 import argparse
@@ -16,28 +16,64 @@ import platform
 import subprocess
 import sys
 import tempfile
+import time
 
+import document
 import figures
 import measure
-import tables
+import pictures
+import questions
 
 QUICK = {"divide": 10, "size": 96, "repeats": 1}
 FULL = {"divide": 1, "size": 256, "repeats": 3}
+PROGRAMS = ("preprocess", "render", "crease_profile", "filter_radius")
+# Seconds of a light path and of a photon found, about; for the time left.
+PATH_SECONDS, FOUND_SECONDS, START_SECONDS = 1.5e-6, 1e-7, 0.05
 
 
 def parse_options():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
     parser.add_argument("--scenes", type=int, nargs="+", choices=measure.SCENES,
                         default=list(measure.SCENES), help="which of them [1 2 3]")
+    parser.add_argument("--tests", type=int, nargs="+", choices=measure.TESTS,
+                        default=list(measure.TESTS), help="which of them [1 2 3 4 5]")
     parser.add_argument("--quick", action="store_true",
                         help="a tenth of the photons and neighbours, small images, one run each")
+    parser.add_argument("--repeats", type=int, help="runs of each [3; with --quick 1]")
     parser.add_argument("--to", type=pathlib.Path,
                         help="folder to write to [docs; with --quick out/experiments]")
     parser.add_argument("--tools", type=pathlib.Path, default=measure.ROOT / "build/release/bin",
                         help="folder of the programs [build/release/bin]")
+    parser.add_argument("--again", action="store_true",
+                        help="measure nothing: write the document and plots from results.json")
     options = parser.parse_args()
     options.to = options.to or measure.ROOT / ("out/experiments" if options.quick else "docs")
     return options
+
+
+class Progress:
+    """Says on standard error what was done and how long the rest takes."""
+
+    def __init__(self, bench, batches):
+        self.bench, self.start = bench, time.monotonic()
+        self.done, self.done_weight = 0, 0.0
+        settings = [setting for batch in batches for setting in batch]
+        self.total = bench.repeats * len(settings)
+        self.total_weight = bench.repeats * sum(map(self.weight, settings))
+
+    def weight(self, setting):
+        found = self.bench.size ** 2 * 0.75 * measure.neighbours(self.bench, setting.test)
+        paths = measure.light_paths(self.bench, setting.scene, setting.test)
+        return START_SECONDS + PATH_SECONDS * paths + FOUND_SECONDS * found
+
+    def ran(self, setting, row):
+        self.done += 1
+        self.done_weight += self.weight(setting)
+        elapsed = time.monotonic() - self.start
+        left = elapsed * (self.total_weight / self.done_weight - 1)
+        print(f"[{self.done}/{self.total}] scene {setting.scene}, test {setting.test}, "
+              f"{setting.mode}, {setting.tree}: {row['stored']:,} photons; "
+              f"about {left / 60:.1f} min left", file=sys.stderr)
 
 
 def commit():
@@ -59,43 +95,66 @@ def machine():
     return f"{name}, {os.cpu_count()} cores"
 
 
-def run_all(bench, scenes):
-    """Rows by scene, test and mode, with progress on standard error."""
-    rows, total = [], len(scenes) * len(measure.TESTS) * len(measure.MODES)
-    for scene in scenes:
+def run_all(bench, options):
+    """The results, but for what the run itself was."""
+    for scene in options.scenes:
         measure.make_partition(bench, scene)
-        for test, mode in itertools.product(range(1, len(measure.TESTS) + 1), measure.MODES):
-            row = measure.measure(bench, scene, test, mode)
-            rows.append(row)
-            print(f"[{len(rows)}/{total}] scene {scene}, test {test}, {mode}: "
-                  f"{row['stored']:,} photons, net {row['net_s']:.3f} s", file=sys.stderr)
-    return rows
+    main = [[measure.Setting(scene, test, mode, tree) for tree in measure.TREES
+             for mode in measure.MODES]
+            for scene, test in itertools.product(options.scenes, options.tests)]
+    asked = questions.batches(options.scenes, options.tests)
+    print("measuring creases and filter radii", file=sys.stderr)
+    singly = {"creases": questions.run_creases(bench, 100 // bench.divide),
+              "filter": questions.run_filter(bench, options.scenes, options.tests)}
+    progress = Progress(bench, main + [batch for batches in asked.values() for batch in batches])
+    return {**singly,
+            "rows": [row for batch in main
+                     for row in measure.measure_together(bench, batch, progress.ran)],
+            "questions": questions.measure_batches(bench, asked, progress.ran)}
 
 
-def write(results, folder):
-    images = folder / "images"
-    images.mkdir(parents=True, exist_ok=True)
-    drawn = figures.draw_all(results["rows"], images)
-    if not drawn:
-        print("no figures: matplotlib is not installed (Debian: python3-matplotlib)",
+def write(results, drawn, to):
+    folder = to / "experiments"
+    plots = figures.draw_all(results, folder)
+    if not plots:
+        print("no plots: matplotlib is not installed (Debian: python3-matplotlib)",
               file=sys.stderr)
-    links = {scene: f"images/{name}" for scene, name in drawn.items()}
-    readme = os.path.relpath(measure.ROOT / "experiments/README.md", folder)
-    (folder / "experiments.json").write_text(json.dumps(results, indent=1) + "\n")
-    (folder / "experiments.md").write_text(tables.document(results, links, readme))
-    print(f"wrote {folder / 'experiments.md'}", file=sys.stderr)
+    links = {name: f"experiments/{file}" for name, file in {**drawn, **plots}.items()}
+    root = os.path.relpath(measure.ROOT, to)
+    (to / "experiments.md").write_text(document.write(results, links, root))
+    print(f"wrote {to / 'experiments.md'}", file=sys.stderr)
+
+
+def run(options, results_file):
+    start = time.monotonic()
+    settings = dict(QUICK if options.quick else FULL)
+    settings["repeats"] = options.repeats or settings["repeats"]
+    with tempfile.TemporaryDirectory() as folder:
+        bench = measure.Bench(options.tools, pathlib.Path(folder), **settings)
+        results = run_all(bench, options)
+        print("rendering the scenes", file=sys.stderr)
+        results["pictures"] = pictures.draw_all(
+            bench, options.scenes, results_file.parent,
+            pictures.QUICK_RENDER if options.quick else pictures.RENDER)
+    results["about"] = {"commit": commit(), "machine": machine(), **settings,
+                        "minutes": (time.monotonic() - start) / 60}
+    results_file.write_text(json.dumps(results, indent=1) + "\n")
+    return results
 
 
 def main():
     options = parse_options()
-    if not (options.tools / "render").exists():
-        sys.exit(f"error: {options.tools}/render is missing; run ./pipeline.sh first")
-    settings = QUICK if options.quick else FULL
-    about = {"commit": commit(), "machine": machine(), **settings}
-    with tempfile.TemporaryDirectory() as folder:
-        bench = measure.Bench(options.tools, pathlib.Path(folder), **settings)
-        rows = run_all(bench, options.scenes)
-    write({"about": about, "rows": rows}, options.to)
+    results_file = options.to / "experiments" / "results.json"
+    results_file.parent.mkdir(parents=True, exist_ok=True)
+    if options.again:
+        results = json.loads(results_file.read_text())
+    else:
+        missing = [name for name in PROGRAMS if not (options.tools / name).exists()]
+        if missing:
+            sys.exit(f"error: {options.tools}/{missing[0]} is missing; build it: cmake --build "
+                     f"build/release --target {' '.join(PROGRAMS)}")
+        results = run(options, results_file)
+    write(results, results["pictures"], options.to)
 
 
 if __name__ == "__main__":

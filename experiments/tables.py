@@ -1,11 +1,12 @@
-"""Writes what the experiment measured as Markdown."""
+"""Tables of what the experiment measured, in Markdown."""
 
-from measure import ANGLE_DEG, MODES, SCENES
+from measure import MODES, SCENES, TREES, ratio
 
 # Photons stored in tests 1 to 5 by the dissertation; it says no more of scene 3.
 DISSERTATION_STORED = {1: (26019, 50513, 152881, 384119, 778138),
                        2: (7814, 16178, 48869, 97588, 180389),
                        3: (None, 1152000, None, None, None)}
+DISSERTATION_SHARED_PERCENT = {1: 80, 2: 52, 3: 2}
 
 
 def table(headers, rows):
@@ -18,64 +19,95 @@ def number(value):
 
 
 def seconds(value):
-    return f"{value:.3f}"
+    return f"{value:.3f}" if value < 10 else f"{value:.1f}"
 
 
-def ratio(above, below):
-    """The net cost of few photons may be lost in the noise, or below nothing."""
-    return f"{above / below:.2f}" if above > 0 and below > 0 else "-"
+def percent(share):
+    return f"{100 * share:.0f} %"
 
 
-def net_table(rows):
+def times(measured):
+    """Of measure.ratio: the ratio, and its spread over the rounds."""
+    middle, low, high = measured
+    if not (low > 0 and middle > 0):
+        return "lost in noise"
+    spread = "" if f"{low:.2f}" == f"{high:.2f}" else f" ({low:.2f} to {high:.2f})"
+    return f"{middle:.2f}{spread}"
+
+
+def pick(rows, **wanted):
+    """The rows that have these values."""
+    return [row for row in rows if all(row[key] == value for key, value in wanted.items())]
+
+
+def one(rows, **wanted):
+    """The only row that has these values; none if it was not measured."""
+    found = pick(rows, **wanted)
+    return found[0] if len(found) == 1 else None
+
+
+def values(rows, key):
+    return sorted({row[key] for row in rows})
+
+
+def net_table(rows, tree):
     """rows: of one scene.  Tables 3 and 4 of the dissertation."""
     lines = []
-    for test in sorted({row["test"] for row in rows}):
-        net = {row["mode"]: row["net_s"] for row in rows if row["test"] == test}
-        stored = next(row["stored"] for row in rows if row["test"] == test)
-        lines.append([test, number(stored), *(seconds(net[mode]) for mode in MODES),
-                      *(ratio(net["global"], net[mode]) for mode in MODES[1:])])
+    for test in values(rows, "test"):
+        row = {mode: one(rows, test=test, tree=tree, mode=mode) for mode in MODES}
+        lines.append([test, number(row["global"]["stored"]),
+                      *(seconds(row[mode]["net_s"]) for mode in MODES),
+                      *(times(ratio(row["global"], row[mode])) for mode in MODES[1:])])
     against = [f"global / {mode}" for mode in MODES[1:]]
-    return table(["test", "photons stored", *(f"{mode}, s" for mode in MODES), *against], lines)
+    return table(["test", "photons", *(f"{mode}, s" for mode in MODES), *against], lines)
 
 
-def raw_table(rows):
-    """rows: of one scene and mode.  Tables 5 to 9 of the dissertation."""
-    headers = ["test", "k", "photons emitted", "aimed besides", "photons stored",
-               "stored in the dissertation", "shared maps", "local maps", "building, s",
-               "rendering, s", "without photons, s"]
-    return table(headers, [[
-        row["test"], row["k"], number(row["emitted"]), number(row["aimed"]), number(row["stored"]),
-        number(DISSERTATION_STORED[row["scene"]][row["test"] - 1]), number(row["shared_maps"]),
-        number(row["local_maps"]), seconds(row["build_s"]), seconds(row["image_s"]),
-        seconds(row["empty_s"])] for row in rows])
+def raw_table(rows, mode):
+    """rows: of one scene.  Tables 5 to 9 of the dissertation."""
+    lines = []
+    for test in values(rows, "test"):
+        row = {tree: one(rows, test=test, tree=tree, mode=mode) for tree in TREES}
+        first = row["balanced"]
+        lines.append([test, first["k"], number(first["emitted"]), number(first["stored"]),
+                      first["shared_maps"], first["local_maps"], first["group_maps"],
+                      *(seconds(row[tree]["build_s"]) for tree in TREES),
+                      *(seconds(row[tree]["image_s"]) for tree in TREES),
+                      seconds(first["empty_s"])])
+    return table(["test", "k", "emitted", "stored", "shared maps", "local maps", "group maps",
+                  *(f"build {tree}, s" for tree in TREES),
+                  *(f"render {tree}, s" for tree in TREES), "empty, s"], lines)
 
 
-def introduction(results, readme):
-    about = results["about"]
-    return f"""# The experiment of the dissertation, repeated
+def stored_table(rows):
+    """Whether the scenes store what the dissertation's did."""
+    lines = []
+    for scene in values(rows, "scene"):
+        for row in pick(rows, scene=scene, tree="balanced", mode="thesis"):
+            theirs = DISSERTATION_STORED[scene][row["test"] - 1]
+            shared = row["shared_maps"] / (row["shared_maps"] + row["local_maps"])
+            lines.append([scene, row["test"], number(row["emitted"]), number(row["aimed"]),
+                          number(row["stored"]), number(theirs),
+                          f"{row['stored'] / theirs:.2f}" if theirs else "-", row["shared_maps"],
+                          row["local_maps"], percent(shared),
+                          f"{DISSERTATION_SHARED_PERCENT[scene]} %"])
+    return table(["scene", "test", "emitted", "aimed besides", "stored", "theirs", "ours / theirs",
+                  "shared maps", "local maps", "shared of all", "theirs"], lines)
 
-Written by `experiments/run_experiment.py`; do not edit. Scenes and settings:
-[experiments/README.md]({readme}). Commit {about["commit"]}; {about["machine"]}; images
-{about["size"]} pixels wide, one sample a pixel; runs of each: {about["repeats"]}, the fastest counts;
-angle threshold {ANGLE_DEG} degrees; M = 10 k. Photons emitted and k are those of the dissertation
-divided by {about["divide"]}.
 
-Building is splitting and ordering the photons. Caustic photons have maps of their own in every
-mode. The **net query cost** is the time to render an image whose light comes from the photons alone
-less the time to render it without photons.
-"""
-
-
-def document(results, figures, readme):
-    """results: as in experiments.json.  figures: {scene: file}, from the document's folder."""
-    parts = [introduction(results, readme)]
-    for scene in sorted({row["scene"] for row in results["rows"]}):
-        rows = [row for row in results["rows"] if row["scene"] == scene]
-        parts.append(f"## Scene {scene}: `{SCENES[scene]}`\n\nNet query cost:\n")
-        parts.append(net_table(rows))
-        if scene in figures:
-            parts.append(f"![Net query cost of scene {scene}]({figures[scene]})\n")
-        for mode in MODES:
-            parts.append(f"Mode `{mode}`:\n")
-            parts.append(raw_table([row for row in rows if row["mode"] == mode]))
+def scene_part(rows, scene, drawn):
+    """All of one scene.  drawn: {name: address of a picture}."""
+    rows = pick(rows, scene=scene)
+    parts = [f"## Scene {scene}: `{SCENES[scene]}`\n"]
+    if f"render_{scene}" in drawn:
+        parts.append(table(["rendered", "its shared maps"], [[
+            f"![scene {scene}]({drawn[f'render_{scene}']})",
+            f"![its partition]({drawn[f'maps_{scene}']})"]]))
+    if f"net_{scene}" in drawn:
+        parts.append(f"![Net query cost of scene {scene}]({drawn[f'net_{scene}']})\n")
+    for tree in TREES:
+        parts.append(f"Net query cost, {tree} trees:\n")
+        parts.append(net_table(rows, tree))
+    for mode in MODES:
+        parts.append(f"Mode `{mode}`:\n")
+        parts.append(raw_table(rows, mode))
     return "\n".join(parts)

@@ -1,0 +1,101 @@
+"""Writes docs/experiments.md from the results."""
+
+import claims
+import questions
+import tables
+from measure import ANGLE_DEG
+from tables import percent, pick, seconds, table, times, values
+
+
+def introduction(results, root):
+    about = results["about"]
+    return f"""# The experiment of the dissertation, done again
+
+Written by `experiments/run_experiment.py`; do not edit. Every figure below is from that run and in
+[results.json](experiments/results.json). Scenes and settings: [experiments/README.md]({root}/experiments/README.md).
+Commit {about["commit"]}; {about["machine"]}; {about["minutes"]:.0f} minutes; images {about["size"]} pixels
+wide, one sample a pixel; angle threshold {ANGLE_DEG} degrees; M = 10 k; the dissertation's estimate
+(`--estimate thesis`). Photons emitted and k are the dissertation's divided by {about["divide"]}.
+
+Seconds are of the processor, of all threads together, so that other programs disturb them little; each
+scene and test was run {about["repeats"]} times in rounds through all modes and trees, and the fastest counts. A
+ratio is of the fastest runs, with the least and the most of the rounds in brackets. Building is
+splitting and ordering the photons. The **net query cost** is the time to render an image whose
+light comes from the photons alone less the time to render it without photons. Caustic photons have maps of
+their own in every mode. `balanced` is Jensen's kd-tree, `unbalanced` one made by inserting, `wide`
+hipmap's ([photon_maps.md]({root}/docs/photon_maps.md)).
+"""
+
+
+def scene_3(rows):
+    """Both tiers against shared maps where the dissertation has 40 s against 85 s."""
+    found = pick(rows, scene=3, test=2)
+    if not found:
+        return ""
+    lines = [["dissertation", "1,152,000", 12, 529, "85", "40", f"{85 / 40:.2f}"]]
+    for tree in ("balanced", "unbalanced", "wide"):
+        shared, both = (tables.one(found, tree=tree, mode=mode) for mode in ("shared", "thesis"))
+        lines.append([f"here, {tree}", tables.number(both["stored"]), both["shared_maps"],
+                      both["local_maps"], seconds(shared["net_s"]), seconds(both["net_s"]),
+                      times(claims.ratio(shared, both))])
+    return ("## Scene 3, test 2: two tiers beside Larsen's maps\n\n" + table(
+        ["", "photons", "shared maps", "local maps", "shared maps alone, s", "both tiers, s",
+         "shared / both"], lines))
+
+
+def creases_part(creases, drawn):
+    if not creases:
+        return ""
+    corner = next(row for row in creases if row["crease"] == "corner")
+    parts = ["## Creases and leaks\n", f"""Irradiance in a room where it is 1 everywhere, and on a floor where it is 0 between walls
+where it is 1 (k = 50). At an edge the dissertation's estimate falls to
+{percent(float(creases[0]["shared thesis"]))}, in a corner to {percent(float(corner["shared thesis"]))}; over the visible
+area it stays at {percent(float(creases[0]["shared clipped"]))} and
+{percent(float(corner["shared clipped"]))}. One map shows {percent(float(creases[0]["dark global"]))} of the
+wall's light on the dark floor, shared maps {percent(float(creases[0]["dark shared"]))}.
+"""]
+    if "creases" in drawn:
+        parts.append(f"![Irradiance near creases]({drawn['creases']})\n")
+    return "\n".join(parts)
+
+
+def open_questions(results, root):
+    asked = results["questions"]
+    parts = ["## What the dissertation left open\n"]
+    if asked["ratio"]:
+        parts += ["### The ratio of M to k\n", questions.best_ratio(asked["ratio"]),
+                  questions.ratio_table(asked["ratio"])]
+    if asked["tiers"]:
+        parts += ["### The third tier\n", f"""Mode `hierarchical` adds maps of groups of faces. On wide trees a
+tier is used only where it is expected to pay ([photon_maps.md]({root}/docs/photon_maps.md) (8)); `--tiers all`
+forces it. On kd-trees it is always used.
+""", questions.tier_table(asked["tiers"], results["rows"])]
+    parts += ["### Caustics apart from the rest\n",
+              "Mode `thesis` on balanced trees, by kind of photon.\n",
+              questions.caustic_table(results["rows"])]
+    if results["filter"]:
+        parts += ["### A better filter radius\n", """A search is begun in a local map if the radius foretold for it is
+within the limiting radius. Of all searches on faces with a local map: those answered there, those begun in vain
+and then repeated in the shared map, and those that would have been answered but were not begun; and
+what one search takes in all. No rule can do better than the one that is always right.
+""", questions.most_by_foresight(results["filter"]), questions.filter_table(results["filter"])]
+    if asked["clipped"]:
+        parts += ["### What an estimate without dark creases costs\n",
+                  "Net query cost of mode `shared` on wide trees, by estimate.\n",
+                  questions.clipped_table(asked["clipped"])]
+    return "\n".join(parts)
+
+
+def write(results, drawn, root):
+    """The document.  drawn: {name: address of a picture}.  root: address of the repository."""
+    rows = results["rows"]
+    parts = [introduction(results, root), "## What became of its claims\n",
+             f"""Decided by rule ([claims.py]({root}/experiments/claims.py)) from the numbers, in the order of the scenes. *Held*:
+on trees of its time and on hipmap's; *{claims.WEAKER}*: on the former only.
+""", claims.claims_table(rows, results["creases"])]
+    if "local_tier" in drawn:
+        parts.append(f"![Both tiers against shared maps alone]({drawn['local_tier']})\n")
+    parts += [scene_3(rows), creases_part(results["creases"], drawn), open_questions(results, root),
+              "## Photons and maps\n\n", tables.stored_table(rows)]
+    parts += [tables.scene_part(rows, scene, drawn) for scene in values(rows, "scene")]
+    return "\n".join(part for part in parts if part)
