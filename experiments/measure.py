@@ -20,12 +20,13 @@ LOCAL_MIN_PER_NEIGHBOUR = 10  # the dissertation's M / k
 @dataclasses.dataclass(frozen=True)
 class Bench:
     """tools: folder of the programs.  folder: for their files.  size: pixels across an image.
-    repeats: runs of each.  divide: photons and k are divided by it."""
+    rounds: {test: how often each rendering is repeated}.  divide: photons and k are divided by
+    it."""
 
     tools: pathlib.Path
     folder: pathlib.Path
     size: int
-    repeats: int
+    rounds: dict
     divide: int
 
 
@@ -124,7 +125,7 @@ def measure_together(bench, settings, ran):
     photons = light_paths(bench, scene, test)
     rows = [{**dataclasses.asdict(setting), "k": neighbours(bench, test), "emitted": photons,
              "build_runs": [], "image_runs": [], "empty_runs": []} for setting in settings]
-    for _ in range(bench.repeats):
+    for _ in range(bench.rounds[test]):
         empty = summary(render(bench, settings[0], 0))["image_s"]
         for setting, row in zip(settings, rows):
             done = summary(render(bench, setting, photons))

@@ -24,8 +24,9 @@ import measure
 import pictures
 import questions
 
-QUICK = {"divide": 10, "size": 96, "repeats": 1}
-FULL = {"divide": 1, "size": 256, "repeats": 3}
+QUICK = {"divide": 10, "size": 96, "rounds": dict.fromkeys(measure.TESTS, 1)}
+# Short runs are disturbed more.
+FULL = {"divide": 1, "size": 256, "rounds": {1: 5, 2: 5, 3: 3, 4: 2, 5: 2}}
 PROGRAMS = ("preprocess", "render", "crease_profile", "filter_radius")
 # Seconds of a light path and of a photon found, about; for the time left.
 PATH_SECONDS, FOUND_SECONDS, START_SECONDS = 1.5e-6, 1e-7, 0.05
@@ -39,7 +40,8 @@ def parse_options():
                         default=list(measure.TESTS), help="which of them [1 2 3 4 5]")
     parser.add_argument("--quick", action="store_true",
                         help="a tenth of the photons and neighbours, small images, one run each")
-    parser.add_argument("--repeats", type=int, help="runs of each [3; with --quick 1]")
+    parser.add_argument("--rounds", type=int,
+                        help="times to run each [5, 5, 3, 2, 2 by test; with --quick 1]")
     parser.add_argument("--to", type=pathlib.Path,
                         help="folder to write to [docs; with --quick out/experiments]")
     parser.add_argument("--tools", type=pathlib.Path, default=measure.ROOT / "build/release/bin",
@@ -58,8 +60,9 @@ class Progress:
         self.bench, self.start = bench, time.monotonic()
         self.done, self.done_weight = 0, 0.0
         settings = [setting for batch in batches for setting in batch]
-        self.total = bench.repeats * len(settings)
-        self.total_weight = bench.repeats * sum(map(self.weight, settings))
+        self.total = sum(bench.rounds[setting.test] for setting in settings)
+        self.total_weight = sum(bench.rounds[setting.test] * self.weight(setting)
+                                for setting in settings)
 
     def weight(self, setting):
         found = self.bench.size ** 2 * 0.75 * measure.neighbours(self.bench, setting.test)
@@ -128,7 +131,8 @@ def write(results, drawn, to):
 def run(options, results_file):
     start = time.monotonic()
     settings = dict(QUICK if options.quick else FULL)
-    settings["repeats"] = options.repeats or settings["repeats"]
+    if options.rounds:
+        settings["rounds"] = dict.fromkeys(measure.TESTS, options.rounds)
     with tempfile.TemporaryDirectory() as folder:
         bench = measure.Bench(options.tools, pathlib.Path(folder), **settings)
         results = run_all(bench, options)
