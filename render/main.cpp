@@ -7,7 +7,7 @@
 #include "common/stopwatch.h"
 #include "render/maps/hierarchical.h"
 #include "render/options.h"
-#include "render/shading/approximations.h"
+#include "render/shading/describe_reflections.h"
 #include "render/statistics.h"
 
 #include <csignal>
@@ -130,8 +130,8 @@ int render(RenderArguments& arguments)
     const Scene& scene = loaded.scene;
     const Partition partition = load_partition(arguments, scene);
     print_audit(report, loaded.audit);
-    for (const std::string& sentence : describe_approximations(scene))
-        report.line("approximated: " + sentence);
+    for (const std::string& sentence : describe_reflections(scene))
+        report.line(sentence);
     run.seconds_scene = reading.seconds();
 
     const PictureSize size = complete_size(arguments.size, scene.cameras[scene.camera].aspect);

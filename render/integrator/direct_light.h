@@ -5,29 +5,42 @@
 
 namespace hipmap {
 
-/// What the diffuse lobe makes of light from a direction: coat_half(wi) cos(wi) and the lobe's
-/// shape; zero if the direction is not above the surface.
-Rgb receive(const Interaction& at, const glm::vec3& direction);
+/// The chance with which each set of lobes sends a ray of its own at a surface, which may find the
+/// lights too; 0: the set is left out of the light sampled.
+struct LobeRays {
+    float gathered = 0.0f;
+    float followed = 0.0f;
+};
 
 /// Chance per solid angle, at a point `distance` away, that sampling the emissive faces finds
 /// `on_light`.  direction: between the two, unit.
 float emissive_density(const RenderScene& scene, const SurfacePoint& on_light,
                        const glm::vec3& direction, float distance);
 
-/// The punctual lights' share of `direct_irradiance`.
-Rgb punctual_irradiance(const RenderScene& scene, const Interaction& at, RandomSequence& random);
+/// The part of the light from `on_light` that counts for a ray that ran into it, the rest being
+/// that of `emissive_light` (balance heuristic, Veach 1997).  density: chance per solid angle that
+/// the lobes at the ray's origin sent it; 0: nothing else could have found the light, and all
+/// counts.
+float hit_weight(const RenderScene& scene, const SurfacePoint& on_light, const glm::vec3& direction,
+                 float distance, float density);
 
-/// The emissive faces' share, by one point on them, weighed by the balance heuristic against a ray
-/// by the cosine of the lobe that is sent with chance `ray_chance`.  There must be an emissive
-/// face.
-Rgb emissive_irradiance(const RenderScene& scene, const Interaction& at, float ray_chance,
-                        RandomSequence& random);
+/// Radiance towards `at.back` of light straight from punctual lights: all of them, or one from each
+/// of 16 strata.
+Rgb punctual_light(const RenderScene& scene, const Interaction& at, const LobeRays& rays,
+                   RandomSequence& random);
 
-/// Light that reaches the diffuse lobe of a surface straight from the lights, by shadow rays:
-///     integral over wi of L(wi) coat_half(wi) cos(wi)                docs/light_transport.md (11)
-/// in W/m2, an unbiased estimate from one sample of each punctual light, one of the emissive faces
-/// and one of the hemisphere, the last two combined by the balance heuristic (Veach 1997).
-/// Light on the other side than `at` was seen from does not count.  Thread-safe.
-Rgb direct_irradiance(const RenderScene& scene, const Interaction& at, RandomSequence& random);
+/// The same from the emissive faces by one point on them, weighed by the balance heuristic against
+/// the rays of the lobes.  Zero if there are none.
+Rgb emissive_light(const RenderScene& scene, const Interaction& at, const LobeRays& rays,
+                   RandomSequence& random);
+
+/// Both.  Light straight from the lights is this and what the rays of the lobes find, by
+/// `hit_weight`, docs/light_transport.md (11).  Thread-safe.
+Rgb sampled_light(const RenderScene& scene, const Interaction& at, const LobeRays& rays,
+                  RandomSequence& random);
+
+/// What the one ray that the gathered lobes send finds of emissive faces and sky: with
+/// `sampled_light` at {.gathered = 1}, an unbiased estimate of all direct light in these lobes.
+Rgb found_light(const RenderScene& scene, const Interaction& at, RandomSequence& random);
 
 } // namespace hipmap

@@ -1,7 +1,7 @@
 #include "render/integrator/eye_path.h"
 
-#include "common/math/sampling.h"
 #include "render/integrator/direct_light.h"
+#include "render/shading/scatter.h"
 
 #include <array>
 
@@ -24,7 +24,8 @@ struct Branch {
     Ray ray;
     Rgb weight{1.0f};
     Rgb absorption{0.0f}; ///< of what the ray travels in
-    int depth = 0;        ///< specular surfaces behind it
+    float density = 0.0f; ///< per solid angle, that lobes sent the ray; 0: a mirror, glass, the eye
+    int depth = 0;        ///< surfaces behind it
 };
 
 /// Branches wait on a stack: each of the first kSplitDepth surfaces adds at most one.
@@ -39,21 +40,35 @@ struct BranchStack {
     }
 };
 
-/// Light that the diffuse lobe sends back along the path.
-Rgb diffuse_radiance(const PassMaps& maps, const Interaction& at, RandomSequence& random,
-                     EyeScratch& scratch)
+/// Light that the gathered lobes send back along the path, from photons.
+Rgb photon_light(const PassMaps& maps, const Interaction& at, EyeScratch& scratch)
 {
+    const GatheredLobes lobes(at.bsdf, at.shading_normal, at.back);
     PhotonQuery query{at.point.position, at.normal, at.point.face, at.side};
-    if (at.bsdf.burley_roughness >= 0)
-        query.bsdf = &at.bsdf;
-    query.shading_normal = at.shading_normal;
-    query.toward_eye = at.back;
-    Rgb irradiance = estimate_irradiance(maps.global, maps.surfaces, query, scratch.global);
+    if (maps.scene.directional)
+        query.lobes = &lobes;
+    Rgb light = estimate_irradiance(maps.global, maps.surfaces, query, scratch.global);
     query.radius = even_radius(maps.caustic, maps.scene.partition, query);
-    irradiance += estimate_irradiance(maps.caustic, maps.surfaces, query, scratch.caustic);
-    if (maps.direct == DirectLight::shadow_rays)
-        irradiance += direct_irradiance(maps.scene, at, random);
-    return at.bsdf.diffuse * coat_half(at.bsdf, at.cosine) * irradiance / kPi;
+    light += estimate_irradiance(maps.caustic, maps.surfaces, query, scratch.caustic);
+    return maps.scene.directional ? light : lobes.base() * light;
+}
+
+/// Light from lights and photons that the surface sends back along the path; what followed lobes
+/// find by rays of their own is not in it.
+Rgb scattered_light(const PassMaps& maps, const Interaction& at, RandomSequence& random,
+                    EyeScratch& scratch)
+{
+    const bool gathers = at.bsdf.gathers();
+    const bool samples = gathers && maps.direct == DirectLight::shadow_rays;
+    const LobeRays rays{samples ? 1.0f : 0.0f, at.bsdf.follows() ? 1.0f : 0.0f};
+    Rgb light(0.0f);
+    if (rays.gathered + rays.followed > 0)
+        light = sampled_light(maps.scene, at, rays, random);
+    if (samples)
+        light += found_light(maps.scene, at, random);
+    if (gathers)
+        light += photon_light(maps, at, scratch);
+    return light;
 }
 
 /// False: Russian roulette ended the branch.
@@ -85,6 +100,7 @@ void follow_specular(const Interaction& at, const Branch& from, RandomSequence& 
     }
     Branch next = from;
     next.depth = from.depth + 1;
+    next.density = 0;
     if (transmit_chance > 0 && transmit > 0) {
         next.ray = transmitted_ray(at, lobes.eta);
         next.absorption = absorption_beyond(at);
@@ -100,6 +116,22 @@ void follow_specular(const Interaction& at, const Branch& from, RandomSequence& 
         if (survives(next, random))
             stack.push(next);
     }
+}
+
+/// One ray in a direction drawn from the followed lobes.
+void follow_glossy(const Interaction& at, const Branch& from, RandomSequence& random,
+                   BranchStack& stack)
+{
+    const ScatterSample sample = sample_scatter(at, Lobes::followed, random);
+    Branch next = from;
+    next.depth = from.depth + 1;
+    next.weight *= sample.weight / (sample.eta * sample.eta);
+    next.density = sample.density;
+    next.ray = scattered_ray(at, sample);
+    if (sample.transmitted)
+        next.absorption = absorption_beyond(at);
+    if (max_channel(next.weight) > 0 && survives(next, random))
+        stack.push(next);
 }
 
 } // namespace
@@ -121,10 +153,13 @@ Rgb trace_eye_path(const PassMaps& maps, const Ray& ray, RandomSequence& random,
         }
         branch.weight *= transmittance(branch.absorption, hit->distance);
         const Interaction at = interact(maps.scene, branch.ray, *hit);
-        radiance += branch.weight * emitted_radiance(at.bsdf, at.point, at.back);
-        if (at.bsdf.has_diffuse())
-            radiance += branch.weight * diffuse_radiance(maps, at, random, scratch);
+        radiance +=
+            branch.weight * emitted_radiance(at.bsdf, at.point, at.back) *
+            hit_weight(maps.scene, at.point, branch.ray.direction, hit->distance, branch.density);
+        radiance += branch.weight * scattered_light(maps, at, random, scratch);
         follow_specular(at, branch, random, stack);
+        if (at.bsdf.follows())
+            follow_glossy(at, branch, random, stack);
     }
     return radiance;
 }

@@ -127,7 +127,7 @@ PassMapSet make_maps(const RenderScene& scene, const RenderOptions& options, std
 
     const Stopwatch building;
     MapOptions of_maps = options.maps;
-    of_maps.directions = scene.scene.diffuse_model != DiffuseModel::lambert;
+    of_maps.directions = scene.directional;
     const auto build = [&](std::vector<Photon> photons) {
         return build_photon_maps(photons, scene.mesh(), scene.partition, of_maps);
     };

@@ -31,8 +31,9 @@ struct MapSurfaces {
 /// the whole map if the radius is infinite), (3).  A(r) is the part of the disc that is visible
 /// from the query without crossing a boundary of its map, docs/visible_area.md; photons beyond one
 /// do not count.  Where a boundary is near, photons of tilted faces count by the cosine, (4).  Mode
-/// global has no boundaries.  A diffuse lobe that is not Lambert's (query.bsdf) weighs each photon
-/// by its shape.  With EstimateForm::thesis it is (7) instead: no radius, no boundaries.
+/// global has no boundaries.  Where the query names lobes, each photon is weighed by them, and it
+/// is the radiance they send back, W/(m2 sr).  With EstimateForm::thesis it is (7) instead: no
+/// radius, no boundaries.
 /// No photon: zero, never NaN.  Thread-safe.  Blurs detail finer than r_k.
 Rgb estimate_irradiance(const PhotonMaps& maps, const MapSurfaces& surfaces,
                         const PhotonQuery& query, EstimateScratch& scratch);

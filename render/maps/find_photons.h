@@ -2,7 +2,7 @@
 
 #include "render/maps/photon_maps.h"
 #include "render/maps/wide_search.h"
-#include "render/shading/bsdf.h"
+#include "render/shading/gathered_lobes.h"
 
 #include <limits>
 #include <vector>
@@ -16,9 +16,7 @@ struct PhotonQuery {
     FaceId face = kNone;
     std::uint8_t side = 0;
     float radius = std::numeric_limits<float>::infinity(); ///< nothing farther counts
-    const Bsdf* bsdf = nullptr;     ///< whose diffuse lobe gathers; none: Lambert
-    glm::vec3 shading_normal{0.0f}; ///< the two that its shape depends on, unit
-    glm::vec3 toward_eye{0.0f};
+    const GatheredLobes* lobes = nullptr; ///< that weigh each photon; none: all count alike
 };
 
 /// What was done in one tier below the shared maps.

@@ -8,10 +8,9 @@ namespace hipmap {
 glm::dvec3 gathered_power(const MetPhoton& photon, const PhotonQuery& query)
 {
     const glm::dvec3 power = photon.map.powers.of(photon.slot);
-    if (query.bsdf == nullptr)
+    if (query.lobes == nullptr)
         return power;
-    return power * double{diffuse_shape(*query.bsdf, query.shading_normal,
-                                        photon.map.direction(photon.slot), query.toward_eye)};
+    return power * glm::dvec3((*query.lobes)(photon.map.direction(photon.slot)));
 }
 
 glm::dvec3 projected_power(const MetPhoton& photon, const PhotonQuery& query,

@@ -11,7 +11,7 @@ struct MetPhoton {
 };
 
 /// What a photon adds to the sum of an estimate: its power in units of the maps' scale, weighed by
-/// the shape of the query's diffuse lobe if that is not Lambert's.
+/// the query's lobes if it names any.
 glm::dvec3 gathered_power(const MetPhoton& photon, const PhotonQuery& query);
 
 /// The same by the cosine between the photon's face and the query's, docs/photon_maps.md (4).

@@ -38,7 +38,7 @@ struct MapOptions {
     std::uint32_t local_min = 500; ///< M: fewest photons of a local map
     EstimateForm estimate = EstimateForm::clipped;
     TierChoice tiers = TierChoice::paying;
-    bool directions = false; ///< a diffuse lobe that is not Lambert's will gather
+    bool directions = false; ///< a lobe that is not separable will gather
     TreeKind tree = TreeKind::wide;
 
     /// Whether a gatherer asks for the directions of photons.

@@ -7,10 +7,10 @@
 
 namespace hipmap {
 
-/// Light that arrived at a diffuse surface.
+/// Light that arrived at a surface that gathers.
 struct Photon {
     glm::vec3 position; ///< scene units
-    Rgb power; ///< W / metres_per_unit^2, with all that depends on its direction multiplied
+    Rgb power; ///< W / metres_per_unit^2, with what depends on its direction alone multiplied
                ///<   in: docs/photon_maps.md (1)
     glm::vec3 direction; ///< unit, towards where it came from
     FaceId face;

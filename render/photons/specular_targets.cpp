@@ -25,7 +25,8 @@ constexpr int kHalvings = 5;
 /// Whether any point of the material can have a specular lobe.
 bool may_be_specular(const Material& material, const Bsdf& bsdf)
 {
-    return bsdf.coated || bsdf.metal > 0 || bsdf.glass > 0 ||
+    return bsdf.reflection == Reflection::mirror || bsdf.reflection == Reflection::followed ||
+           bsdf.glass > 0 ||
            find_texture(material.textures, TextureUse::metallic_roughness) != nullptr ||
            find_texture(material.textures, TextureUse::transmission) != nullptr;
 }

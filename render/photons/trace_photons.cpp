@@ -3,7 +3,7 @@
 #include "common/math/frame.h"
 #include "common/math/sampling.h"
 #include "render/photons/aimed_emission.h"
-#include "render/shading/interaction.h"
+#include "render/shading/scatter.h"
 
 #include <tbb/parallel_for.h>
 
@@ -35,21 +35,22 @@ struct LightPath {
     bool diffuse = false;
 };
 
-enum class Event { absorb, diffuse, mirror, transmit };
+enum class Event { absorb, diffuse, gathered, followed, mirror, transmit };
+constexpr int kLobes = 5;
 
 /// Russian roulette in RGB, docs/light_transport.md (10): which lobe the path goes on in, and its
 /// power there.  The power stays bounded by the largest channel of what came in.
-Event choose_event(LightPath& path, const Rgb (&shares)[3], float u)
+Event choose_event(LightPath& path, const Rgb (&shares)[kLobes], float u)
 {
     const float incoming = max_channel(path.power);
     if (!(incoming > 0))
         return Event::absorb;
-    float chance[3];
+    float chance[kLobes];
     float sum = 0;
-    for (int i = 0; i < 3; ++i)
+    for (int i = 0; i < kLobes; ++i)
         sum += chance[i] = max_channel(path.power * shares[i]) / incoming;
     const float scale = sum > 1 ? 1 / sum : 1;
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < kLobes; ++i) {
         const float p = chance[i] * scale;
         if (u < p) {
             path.power *= shares[i] / p;
@@ -61,13 +62,16 @@ Event choose_event(LightPath& path, const Rgb (&shares)[3], float u)
 }
 
 /// docs/photon_maps.md (1).
-void store(const Interaction& at, const LightPath& path, const Wanted& wanted, TracedPhotons& out)
+void store(const Interaction& at, const LightPath& path, bool directional, const Wanted& wanted,
+           TracedPhotons& out)
 {
     const bool caustic = path.specular && !path.diffuse;
     if (!(caustic ? wanted.caustic : path.diffuse ? wanted.indirect : wanted.direct))
         return;
     const float geometric = glm::dot(at.back, at.normal);
-    const Rgb power = path.power * coat_half(at.bsdf, at.cosine) * (at.cosine / geometric);
+    Rgb power = path.power * (at.cosine / geometric);
+    if (!directional)
+        power *= coat_half(at.bsdf, at.cosine);
     if (!is_finite(power) || !is_finite(at.point.position)) {
         ++out.dropped;
         return;
@@ -76,31 +80,63 @@ void store(const Interaction& at, const LightPath& path, const Wanted& wanted, T
         .push_back({at.point.position, power, at.back, at.point.face, at.side});
 }
 
+/// Sends the path on by the diffuse lobe.  False: into the surface.
+bool scatter_diffusely(const Interaction& at, LightPath& path, RandomSequence& random,
+                       PowerBalance& balance)
+{
+    const glm::vec3 local = sample_cosine_hemisphere(random.next2());
+    path.ray.direction = Frame(at.shading_normal).to_world(local);
+    path.ray.origin = offset_origin(at.point, at.normal);
+    const Rgb incoming = path.power;
+    path.power *= coat_half(at.bsdf, local.z) / (1.0f - at.bsdf.coat_average) *
+                  diffuse_shape(at.bsdf, at.shading_normal, at.back, path.ray.direction);
+    const bool out = glm::dot(path.ray.direction, at.normal) > 0;
+    balance.absorbed += glm::dvec3(out ? incoming - path.power : incoming);
+    path.diffuse = true;
+    return out;
+}
+
+/// Sends the path on along a direction already drawn from facets.
+void follow_facet(const Interaction& at, const ScatterSample& sample, LightPath& path)
+{
+    path.ray = scattered_ray(at, sample);
+    if (sample.transmitted)
+        path.absorption = absorption_beyond(at);
+}
+
 /// Sends the path on from a surface.  False: it ends there.
 bool scatter(const Interaction& at, LightPath& path, RandomSequence& random, PowerBalance& balance)
 {
+    // Glossy lobes have no albedo in closed form: a direction is drawn first, and what its facet
+    // sends on is the share.
+    ScatterSample gathered, followed;
+    if (at.bsdf.reflection == Reflection::gathered)
+        gathered = sample_facets(at, Lobes::gathered, random);
+    if (at.bsdf.follows())
+        followed = sample_facets(at, Lobes::followed, random);
     const SpecularLobes specular = specular_lobes(at.bsdf, at.cosine, at.front, at.solid);
-    const Rgb shares[3] = {diffuse_albedo(at.bsdf, at.cosine), specular.mirror, specular.transmit};
-    balance.absorbed += glm::dvec3(path.power * (1.0f - shares[0] - shares[1] - shares[2]));
+    const Rgb shares[kLobes] = {diffuse_albedo(at.bsdf, at.cosine), gathered.weight,
+                                followed.weight, specular.mirror, specular.transmit};
+    Rgb sent(0.0f);
+    for (const Rgb& share : shares)
+        sent += share;
+    balance.absorbed += glm::dvec3(path.power * (1.0f - sent));
 
     switch (choose_event(path, shares, random.next())) {
     case Event::absorb:
         return false;
-    case Event::diffuse: {
-        const glm::vec3 local = sample_cosine_hemisphere(random.next2());
-        path.ray.direction = Frame(at.shading_normal).to_world(local);
-        path.ray.origin = offset_origin(at.point, at.normal);
-        path.power *= coat_half(at.bsdf, local.z) / (1.0f - at.bsdf.coat_average);
-        const float shape = diffuse_shape(at.bsdf, at.shading_normal, at.back, path.ray.direction);
-        balance.absorbed += glm::dvec3(path.power * (1 - shape));
-        path.power *= shape;
-        path.diffuse = true;
-        if (!(glm::dot(path.ray.direction, at.normal) > 0)) {
-            balance.absorbed += glm::dvec3(path.power);
+    case Event::diffuse:
+        if (!scatter_diffusely(at, path, random, balance))
             return false;
-        }
         break;
-    }
+    case Event::gathered:
+        follow_facet(at, gathered, path);
+        path.diffuse = true;
+        break;
+    case Event::followed:
+        follow_facet(at, followed, path);
+        path.specular = true;
+        break;
     case Event::mirror:
         path.ray = mirror_ray(at);
         path.specular = true;
@@ -133,8 +169,8 @@ void trace_path(const RenderScene& scene, const Wanted& wanted, const EmittedPat
         path.power = arriving;
 
         const Interaction at = interact(scene, path.ray, *hit);
-        if (at.bsdf.has_diffuse() && scene.partition.map_of_face[hit->face] != kNone)
-            store(at, path, wanted, out);
+        if (at.bsdf.gathers() && scene.partition.map_of_face[hit->face] != kNone)
+            store(at, path, scene.directional, wanted, out);
         if (!scatter(at, path, random, out.power) || (path.diffuse && !wanted.indirect))
             return;
     }

@@ -1,5 +1,7 @@
 #include "render/shading/bsdf.h"
 
+#include "render/shading/glossy_albedo.h"
+
 #include <glm/glm.hpp>
 
 #include <cmath>
@@ -31,19 +33,56 @@ Rgb schlick_average(const Rgb& f0, const Rgb& f90)
 /// matt).
 constexpr float kLeastReflectance = 0.02f;
 
-} // namespace
+/// Rough glass of exactly the index of its surroundings would be no surface at all.
+constexpr float kLeastRoughIndex = 1.001f;
 
-Bsdf make_bsdf(const Material& material, const MaterialPoint& at, DiffuseModel model)
+/// Albedo of a reflection, whatever its width.
+Rgb albedo_of(const Rgb& f0, const Rgb& f90, float cosine, float alpha)
 {
-    const bool smooth = is_specular(at.roughness);
+    return alpha > 0 ? glossy_albedo(cosine, alpha).of(f0, f90) : schlick(f0, f90, cosine);
+}
+
+Rgb average_albedo_of(const Rgb& f0, const Rgb& f90, float alpha)
+{
+    return alpha > 0 ? average_glossy_albedo(alpha).of(f0, f90) : schlick_average(f0, f90);
+}
+
+Reflection kind_of(const Bsdf& bsdf, float roughness)
+{
+    if (is_black(bsdf.reflect_f0) && is_black(bsdf.reflect_f90))
+        return Reflection::none;
+    if (bsdf.alpha == 0)
+        return Reflection::mirror;
+    return is_followed(roughness) ? Reflection::followed : Reflection::gathered;
+}
+
+/// docs/light_transport.md (1) and (2): the diffuse base, the coat over it, and the metal.
+void make_opaque(const Material& material, const MaterialPoint& at, Bsdf& out)
+{
     const float index_step = (material.ior - 1) / (material.ior + 1);
     const Rgb f0 =
         glm::min(index_step * index_step * material.specular_color, Rgb(1)) * material.specular;
     const Rgb f90(material.specular * std::min(1.0f, max_channel(f0) / kLeastReflectance));
     const float opaque = (1 - at.metallic) * (1 - at.transmission);
+    out.coated = opaque > 0 && (!is_black(f0) || !is_black(f90));
+    out.diffuse = opaque * at.base_color;
+    if (out.coated) {
+        out.coat_f0 = f0;
+        out.coat_f90 = f90;
+        out.coat_average = average_albedo_of(f0, f90, out.alpha);
+        out.diffuse /= glm::max(1.0f - out.coat_average, Rgb(1e-6f));
+    }
+    out.reflect_f0 = at.metallic * at.base_color + opaque * out.coat_f0;
+    out.reflect_f90 = at.metallic + opaque * out.coat_f90;
+    out.reflection = kind_of(out, at.roughness);
+}
 
+} // namespace
+
+Bsdf make_bsdf(const Material& material, const MaterialPoint& at, DiffuseModel model)
+{
     Bsdf out;
-    out.ior = material.ior;
+    out.alpha = at.roughness > kMirrorRoughness ? at.roughness * at.roughness : 0;
     if (model == DiffuseModel::burley)
         out.burley_roughness = at.roughness;
     out.absorption = material.absorption;
@@ -52,23 +91,8 @@ Bsdf make_bsdf(const Material& material, const MaterialPoint& at, DiffuseModel m
     out.glass = (1 - at.metallic) * at.transmission;
     out.glass_tint = at.base_color;
     out.glass_reflection = glm::min(material.specular_color, Rgb(1)) * material.specular;
-    if (smooth) {
-        out.metal = at.metallic;
-        out.metal_f0 = at.base_color;
-        out.coat_f0 = f0;
-        out.coat_f90 = f90;
-        out.coat_average = schlick_average(f0, f90);
-        out.coated = opaque > 0 && !is_black(out.coat_average);
-        out.diffuse = out.coated
-                          ? opaque * at.base_color / glm::max(1.0f - out.coat_average, Rgb(1e-6f))
-                          : opaque * at.base_color;
-        if (!out.coated)
-            out.coat_f0 = out.coat_f90 = out.coat_average = Rgb(0);
-    } else {
-        const Rgb coat = schlick_average(f0, f90);
-        const Rgb metal = schlick_average(at.base_color, Rgb(1));
-        out.diffuse = opaque * (at.base_color * (1.0f - coat) + coat) + at.metallic * metal;
-    }
+    out.ior = out.alpha > 0 ? std::max(material.ior, kLeastRoughIndex) : material.ior;
+    make_opaque(material, at, out);
     return out;
 }
 
@@ -95,7 +119,7 @@ float diffuse_shape(const Bsdf& bsdf, const glm::vec3& normal, const glm::vec3& 
 
 Rgb coat_half(const Bsdf& bsdf, float cosine)
 {
-    return bsdf.coated ? 1.0f - schlick(bsdf.coat_f0, bsdf.coat_f90, cosine) : Rgb(1);
+    return bsdf.coated ? 1.0f - albedo_of(bsdf.coat_f0, bsdf.coat_f90, cosine, bsdf.alpha) : Rgb(1);
 }
 
 Rgb diffuse_albedo(const Bsdf& bsdf, float cosine)
@@ -114,19 +138,39 @@ float fresnel_dielectric(float cosine, float eta)
     return 0.5f * (parallel * parallel + perpendicular * perpendicular);
 }
 
+Rgb opaque_reflectance(const Bsdf& bsdf, float cosine)
+{
+    return schlick(bsdf.reflect_f0, bsdf.reflect_f90, cosine);
+}
+
+Rgb reflection_albedo(const Bsdf& bsdf, float cosine)
+{
+    return bsdf.reflection == Reflection::none
+               ? Rgb(0)
+               : albedo_of(bsdf.reflect_f0, bsdf.reflect_f90, cosine, bsdf.alpha);
+}
+
+float index_beyond(const Bsdf& bsdf, bool front, bool solid)
+{
+    return solid && !front ? 1 / bsdf.ior : bsdf.ior;
+}
+
+Rgb glass_reflectance(const Bsdf& bsdf, float cosine, float eta)
+{
+    const float f = fresnel_dielectric(cosine, eta);
+    return f < 1 ? f * bsdf.glass_reflection : Rgb(1);
+}
+
 SpecularLobes specular_lobes(const Bsdf& bsdf, float cosine, bool front, bool solid)
 {
     SpecularLobes out;
-    if (bsdf.metal > 0)
-        out.mirror += bsdf.metal * schlick(bsdf.metal_f0, Rgb(1), cosine);
-    if (bsdf.coated) {
-        const float opaque = 1 - bsdf.metal - bsdf.glass;
-        out.mirror += opaque * schlick(bsdf.coat_f0, bsdf.coat_f90, cosine);
-    }
+    if (bsdf.alpha > 0)
+        return out;
+    if (bsdf.reflection == Reflection::mirror)
+        out.mirror = opaque_reflectance(bsdf, cosine);
     if (bsdf.glass > 0) {
-        const float eta = solid && !front ? 1 / bsdf.ior : bsdf.ior;
-        const float f = fresnel_dielectric(cosine, eta);
-        const Rgb reflected = f < 1 ? f * bsdf.glass_reflection : Rgb(1);
+        const float eta = index_beyond(bsdf, front, solid);
+        const Rgb reflected = glass_reflectance(bsdf, cosine, eta);
         out.mirror += bsdf.glass * reflected;
         out.transmit = bsdf.glass * (1.0f - reflected) * bsdf.glass_tint;
         out.eta = solid ? eta : 1.0f;

@@ -9,26 +9,40 @@
 
 namespace hipmap {
 
-/// The one predicate that tells a specular lobe (followed, never stored) from a diffuse one, for
-/// photons and eye paths alike.  A reflection rougher than this is taken into the diffuse lobe with
-/// its whole albedo; a transmission rougher than this is followed as if it were smooth.
-inline constexpr float kSpecularRoughness = 0.1f;
-inline bool is_specular(float roughness)
+/// Up to this roughness a reflection is a mirror's and glass is clear: the lobe is narrower than a
+/// pixel.
+inline constexpr float kMirrorRoughness = 0.02f;
+
+/// Up to this roughness a glossy reflection is followed, as a mirror's is; above it is gathered
+/// from photons.  Rough glass is always followed.  For photons, eye paths and path tracer alike.
+inline constexpr float kFollowedRoughness = 0.3f;
+
+inline bool is_followed(float roughness)
 {
-    return roughness <= kSpecularRoughness;
+    return roughness <= kFollowedRoughness;
 }
 
+/// What becomes of the reflection of an opaque surface.
+enum class Reflection : std::uint8_t {
+    none,
+    mirror,   ///< one direction
+    followed, ///< spread over facets, followed in a direction drawn
+    gathered, ///< spread over facets, photons are stored
+};
+
 /// A material, ready for shading.  docs/light_transport.md (1)-(4).
-/// The diffuse lobe is separable: f(wi, wo) = diffuse / pi * coat_half(wi) * coat_half(wo).
+/// The base (diffuse) lobe is separable: f(wi, wo) = diffuse / pi * coat_half(wi) * coat_half(wo).
 struct Bsdf {
     Rgb diffuse{0.0f};   ///< the factor above, albedo where there is no coat
-    bool coated = false; ///< a smooth dielectric lies over the diffuse lobe
-    Rgb coat_f0{0.0f};   ///< its reflectance at normal and ...
-    Rgb coat_f90{0.0f};  ///< ... grazing incidence, weighted by how much of the surface is coated
-    Rgb coat_average{0.0f}; ///< its reflectance averaged over the cosine-weighted hemisphere
-    float metal = 0.0f;     ///< share that is a smooth metal
-    Rgb metal_f0{0.0f};
-    float glass = 0.0f;         ///< share that is a smooth dielectric that transmits
+    bool coated = false; ///< a dielectric lies over the diffuse lobe
+    Reflection reflection = Reflection::none;
+    float alpha = 0.0f;     ///< width of the facets' distribution; 0: mirror, clear glass
+    Rgb coat_f0{0.0f};      ///< reflectance of the coat at normal and ...
+    Rgb coat_f90{0.0f};     ///< ... grazing incidence
+    Rgb coat_average{0.0f}; ///< its albedo averaged over the cosine-weighted hemisphere
+    Rgb reflect_f0{0.0f};   ///< the same two of metal and coat together, by their shares
+    Rgb reflect_f90{0.0f};
+    float glass = 0.0f;         ///< share that is a dielectric that transmits
     Rgb glass_tint{1.0f};       ///< transmitted at each crossing
     Rgb glass_reflection{1.0f}; ///< scale of its Fresnel reflection (KHR_materials_specular)
     float ior = 1.5f;
@@ -38,6 +52,11 @@ struct Bsdf {
     bool emits_behind = false;
 
     bool has_diffuse() const { return !is_black(diffuse); }
+    /// Photons are stored here: there is a diffuse lobe or a reflection that is gathered.
+    bool gathers() const { return has_diffuse() || reflection == Reflection::gathered; }
+    /// A direction is to be drawn to follow the path: there is a followed reflection or rough
+    /// glass.
+    bool follows() const { return reflection == Reflection::followed || (glass > 0 && alpha > 0); }
 };
 
 /// The material at a point.
@@ -51,7 +70,7 @@ std::vector<Bsdf> make_bsdfs(const std::vector<Material>& materials, DiffuseMode
 float diffuse_shape(const Bsdf& bsdf, const glm::vec3& normal, const glm::vec3& wi,
                     const glm::vec3& wo);
 
-/// 1 - F(wi): what of the light from (or to) a direction gets through the coat; 1 without a coat.
+/// What of the light from (or to) a direction gets through the coat; 1 without a coat.
 /// cosine: of the angle to the shading normal, [0, 1].
 Rgb coat_half(const Bsdf& bsdf, float cosine);
 
@@ -63,15 +82,31 @@ Rgb diffuse_albedo(const Bsdf& bsdf, float cosine);
 /// reflection. cosine: of incidence, [0, 1].  eta: index beyond the interface over index before it.
 float fresnel_dielectric(float cosine, float eta);
 
-/// The specular lobes for one direction, as shares of its light.
+/// Reflectance of a facet of an opaque surface, metal and coat together (Schlick).  cosine: of
+/// incidence on the facet.
+Rgb opaque_reflectance(const Bsdf& bsdf, float cosine);
+
+/// The part of light along one direction that the opaque surface reflects, diffuse lobe apart.
+/// Zero without a reflection.
+Rgb reflection_albedo(const Bsdf& bsdf, float cosine);
+
+/// Index beyond the surface over index before it.
+/// front: the light (or eye) is in front of the face.  solid: the face belongs to a closed surface;
+/// otherwise it is a thin wall, of which this is the index of the wall itself.
+float index_beyond(const Bsdf& bsdf, bool front, bool solid);
+
+/// Reflectance of a facet of glass, scaled by KHR_materials_specular unless reflection is total.
+Rgb glass_reflectance(const Bsdf& bsdf, float cosine, float eta);
+
+/// The mirror and clear glass lobes for one direction, as shares of its light.
 struct SpecularLobes {
     Rgb mirror{0.0f};
     Rgb transmit{0.0f};
     float eta = 1.0f; ///< index beyond the interface over index before it; 1 through a thin wall
 };
 
-/// cosine: as above.  front: the direction lies in front of the face.  solid: the face belongs to a
-/// closed surface, so that glass refracts; otherwise it is a thin wall that light crosses straight.
+/// cosine: as above.  front, solid: as above; a thin wall is crossed straight.  Zero where the
+/// lobes are spread over facets.
 SpecularLobes specular_lobes(const Bsdf& bsdf, float cosine, bool front, bool solid);
 
 /// The direction beyond a smooth interface; away from the surface on the other side.

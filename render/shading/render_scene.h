@@ -19,6 +19,8 @@ struct RenderScene {
     std::vector<Bsdf> bsdfs;           ///< [M] by the materials' factors
     std::vector<std::uint8_t> varying; ///< [M] 1: textures multiply the factors
     LightSet lights;
+    bool directional = false; ///< photons are weighed by the direction they came from: some surface
+                              ///<   gathers by a lobe that is not separable
 
     RenderScene(const Scene& from_scene, const Partition& from_partition);
 

@@ -10,6 +10,14 @@ using namespace hipmap;
 
 namespace {
 
+/// Irradiance by one sample, from the radiance that matt albedo 1/2 sends back.
+double irradiance(const RenderScene& scene, const Interaction& at, std::uint64_t path)
+{
+    RandomSequence random(17, RandomStream::eye_paths, 0, path);
+    const Rgb light = sampled_light(scene, at, {1, 0}, random) + found_light(scene, at, random);
+    return light.y * kPi / 0.5;
+}
+
 /// Irradiance at (x, 0, z) of the floor seen from above, over many samples.
 RunningMean irradiance_at(const tiny::ReadyScene& ready, float x, float z, int samples)
 {
@@ -20,10 +28,8 @@ RunningMean irradiance_at(const tiny::ReadyScene& ready, float x, float z, int s
     REQUIRE(hit);
     const Interaction at = interact(*ready.render, down, *hit);
     RunningMean mean;
-    for (int i = 0; i < samples; ++i) {
-        RandomSequence random(17, RandomStream::eye_paths, 0, static_cast<std::uint64_t>(i));
-        mean.add(direct_irradiance(*ready.render, at, random).y);
-    }
+    for (int i = 0; i < samples; ++i)
+        mean.add(irradiance(*ready.render, at, static_cast<std::uint64_t>(i)));
     return mean;
 }
 
@@ -96,8 +102,7 @@ TEST_CASE("direct light: a light that nearly touches the surface stays steady", 
     RunningMean mean;
     double largest = 0;
     for (std::uint64_t i = 0; i < 20000; ++i) {
-        RandomSequence random(17, RandomStream::eye_paths, 0, i);
-        const double value = direct_irradiance(*ready->render, at, random).x;
+        const double value = irradiance(*ready->render, at, i);
         largest = std::max(largest, value);
         mean.add(value);
     }

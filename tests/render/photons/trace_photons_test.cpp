@@ -36,6 +36,17 @@ Scene open_room()
     return scene;
 }
 
+/// The same with a rough coat on the walls, a frosted glass ball and one of brushed metal.
+Scene glossy_room()
+{
+    Scene scene = open_room();
+    scene.materials[0].specular = 1;
+    scene.materials[0].roughness = 0.6f;
+    scene.materials[1].roughness = 0.3f;
+    scene.materials[2].roughness = 0.4f;
+    return scene;
+}
+
 bool same_bytes(const std::vector<Photon>& a, const std::vector<Photon>& b)
 {
     if (a.size() != b.size())
@@ -51,7 +62,7 @@ bool same_bytes(const std::vector<Photon>& a, const std::vector<Photon>& b)
 
 TEST_CASE("trace photons: emitted power is absorbed or escapes", "[photons]")
 {
-    const auto ready = tiny::ready(open_room());
+    const auto ready = tiny::ready(GENERATE(false, true) ? glossy_room() : open_room());
     for (int channel = 0; channel < 3; ++channel) {
         RunningMean lost;
         double emitted = 0;
@@ -127,6 +138,31 @@ TEST_CASE("trace photons: classes go to their maps, sides are told apart", "[pho
         CHECK(photon.side == (front == flipped ? 1 : 0));
     }
     CHECK(trace_photons(*ready->render, {0, 1, 0, true}).global.empty());
+}
+
+TEST_CASE("trace photons: power is stored without the coat's share where photons are weighed",
+          "[photons]")
+{
+    Scene scene = tiny::make_scene(tiny::floor_at(0, 1));
+    scene.materials[0] = tiny::matt(Rgb(0.5f));
+    scene.materials[0].specular = 1;
+    PunctualLight light;
+    light.position = {0, 0.25f, 0};
+    light.intensity = Rgb(1);
+    scene.lights = {light};
+    for (const float roughness : {0.2f, 0.5f}) {
+        scene.materials[0].roughness = roughness;
+        const auto ready = tiny::ready(scene);
+        CHECK(ready->render->directional == (roughness > kFollowedRoughness));
+        const TracedPhotons traced = trace_photons(*ready->render, {1000, 1, 0, true});
+        REQUIRE(!traced.global.empty());
+        for (const Photon& photon : traced.global) {
+            const float through = ready->render->directional
+                                      ? 1
+                                      : coat_half(ready->render->bsdfs[0], photon.direction.y).x;
+            CHECK(photon.power.x == Approx(4 * kPi / 1000 * through));
+        }
+    }
 }
 
 TEST_CASE("trace photons: a closed glass ball absorbs by Beer and Lambert", "[photons]")

@@ -1,6 +1,6 @@
 #include "common/math/random.h"
 #include "common/math/sampling.h"
-#include "render/shading/bsdf.h"
+#include "render/shading/scatter.h"
 #include "tests/support/tiny_scenes.h"
 
 #include <catch2/catch.hpp>
@@ -17,8 +17,12 @@ Bsdf bsdf_of(const Material& material)
 /// Share of light from a direction that the surface sends on, all lobes together.
 Rgb total_albedo(const Bsdf& bsdf, float cosine)
 {
+    Interaction at;
+    at.bsdf = bsdf;
+    at.cosine = cosine;
     const SpecularLobes lobes = specular_lobes(bsdf, cosine, true, true);
-    return diffuse_albedo(bsdf, cosine) + lobes.mirror + lobes.transmit;
+    return scattered_share(at, Lobes::gathered) + scattered_share(at, Lobes::followed) +
+           lobes.mirror + lobes.transmit;
 }
 
 } // namespace
@@ -67,14 +71,19 @@ TEST_CASE("bsdf: a white diffuse surface under a smooth coat absorbs nothing", "
     CHECK(sum / n == Approx(1 - bsdf.coat_average.x).epsilon(1e-4));
 }
 
-TEST_CASE("bsdf: a rough surface reflects diffusely what a coat would on average", "[shading]")
+TEST_CASE("bsdf: roughness decides between mirror, followed and gathered", "[shading]")
 {
-    Material plastic = tiny::matt(Rgb(0.8f));
-    plastic.specular = 1;
-    const Bsdf bsdf = bsdf_of(plastic);
-    const float coat = 0.04f + 0.96f / 21;
-    CHECK(bsdf.diffuse.x == Approx(0.8 * (1 - coat) + coat));
-    CHECK_FALSE(bsdf.coated);
+    Material metal = tiny::mirror(Rgb(0.9f));
+    const auto kind_at = [&](float roughness) {
+        metal.roughness = roughness;
+        return bsdf_of(metal).reflection;
+    };
+    CHECK(kind_at(kMirrorRoughness) == Reflection::mirror);
+    CHECK(kind_at(0.03f) == Reflection::followed);
+    CHECK(kind_at(kFollowedRoughness) == Reflection::followed);
+    CHECK(kind_at(0.31f) == Reflection::gathered);
+    CHECK(bsdf_of(tiny::matt(Rgb(0.5f))).reflection == Reflection::none);
+    CHECK_FALSE(bsdf_of(tiny::matt(Rgb(0.5f))).coated);
 }
 
 TEST_CASE("fresnel: closed values at normal, Brewster's and grazing incidence", "[shading]")

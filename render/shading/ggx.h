@@ -1,0 +1,34 @@
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace hipmap {
+
+/// Facets with the GGX distribution (Trowbridge and Reitz 1975; Walter et al. 2007) and Smith's
+/// height-correlated masking (Heitz 2014), docs/light_transport.md (16) and (17).  All directions
+/// are unit, alpha is above zero, cosines are those to the shading normal.
+
+/// s(c) = sqrt(alpha^2 + (1 - alpha^2) c^2), of which masking is made.
+float ggx_slope(float cosine, float alpha);
+
+/// D(h), per solid angle.  normal, half: unit.
+float ggx_distribution(const glm::vec3& normal, const glm::vec3& half, float alpha);
+
+/// G2 / (4 cos_in cos_out), finite unless both cosines are zero.
+float ggx_visibility(float cos_in, float cos_out, float alpha);
+
+/// G2 / G1(out), in [0, 1]: what masking leaves of light reflected by a facet drawn by
+/// `sample_facet`.  cos_in above zero.
+float ggx_shadowing(float cos_in, float cos_out, float alpha);
+
+/// Chance per solid angle of `half` that `sample_facet` draws it; 0 for facets turned away.
+float facet_density(const glm::vec3& normal, const glm::vec3& out, const glm::vec3& half,
+                    float alpha);
+
+/// Normal of a facet, as those visible from `out` (above the surface) are distributed.  u: [0,
+/// 1)^2. Source: Heitz 2018, drawn as in Dupuy and Benyoub 2023.
+glm::vec3 sample_facet(const glm::vec3& normal, const glm::vec3& out, float alpha,
+                       const glm::vec2& u);
+
+} // namespace hipmap

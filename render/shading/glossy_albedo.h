@@ -1,0 +1,29 @@
+#pragma once
+
+#include "common/math/rgb.h"
+
+namespace hipmap {
+
+/// How much light GGX facets with Schlick's reflectance send back: what is to be multiplied with F0
+/// and with F90, docs/light_transport.md (18).
+struct GlossyAlbedo {
+    float f0 = 0.0f;
+    float f90 = 0.0f;
+
+    Rgb of(const Rgb& at_normal, const Rgb& at_grazing) const
+    {
+        return at_normal * f0 + at_grazing * f90;
+    }
+    /// Of facets that absorb nothing: 1 but for light that would have to be reflected again.
+    float white() const { return f0 + f90; }
+};
+
+/// Share of light from one direction that is reflected over the whole hemisphere.
+/// cosine: to the normal, [0, 1].  alpha: [0, 1].  From a table that is made on the first call
+/// (some 10 ms), within 0.003 of the integral.  Thread-safe.
+GlossyAlbedo glossy_albedo(float cosine, float alpha);
+
+/// Its average over the cosine-weighted hemisphere, of the table exactly.
+GlossyAlbedo average_glossy_albedo(float alpha);
+
+} // namespace hipmap

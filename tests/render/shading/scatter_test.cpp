@@ -1,0 +1,240 @@
+#include "render/shading/glossy_albedo.h"
+#include "tests/support/lit_surface.h"
+#include "tests/support/statistics.h"
+#include "tests/support/tiny_scenes.h"
+
+#include <catch2/catch.hpp>
+
+#include <vector>
+
+using namespace hipmap;
+
+namespace {
+
+Material rough(Material material, float roughness)
+{
+    material.roughness = roughness;
+    return material;
+}
+
+Material plastic(float roughness)
+{
+    Material material = tiny::matt({0.8f, 0.5f, 0.2f});
+    material.specular = 1;
+    material.roughness = roughness;
+    return material;
+}
+
+/// A part of each: metal, coat over diffuse, glass.
+Material mixture(float roughness)
+{
+    Material material = plastic(roughness);
+    material.metallic = 0.3f;
+    material.transmission = 0.5f;
+    return material;
+}
+
+struct Case {
+    const char* name;
+    Interaction at;
+};
+
+/// Surfaces of every lobe, seen steeply, aslant and nearly along the surface.
+std::vector<Case> all_surfaces()
+{
+    std::vector<Case> out;
+    for (const glm::vec3& back :
+         {glm::vec3(0.1f, 0, 1), glm::vec3(0.7f, -0.4f, 0.6f), glm::vec3(-1, 0.2f, 0.15f)}) {
+        const glm::vec3 below(back.x, back.y, -back.z);
+        const Material gold = rough(tiny::mirror({1, 0.8f, 0.3f}), 0.45f);
+        out.push_back({"plastic", tiny::lit_surface(plastic(0.5f), back)});
+        out.push_back({"plastic in Burley's model",
+                       tiny::lit_surface(plastic(0.7f), back, true, DiffuseModel::burley)});
+        out.push_back({"smoother plastic", tiny::lit_surface(plastic(0.3f), back)});
+        out.push_back({"gold", tiny::lit_surface(gold, back)});
+        out.push_back({"smoother gold", tiny::lit_surface(rough(gold, 0.25f), back)});
+        out.push_back({"glass", tiny::lit_surface(rough(tiny::glass(1.5f), 0.5f), back)});
+        out.push_back(
+            {"glass from inside", tiny::lit_surface(rough(tiny::glass(1.5f), 0.4f), below)});
+        out.push_back({"pane", tiny::lit_surface(rough(tiny::glass(1.5f), 0.6f), back, false)});
+        out.push_back({"mixture", tiny::lit_surface(mixture(0.6f), back)});
+        out.push_back({"smoother mixture", tiny::lit_surface(mixture(0.3f), below)});
+    }
+    return out;
+}
+
+constexpr int kRows = 8, kColumns = 16; ///< bins over the sphere, by polar angle and azimuth
+constexpr int kInBin = 48;              ///< quadrature points across a bin
+
+std::size_t bin_of(const glm::vec3& d)
+{
+    const float turn = std::atan2(d.y, d.x) / (2 * kPi);
+    const int column = static_cast<int>((turn < 0 ? turn + 1 : turn) * kColumns);
+    const int row = static_cast<int>(std::acos(std::clamp(d.z, -1.0f, 1.0f)) / kPi * kRows);
+    return static_cast<std::size_t>(std::min(row, kRows - 1) * kColumns +
+                                    std::min(column, kColumns - 1));
+}
+
+/// How far the chi-square statistic of the directions drawn is from its mean, in its standard
+/// deviations.  Draws that lead nowhere are a bin of their own.
+double chi_square_z(const Interaction& at, Lobes lobes)
+{
+    constexpr std::size_t kBins = kRows * kColumns;
+    constexpr int kDraws = 40000;
+    std::vector<double> expected(kBins + 1, 0.0), drawn(kBins + 1, 0.0);
+    tiny::over_sphere(kRows * kInBin, [&](const glm::vec3& in, double solid_angle) {
+        expected[bin_of(in)] += double{scattered(at, in, lobes).density} * solid_angle * kDraws;
+    });
+    double sum = 0;
+    for (const double one : expected)
+        sum += one;
+    expected[kBins] = std::max(0.0, kDraws - sum);
+    for (std::uint64_t i = 0; i < kDraws; ++i) {
+        RandomSequence random(3, RandomStream::pictures, 0, i);
+        const ScatterSample sample = sample_scatter(at, lobes, random);
+        ++drawn[is_black(sample.weight) ? kBins : bin_of(sample.direction)];
+    }
+    double square = 0, bins = 0, few_expected = 0, few_drawn = 0;
+    for (std::size_t i = 0; i <= kBins; ++i) {
+        if (expected[i] < 20) {
+            few_expected += expected[i];
+            few_drawn += drawn[i];
+            continue;
+        }
+        square += (drawn[i] - expected[i]) * (drawn[i] - expected[i]) / expected[i];
+        ++bins;
+    }
+    if (few_expected > 20) {
+        square += (few_drawn - few_expected) * (few_drawn - few_expected) / few_expected;
+        ++bins;
+    }
+    return (square - (bins - 1)) / std::sqrt(2 * (bins - 1));
+}
+
+} // namespace
+
+TEST_CASE("scatter: directions are drawn by the density that is said", "[shading]")
+{
+    for (const Case& surface : all_surfaces())
+        for (const Lobes lobes : {Lobes::gathered, Lobes::followed}) {
+            if (lobes == Lobes::gathered ? !surface.at.bsdf.gathers() : !surface.at.bsdf.follows())
+                continue;
+            INFO(surface.name << ", cosine " << surface.at.cosine << ", set " << int(lobes));
+            CHECK(chi_square_z(surface.at, lobes) < kMostZ);
+        }
+}
+
+TEST_CASE("scatter: the mean weight is the integral of the lobes", "[shading]")
+{
+    for (const Case& surface : all_surfaces())
+        for (const Lobes lobes : {Lobes::gathered, Lobes::followed}) {
+            double integral = 0;
+            tiny::over_sphere(250, [&](const glm::vec3& in, double solid_angle) {
+                integral += double{scattered(surface.at, in, lobes).value.y} * solid_angle;
+            });
+            if (lobes == Lobes::gathered ? !surface.at.bsdf.gathers()
+                                         : !surface.at.bsdf.follows()) {
+                CHECK(integral == 0);
+                continue;
+            }
+            RunningMean mean;
+            for (std::uint64_t i = 0; i < 20000; ++i) {
+                RandomSequence random(5, RandomStream::pictures, 0, i);
+                const ScatterSample sample = sample_scatter(surface.at, lobes, random);
+                mean.add(sample.weight.y / (sample.eta * sample.eta));
+            }
+            INFO(surface.name << ", cosine " << surface.at.cosine << ", set " << int(lobes));
+            CHECK(std::abs(mean.mean() - integral) < 0.002 + kMostZ * mean.standard_error());
+            CHECK(mean.standard_error() < 0.01);
+        }
+}
+
+TEST_CASE("scatter: a weight drawn is value over density, and facets send on no more than all",
+          "[shading]")
+{
+    for (const Case& surface : all_surfaces())
+        for (std::uint64_t i = 0; i < 300; ++i) {
+            RandomSequence random(7, RandomStream::pictures, 0, i);
+            if (surface.at.bsdf.follows()) {
+                const ScatterSample sample = sample_scatter(surface.at, Lobes::followed, random);
+                CHECK(max_channel(sample.weight) <= 1 + 1e-4f);
+                if (is_black(sample.weight))
+                    continue;
+                const Scattered there = scattered(surface.at, sample.direction, Lobes::followed);
+                CHECK(there.value.x * sample.eta * sample.eta / there.density ==
+                      Approx(sample.weight.x).epsilon(1e-3));
+            }
+            if (surface.at.bsdf.reflection == Reflection::gathered)
+                CHECK(max_channel(sample_facets(surface.at, Lobes::gathered, random).weight) <=
+                      1 + 1e-4f);
+        }
+}
+
+TEST_CASE("scatter: light takes the same way back", "[shading]")
+{
+    const std::vector<Material> materials{plastic(0.5f), plastic(0.2f),
+                                          rough(tiny::glass(1.4f), 0.5f), mixture(0.4f)};
+    for (std::uint64_t i = 0; i < 4000; ++i) {
+        RandomSequence random(11, RandomStream::pictures, 0, i);
+        const Material& material = materials[i % materials.size()];
+        const bool solid = random.next() < 0.7f;
+        const glm::vec3 a = sample_sphere(random.next2()), b = sample_sphere(random.next2());
+        const Interaction from_a = tiny::lit_surface(material, a, solid);
+        const Interaction from_b = tiny::lit_surface(material, b, solid);
+        // Radiance over the square of the index is what is the same both ways.
+        const bool across = solid && (a.z > 0) != (b.z > 0);
+        const float index_a = across && a.z < 0 ? material.ior : 1;
+        const float index_b = across && b.z < 0 ? material.ior : 1;
+        for (const Lobes lobes : {Lobes::gathered, Lobes::followed}) {
+            const float there = scattered(from_a, b, lobes).value.x / std::abs(b.z);
+            const float back = scattered(from_b, a, lobes).value.x / std::abs(a.z);
+            CHECK(there / (index_a * index_a) ==
+                  Approx(back / (index_b * index_b)).epsilon(2e-3).margin(1e-5));
+        }
+    }
+}
+
+TEST_CASE("scatter: a white base under a rough coat absorbs nothing", "[shading]")
+{
+    Material white = tiny::matt(Rgb(1));
+    white.specular = 1;
+    for (const float roughness : {0.2f, 0.3f, 0.5f, 1.0f})
+        for (const float cosine : {0.15f, 0.5f, 0.9f}) {
+            white.roughness = roughness;
+            const glm::vec3 back(std::sqrt(1 - cosine * cosine), 0, cosine);
+            const Interaction at = tiny::lit_surface(white, back);
+            double sent = 0;
+            tiny::over_sphere(400, [&](const glm::vec3& in, double solid_angle) {
+                sent += (scattered(at, in, Lobes::gathered).value.x +
+                         scattered(at, in, Lobes::followed).value.x) *
+                        solid_angle;
+            });
+            INFO("roughness " << roughness << ", cosine " << cosine);
+            CHECK(sent == Approx(1).margin(0.003)); // the table of albedos
+        }
+}
+
+TEST_CASE("glossy albedo: the table is the integral, its average that of the table", "[shading]")
+{
+    const Material white = tiny::mirror(Rgb(1));
+    for (const float roughness : {0.2f, 0.31f, 0.62f, 0.97f}) {
+        const float alpha = roughness * roughness;
+        for (const float cosine : {0.13f, 0.48f, 0.95f}) {
+            const Interaction at = tiny::lit_surface(rough(white, roughness),
+                                                     {std::sqrt(1 - cosine * cosine), 0, cosine});
+            double sum = 0;
+            tiny::over_sphere(600, [&](const glm::vec3& in, double solid_angle) {
+                sum += (scattered(at, in, Lobes::gathered).value.x +
+                        scattered(at, in, Lobes::followed).value.x) *
+                       solid_angle;
+            });
+            INFO("roughness " << roughness << ", cosine " << cosine);
+            CHECK(glossy_albedo(cosine, alpha).white() == Approx(sum).margin(0.003));
+        }
+        double mean = 0;
+        constexpr int kPoints = 20000;
+        for (int i = 0; i < kPoints; ++i) // cosine-weighted: the square of the cosine is uniform
+            mean += glossy_albedo(std::sqrt((i + 0.5f) / kPoints), alpha).f90 / kPoints;
+        CHECK(average_glossy_albedo(alpha).f90 == Approx(mean).epsilon(1e-4));
+    }
+}
