@@ -113,8 +113,7 @@ double measure(const RenderScene& scene, const PhotonMaps& maps,
             if (rule.radius[i] <= at.limit) {
                 const float below = std::nextafter(at.limit * at.limit, 0.0f);
                 const TreeQuery wanted{at.query.position, maps.options.neighbours, below};
-                const FoundSlots found =
-                    find_in_map(at.local->tree, at.local->kd_tree, wanted, local);
+                const FoundSlots found = find_in_map(*at.local, wanted, local);
                 if (found.slots.size() == wanted.photons)
                     continue;
             }
@@ -160,9 +159,9 @@ std::string compare_rules(const Arguments& arguments)
     std::string header = "rule;answered;in vain;missed";
     for (const TreeKind kind : {TreeKind::balanced, TreeKind::wide}) {
         const std::uint32_t k = arguments.neighbours;
-        const PhotonMaps maps = build_photon_maps(
-            traced.global, scene.mesh(), partition,
-            {MapMode::thesis, k, 10 * k, EstimateForm::thesis, TierChoice::paying, kind});
+        MapOptions options{MapMode::thesis, k, 10 * k, EstimateForm::thesis};
+        options.tree = kind;
+        const PhotonMaps maps = build_photon_maps(traced.global, scene.mesh(), partition, options);
         const std::vector<LocalQuery> queries = make_queries(scene, maps, arguments.width);
         const std::vector<Rule> rules = make_rules(queries);
         if (lines.empty())

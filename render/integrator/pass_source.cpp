@@ -128,8 +128,8 @@ PassMapSet make_maps(const RenderScene& scene, const RenderOptions& options, std
     const Stopwatch building;
     MapOptions of_maps = options.maps;
     of_maps.directions = scene.directional;
-    const auto build = [&](std::vector<Photon> photons) {
-        return build_photon_maps(photons, scene.mesh(), scene.partition, of_maps);
+    const auto build = [&](std::vector<Photon> of_kind) {
+        return build_photon_maps(of_kind, scene.mesh(), scene.partition, of_maps);
     };
     PassMapSet maps;
     maps.caustic = build(std::move(traced.caustic)); // which it frees
