@@ -1,9 +1,11 @@
 """Renders the bundled scene by Cycles, as glTF means it or as Blender does.
 
-    blender -b --factory-startup --python bench/cycles_reference.py -- lambert|burley OUT.exr SAMPLES
+    blender -b --factory-startup --python bench/cycles_reference.py -- MODEL OUT.exr SAMPLES [SCENE.glb]
 
 lambert: matt surfaces are Diffuse BSDFs, which is glTF's diffuse reflection; burley: they stay
-Principled BSDFs, as a Blender user has them.  256x256, no clamping, 32 bounces.
+Principled BSDFs, as a Blender user has them; glossy: lambert with a sphere of white metal of roughness
+0.25, a block of 0.5 and frosted glass of 0.3, which is also written to SCENE.glb.
+256x256, no clamping, 32 bounces.
 """
 
 import os
@@ -29,6 +31,35 @@ def make_lambert(material):
     diffuse = tree.nodes.new("ShaderNodeBsdfDiffuse")
     diffuse.inputs["Color"].default_value = principled.inputs["Base Color"].default_value
     tree.links.new(diffuse.outputs[0], tree.nodes["Material Output"].inputs["Surface"])
+
+
+def make_rough(material, roughness):
+    material.node_tree.nodes["Principled BSDF"].inputs["Roughness"].default_value = roughness
+
+
+def add_rough_surfaces():
+    """White metals, which reflect all at every angle whatever the Fresnel term, and glass."""
+    mirror, glass = bpy.data.materials["Mirror"], bpy.data.materials["Glass"]
+    mirror.node_tree.nodes["Principled BSDF"].inputs["Base Color"].default_value = (1, 1, 1, 1)
+    rough = mirror.copy()
+    rough.name = "Rough"
+    bpy.data.objects["Block"].data.materials[0] = rough
+    for material, roughness in ((mirror, 0.25), (rough, 0.5), (glass, 0.3)):
+        make_rough(material, roughness)
+
+
+def make_single_scattering(material):
+    """Principled BSDF to the node that has the lobe alone: facets by GGX, scattering once."""
+    tree = material.node_tree
+    principled = tree.nodes["Principled BSDF"]
+    kind = "ShaderNodeBsdfGlass" if material.name == "Glass" else "ShaderNodeBsdfGlossy"
+    node = tree.nodes.new(kind)
+    node.distribution = "GGX"
+    node.inputs["Color"].default_value = principled.inputs["Base Color"].default_value
+    node.inputs["Roughness"].default_value = principled.inputs["Roughness"].default_value
+    if material.name == "Glass":
+        node.inputs["IOR"].default_value = principled.inputs["IOR"].default_value
+    tree.links.new(node.outputs[0], tree.nodes["Material Output"].inputs["Surface"])
 
 
 def shine_forwards_only(material):
@@ -64,12 +95,18 @@ def set_up_cycles(samples, output):
 
 
 def main():
-    model, output, samples = sys.argv[sys.argv.index("--") + 1:][:3]
+    model, output, samples, *scene = sys.argv[sys.argv.index("--") + 1:]
     build_scene()
+    if model == "glossy":
+        add_rough_surfaces()
+        bpy.ops.export_scene.gltf(filepath=os.path.abspath(scene[0]), export_cameras=True)
     for material in bpy.data.materials:
         if material.name == "Lamp":
             shine_forwards_only(material)
-        elif model == "lambert" and material.name not in ("Glass", "Mirror"):
+        elif material.name in ("Glass", "Mirror", "Rough"):
+            if model == "glossy":
+                make_single_scattering(material)
+        elif model != "burley":
             make_lambert(material)
     set_up_cycles(int(samples), os.path.abspath(output))
     bpy.ops.render.render(write_still=True)

@@ -43,7 +43,7 @@ struct BranchStack {
 /// Light that the gathered lobes send back along the path, from photons.
 Rgb photon_light(const PassMaps& maps, const Interaction& at, EyeScratch& scratch)
 {
-    const GatheredLobes lobes(at.bsdf, at.shading_normal, at.back);
+    const GatheredLobes lobes(at.bsdf, at.shading_normal, at.normal, at.back);
     PhotonQuery query{at.point.position, at.normal, at.point.face, at.side};
     if (maps.scene.directional)
         query.lobes = &lobes;

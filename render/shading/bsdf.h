@@ -4,6 +4,8 @@
 #include "common/scene/scene.h"
 #include "render/shading/textured_material.h"
 
+#include <glm/geometric.hpp>
+
 #include <cstdint>
 #include <vector>
 
@@ -113,6 +115,12 @@ SpecularLobes specular_lobes(const Bsdf& bsdf, float cosine, bool front, bool so
 /// direction: unit, away from the surface on the side the light comes from; normal: unit, same
 /// side. eta: as above; there must be no total reflection.
 glm::vec3 refract(const glm::vec3& direction, const glm::vec3& normal, float eta);
+
+/// Mirror image of `direction` in the plane across `normal`: on its other side.
+inline glm::vec3 mirrored(const glm::vec3& direction, const glm::vec3& normal)
+{
+    return direction - 2 * glm::dot(direction, normal) * normal;
+}
 
 /// Mirror image of `direction` about `normal`; both unit and away from the surface.
 glm::vec3 reflect(const glm::vec3& direction, const glm::vec3& normal);

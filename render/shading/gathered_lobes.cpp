@@ -5,20 +5,34 @@
 
 namespace hipmap {
 
-GatheredLobes::GatheredLobes(const Bsdf& bsdf, const glm::vec3& normal, const glm::vec3& out)
-    : bsdf_(bsdf), normal_(normal), out_(out), cosine_(std::max(0.0f, glm::dot(normal, out))),
+GatheredLobes::GatheredLobes(const Bsdf& bsdf, const glm::vec3& shading_normal,
+                             const glm::vec3& geometric_normal, const glm::vec3& out)
+    : bsdf_(bsdf), normal_(shading_normal), geometric_(geometric_normal), out_(out),
+      cosine_(std::max(0.0f, glm::dot(shading_normal, out))),
       base_(bsdf.diffuse * coat_half(bsdf, cosine_) / kPi)
 {
 }
 
+Rgb GatheredLobes::diffuse(const glm::vec3& in, float cosine) const
+{
+    return base_ * coat_half(bsdf_, cosine) * diffuse_shape(bsdf_, normal_, in, out_);
+}
+
 Rgb GatheredLobes::operator()(const glm::vec3& in) const
 {
-    const float cos_in = glm::dot(normal_, in);
-    if (!(cos_in > 0))
+    const float cosine = glm::dot(normal_, in);
+    if (!(cosine > 0))
         return Rgb(0);
-    Rgb value = base_ * coat_half(bsdf_, cos_in) * diffuse_shape(bsdf_, normal_, in, out_);
-    if (bsdf_.reflection == Reflection::gathered)
-        value += reflected_by_facets(bsdf_, normal_, in, out_);
+    Rgb value = diffuse(in, cosine);
+    if (bsdf_.reflection != Reflection::gathered)
+        return value;
+    value += reflected_by_facets(bsdf_, normal_, in, out_);
+    if (normal_ != geometric_) {
+        const glm::vec3 below = mirrored(in, geometric_);
+        const float folded = glm::dot(normal_, below);
+        if (folded > 0)
+            value += reflected_by_facets(bsdf_, normal_, below, out_) * (folded / cosine);
+    }
     return value;
 }
 

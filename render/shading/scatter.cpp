@@ -45,12 +45,6 @@ FacetShares facet_shares(const Interaction& at, Lobes lobes, float cosine)
     return out;
 }
 
-/// Mirror image beyond the surface, for walls so thin that light leaves them as it came in.
-glm::vec3 through(const glm::vec3& direction, const glm::vec3& normal)
-{
-    return direction - 2 * glm::dot(direction, normal) * normal;
-}
-
 /// Light that facets reflect into the side it came from.
 Scattered reflected(const Interaction& at, const glm::vec3& in, Lobes lobes)
 {
@@ -72,7 +66,7 @@ Scattered reflected(const Interaction& at, const glm::vec3& in, Lobes lobes)
 Scattered passed(const Interaction& at, const glm::vec3& in)
 {
     const float alpha = at.bsdf.alpha;
-    const glm::vec3 image = through(in, at.shading_normal);
+    const glm::vec3 image = mirrored(in, at.shading_normal);
     const glm::vec3 half = glm::normalize(image + at.back);
     const float cosine = glm::dot(image, at.shading_normal);
     const float toward = glm::dot(at.back, half);
@@ -107,14 +101,30 @@ Scattered refracted(const Interaction& at, const glm::vec3& in)
     return out;
 }
 
+/// Without what is folded.  beyond: light that passes the surface.
+Scattered unfolded(const Interaction& at, const glm::vec3& in, Lobes lobes, bool beyond)
+{
+    const float cosine = glm::dot(in, at.shading_normal);
+    if (!((beyond ? -cosine : cosine) > 0))
+        return {};
+    if (!beyond)
+        return reflected(at, in, lobes);
+    return at.solid ? refracted(at, in) : passed(at, in);
+}
+
+/// docs/light_transport.md (16), (17) and (19).
 Scattered scattered_by_facets(const Interaction& at, const glm::vec3& in, Lobes lobes)
 {
-    const float side = glm::dot(in, at.normal), shaded = glm::dot(in, at.shading_normal);
-    if (side > 0 && shaded > 0)
-        return reflected(at, in, lobes);
-    if (lobes == Lobes::followed && side < 0 && shaded < 0 && at.bsdf.glass > 0)
-        return at.solid ? refracted(at, in) : passed(at, in);
-    return {};
+    const bool beyond = glm::dot(in, at.normal) < 0;
+    if (beyond && (lobes == Lobes::gathered || !(at.bsdf.glass > 0)))
+        return {};
+    Scattered out = unfolded(at, in, lobes, beyond);
+    if (at.shading_normal != at.normal) {
+        const Scattered folded = unfolded(at, mirrored(in, at.normal), lobes, beyond);
+        out.value += folded.value;
+        out.density += folded.density;
+    }
+    return out;
 }
 
 /// Chance that a gathered direction is drawn from the facets.
@@ -127,16 +137,22 @@ float facet_chance(const Interaction& at)
     return sum > 0 ? glossy / sum : 0;
 }
 
+/// facets: the chance above.
 Scattered gathered(const Interaction& at, const glm::vec3& in, float facets)
 {
-    const float cosine = glm::dot(in, at.shading_normal);
-    if (!(cosine > 0) || !(glm::dot(in, at.normal) > 0))
+    if (!(glm::dot(in, at.normal) > 0))
         return {};
     Scattered out;
-    out.value = GatheredLobes(at.bsdf, at.shading_normal, at.back)(in) * cosine;
-    out.density = (1 - facets) * cosine / kPi;
-    if (facets > 0)
-        out.density += facets * reflected(at, in, Lobes::gathered).density;
+    if (facets > 0) {
+        out = scattered_by_facets(at, in, Lobes::gathered);
+        out.density *= facets;
+    }
+    const float cosine = glm::dot(in, at.shading_normal);
+    if (cosine > 0) {
+        const GatheredLobes lobes(at.bsdf, at.shading_normal, at.normal, at.back);
+        out.value += lobes.diffuse(in, cosine) * cosine;
+        out.density += (1 - facets) * cosine / kPi;
+    }
     return out;
 }
 
@@ -163,12 +179,14 @@ ScatterSample sample_facets(const Interaction& at, Lobes lobes, RandomSequence& 
         out.eta = index_of(at);
         out.direction = refract(at.back, half, out.eta);
     } else {
-        out.direction = through(reflect(at.back, half), at.shading_normal);
+        out.direction = mirrored(reflect(at.back, half), at.shading_normal);
     }
     const float sign = out.transmitted ? -1.0f : 1.0f;
     const float cosine = sign * glm::dot(out.direction, at.shading_normal);
-    if (!(cosine > 0) || !(sign * glm::dot(out.direction, at.normal) > 0))
+    if (!(cosine > 0))
         return out;
+    if (sign * glm::dot(out.direction, at.normal) < 0) // bent past the face by the shading normal
+        out.direction = mirrored(out.direction, at.normal);
     const Rgb share = out.transmitted ? shares.transmit / (1 - chance) : shares.reflect / chance;
     out.weight = share * ggx_shadowing(cosine, at.cosine, at.bsdf.alpha);
     out.density = scattered_by_facets(at, out.direction, lobes).density;

@@ -20,6 +20,15 @@ inline Interaction lit_surface(const Material& material, const glm::vec3& back, 
     return at;
 }
 
+/// The same with its shading normal tilted, so that much of what it reflects lies behind the face.
+inline Interaction tilted_surface(const Material& material, const glm::vec3& back)
+{
+    Interaction at = lit_surface(material, back);
+    at.shading_normal = glm::normalize(at.normal + 0.5f * at.back * glm::vec3(-1, -1, 0));
+    at.cosine = glm::dot(at.back, at.shading_normal);
+    return at;
+}
+
 /// Midpoints of a grid of polar angle and azimuth over the whole sphere: `each(direction, solid
 /// angle)`.
 template <typename Each>

@@ -57,6 +57,9 @@ std::vector<Case> all_surfaces()
         out.push_back(
             {"glass from inside", tiny::lit_surface(rough(tiny::glass(1.5f), 0.4f), below)});
         out.push_back({"pane", tiny::lit_surface(rough(tiny::glass(1.5f), 0.6f), back, false)});
+        out.push_back({"gold, tilted", tiny::tilted_surface(gold, glm::vec3(0.8f, 0, 0.6f))});
+        out.push_back({"glass, tilted",
+                       tiny::tilted_surface(rough(tiny::glass(1.5f), 0.5f), {0.8f, 0.1f, 0.5f})});
         out.push_back({"mixture", tiny::lit_surface(mixture(0.6f), back)});
         out.push_back({"smoother mixture", tiny::lit_surface(mixture(0.3f), below)});
     }
@@ -158,7 +161,7 @@ TEST_CASE("scatter: a weight drawn is value over density, and facets send on no 
             if (surface.at.bsdf.follows()) {
                 const ScatterSample sample = sample_scatter(surface.at, Lobes::followed, random);
                 CHECK(max_channel(sample.weight) <= 1 + 1e-4f);
-                if (is_black(sample.weight))
+                if (is_black(sample.weight) || surface.at.shading_normal != surface.at.normal)
                     continue;
                 const Scattered there = scattered(surface.at, sample.direction, Lobes::followed);
                 CHECK(there.value.x * sample.eta * sample.eta / there.density ==
@@ -192,6 +195,20 @@ TEST_CASE("scatter: light takes the same way back", "[shading]")
                   Approx(back / (index_b * index_b)).epsilon(2e-3).margin(1e-5));
         }
     }
+}
+
+TEST_CASE("scatter: what a shading normal bends past the face is folded back, not lost",
+          "[shading]")
+{
+    const Material white = rough(tiny::mirror(Rgb(1)), 0.4f);
+    const Interaction at = tiny::tilted_surface(white, {0.8f, 0, 0.6f});
+    REQUIRE(at.cosine > 0);
+    CHECK(glm::dot(reflect(at.back, at.shading_normal), at.normal) < 0);
+    double sent = 0;
+    tiny::over_sphere(400, [&](const glm::vec3& in, double solid_angle) {
+        sent += scattered(at, in, Lobes::gathered).value.x * solid_angle;
+    });
+    CHECK(sent == Approx(glossy_albedo(at.cosine, at.bsdf.alpha).white()).margin(0.008));
 }
 
 TEST_CASE("scatter: a white base under a rough coat absorbs nothing", "[shading]")
