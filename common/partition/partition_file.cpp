@@ -27,38 +27,6 @@ struct FreeState {
     void operator()(XXH3_state_t* state) const { XXH3_freeState(state); }
 };
 
-/// 64 bits over every field, so that damage which leaves each number plausible is found as well.
-std::uint64_t checksum(const Partition& p)
-{
-    const std::unique_ptr<XXH3_state_t, FreeState> state(XXH3_createState());
-    if (!state || XXH3_64bits_reset(state.get()) == XXH_ERROR)
-        throw std::bad_alloc();
-    const auto add = [&](const auto& array) {
-        const std::uint64_t size = array.size();
-        XXH3_64bits_update(state.get(), &size, sizeof size);
-        XXH3_64bits_update(state.get(), array.data(), size * sizeof array[0]);
-    };
-    add(p.scene.words);
-    add(std::array{p.angle_threshold});
-    add(std::array{p.map_count});
-    add(p.map_of_face);
-    add(p.edge_class);
-    add(p.opposite);
-    add(p.flipped);
-    add(p.closed);
-    add(p.reach);
-    add(p.candidate);
-    add(p.kept_edges);
-    add(p.clearance);
-    add(std::array{p.position_error});
-    add(p.bridged_edges);
-    add(p.contacts);
-    add(std::array{p.group_count});
-    add(p.group_of_face);
-    add(p.group_radius);
-    return XXH3_64bits_digest(state.get());
-}
-
 /// Copies one array of the file; an absent one is empty.
 template <typename T, typename Stored>
 void copy_array(std::vector<T>& to, const flatbuffers::Vector<Stored>* from)
@@ -135,11 +103,11 @@ flatbuffers::Offset<file::Partition> pack(flatbuffers::FlatBufferBuilder& builde
     const auto contact_points = builder.CreateVector(points);
     const auto group_of_face = builder.CreateVector(p.group_of_face);
     const auto group_radius = builder.CreateVector(p.group_radius);
-    return file::CreatePartition(builder, kVersion, checksum(p), p.scene.words[0], p.scene.words[1],
-                                 p.angle_threshold, p.map_count, map_of_face, edge_class, opposite,
-                                 flipped, closed, reach, candidate, kept_edges, clearance,
-                                 p.position_error, bridged, contact_map, contact_points,
-                                 p.group_count, group_of_face, group_radius);
+    return file::CreatePartition(builder, kVersion, partition_checksum(p), p.scene.words[0],
+                                 p.scene.words[1], p.angle_threshold, p.map_count, map_of_face,
+                                 edge_class, opposite, flipped, closed, reach, candidate,
+                                 kept_edges, clearance, p.position_error, bridged, contact_map,
+                                 contact_points, p.group_count, group_of_face, group_radius);
 }
 
 InputError unreadable(const std::filesystem::path& path, const std::string& what)
@@ -148,6 +116,37 @@ InputError unreadable(const std::filesystem::path& path, const std::string& what
 }
 
 } // namespace
+
+std::uint64_t partition_checksum(const Partition& p)
+{
+    const std::unique_ptr<XXH3_state_t, FreeState> state(XXH3_createState());
+    if (!state || XXH3_64bits_reset(state.get()) == XXH_ERROR)
+        throw std::bad_alloc();
+    const auto add = [&](const auto& array) {
+        const std::uint64_t size = array.size();
+        XXH3_64bits_update(state.get(), &size, sizeof size);
+        XXH3_64bits_update(state.get(), array.data(), size * sizeof array[0]);
+    };
+    add(p.scene.words);
+    add(std::array{p.angle_threshold});
+    add(std::array{p.map_count});
+    add(p.map_of_face);
+    add(p.edge_class);
+    add(p.opposite);
+    add(p.flipped);
+    add(p.closed);
+    add(p.reach);
+    add(p.candidate);
+    add(p.kept_edges);
+    add(p.clearance);
+    add(std::array{p.position_error});
+    add(p.bridged_edges);
+    add(p.contacts);
+    add(std::array{p.group_count});
+    add(p.group_of_face);
+    add(p.group_radius);
+    return XXH3_64bits_digest(state.get());
+}
 
 void write_partition(const std::filesystem::path& path, const Partition& p)
 {
@@ -193,7 +192,7 @@ Partition read_partition(const std::filesystem::path& path)
     Partition partition = unpack(stored);
     if (const std::string defect = defect_of(partition); !defect.empty())
         throw unreadable(path, "the partition file is damaged: " + defect);
-    if (stored.checksum() != checksum(partition))
+    if (stored.checksum() != partition_checksum(partition))
         throw unreadable(path, "the partition file is damaged: its checksum is wrong");
     return partition;
 }

@@ -2,6 +2,7 @@
 
 #include "common/partition/partition.h"
 
+#include <cstdint>
 #include <filesystem>
 
 namespace hipmap {
@@ -13,6 +14,9 @@ void write_partition(const std::filesystem::path& path, const Partition& partiti
 /// Reads a .hpm file and checks every value in it: sizes, ranges of ids, edges that point back.
 /// Throws InputError: no such file, truncated or damaged, another version of the format.
 Partition read_partition(const std::filesystem::path& path);
+
+/// 64 bits over every field, so that damage which leaves each number plausible is found as well.
+std::uint64_t partition_checksum(const Partition& partition);
 
 /// Throws InputError, naming `path`, unless `partition` was made from this scene.
 void check_partition_of(const Partition& partition, const Scene& scene,

@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <new>
+#include <type_traits>
 
 namespace hipmap {
 
@@ -13,30 +14,156 @@ struct FreeState {
     void operator()(XXH3_state_t* state) const { XXH3_freeState(state); }
 };
 
-template <typename T>
-void add(XXH3_state_t* state, const std::vector<T>& values)
+/// Hashes values one after another.
+class Hasher {
+  public:
+    Hasher() : state_(XXH3_createState())
+    {
+        if (!state_)
+            throw std::bad_alloc();
+        XXH3_128bits_reset(state_.get());
+    }
+
+    /// Numbers, enums and vectors of GLM: what has no padding.
+    template <typename... Values>
+    void add(const Values&... values)
+    {
+        (add_value(values), ...);
+    }
+    template <typename T>
+    void add_array(const std::vector<T>& values)
+    {
+        static_assert(std::is_trivially_destructible_v<T>);
+        const std::uint64_t size = values.size();
+        XXH3_128bits_update(state_.get(), &size, sizeof size);
+        XXH3_128bits_update(state_.get(), values.data(), values.size() * sizeof(T));
+    }
+    Fingerprint digest() const
+    {
+        const XXH128_hash_t hash = XXH3_128bits_digest(state_.get());
+        return {{hash.low64, hash.high64}};
+    }
+
+  private:
+    template <typename T>
+    void add_value(const T& value)
+    {
+        static_assert(sizeof(glm::vec3) == 12 && sizeof(glm::dvec3) == 24 &&
+                          sizeof(glm::mat3x2) == 24,
+                      "padding would be hashed");
+        static_assert(std::is_trivially_destructible_v<T>);
+        XXH3_128bits_update(state_.get(), &value, sizeof value);
+    }
+
+    std::unique_ptr<XXH3_state_t, FreeState> state_;
+};
+
+// The bindings name every member, so that one that is added has to be thought of here.
+
+void add_geometry(Hasher& hasher, const Scene& scene)
 {
-    const std::uint64_t size = values.size();
-    XXH3_128bits_update(state, &size, sizeof size);
-    XXH3_128bits_update(state, values.data(), values.size() * sizeof(T));
+    const auto& [centre, metres_per_unit] = scene.frame;
+    hasher.add(centre, metres_per_unit);
+    hasher.add_array(scene.mesh.positions);
+    hasher.add_array(scene.mesh.corners);
+}
+
+void add_rest_of_mesh(Hasher& hasher, const TriangleMesh& mesh)
+{
+    const auto& [positions, normals, attributes, corners, materials, objects, names] = mesh;
+    const auto& [uv, colours, tangents] = attributes;
+    hasher.add_array(normals);
+    for (const std::vector<glm::vec2>& set : uv)
+        hasher.add_array(set);
+    hasher.add_array(colours);
+    hasher.add_array(tangents);
+    hasher.add_array(materials);
+}
+
+void add_texture(Hasher& hasher, const TextureSlot& slot)
+{
+    const auto& [use, image, uv_set, sampler, uv_transform, strength] = slot;
+    const auto& [wrap_u, wrap_v, magnify, minify, srgb] = sampler;
+    hasher.add(use, image, uv_set, uv_transform, strength);
+    hasher.add(wrap_u, wrap_v, magnify, minify, srgb);
+}
+
+void add_material(Hasher& hasher, const Material& material)
+{
+    const auto& [name, base_color, metallic, roughness, emission, double_sided, transmission, ior,
+                 specular, specular_color, absorption, thickness, scattering, phase_anisotropy,
+                 dispersion, clearcoat, clearcoat_roughness, sheen_color, sheen_roughness,
+                 anisotropy, anisotropy_rotation, alpha, alpha_mode, alpha_cutoff, unlit,
+                 textures] = material;
+    hasher.add(base_color, metallic, roughness, emission, double_sided, transmission, ior, specular,
+               specular_color, absorption, thickness, scattering, phase_anisotropy, dispersion,
+               clearcoat, clearcoat_roughness, sheen_color, sheen_roughness, anisotropy,
+               anisotropy_rotation, alpha, alpha_mode, alpha_cutoff, unlit);
+    hasher.add(static_cast<std::uint64_t>(textures.size()));
+    for (const TextureSlot& slot : textures)
+        add_texture(hasher, slot);
+}
+
+void add_picture(Hasher& hasher, const TextureImage& picture)
+{
+    const auto& [name, width, height, rgba] = picture;
+    hasher.add(width, height);
+    hasher.add_array(rgba);
+}
+
+void add_light(Hasher& hasher, const PunctualLight& light)
+{
+    const auto& [name, kind, position, direction, intensity, cos_inner, cos_outer, radius,
+                 half_angle] = light;
+    hasher.add(kind, position, direction, intensity, cos_inner, cos_outer, radius, half_angle);
+}
+
+void add_light(Hasher& hasher, const AreaLight& light)
+{
+    const auto& [name, is_disc, centre, half_right, half_up, direction, radiance] = light;
+    hasher.add(is_disc, centre, half_right, half_up, direction, radiance);
+}
+
+void add_camera(Hasher& hasher, const Camera& camera)
+{
+    const auto& [name, projection, position, right, up, forward, tan_half_height, half_height,
+                 aspect, near_clip, far_clip, aperture_radius, focus_distance] = camera;
+    hasher.add(projection, position, right, up, forward, tan_half_height, half_height, aspect,
+               near_clip, far_clip, aperture_radius, focus_distance);
+}
+
+template <typename T, typename Add>
+void add_each(Hasher& hasher, const std::vector<T>& values, const Add& add)
+{
+    hasher.add(static_cast<std::uint64_t>(values.size()));
+    for (const T& value : values)
+        add(hasher, value);
 }
 
 } // namespace
 
 Fingerprint fingerprint(const Scene& scene)
 {
-    static_assert(sizeof(glm::vec3) == 12 && sizeof(glm::uvec3) == 12, "padding would be hashed");
-    const std::unique_ptr<XXH3_state_t, FreeState> state(XXH3_createState());
-    if (!state)
-        throw std::bad_alloc();
-    XXH3_128bits_reset(state.get());
-    const std::array<double, 4> frame = {scene.frame.centre.x, scene.frame.centre.y,
-                                         scene.frame.centre.z, scene.frame.metres_per_unit};
-    XXH3_128bits_update(state.get(), frame.data(), sizeof frame);
-    add(state.get(), scene.mesh.positions);
-    add(state.get(), scene.mesh.corners);
-    const XXH128_hash_t hash = XXH3_128bits_digest(state.get());
-    return {{hash.low64, hash.high64}};
+    Hasher hasher;
+    add_geometry(hasher, scene);
+    return hasher.digest();
+}
+
+Fingerprint content_fingerprint(const Scene& scene)
+{
+    const auto& [frame, mesh, materials, images, lights, area_lights, environment, picture,
+                 strength, cameras, camera, diffuse_model] = scene;
+    Hasher hasher;
+    add_geometry(hasher, scene);
+    add_rest_of_mesh(hasher, mesh);
+    add_each(hasher, materials, add_material);
+    add_each(hasher, images, add_picture);
+    add_each(hasher, lights, [](Hasher& h, const PunctualLight& light) { add_light(h, light); });
+    add_each(hasher, area_lights, [](Hasher& h, const AreaLight& light) { add_light(h, light); });
+    hasher.add(environment, strength, diffuse_model);
+    hasher.add_array(std::vector<char>(picture.begin(), picture.end()));
+    add_camera(hasher, cameras[camera]);
+    return hasher.digest();
 }
 
 } // namespace hipmap

@@ -5,7 +5,9 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace hipmap::tiny {
 
@@ -164,6 +166,37 @@ TEST_CASE("a fingerprint follows geometry and frame and nothing else", "[scene][
     other = scene;
     other.mesh.corners.pop_back();
     CHECK_FALSE(fingerprint(other) == fingerprint(scene));
+}
+
+TEST_CASE("a fingerprint of the content follows what can be seen, not names",
+          "[scene][fingerprint]")
+{
+    const Scene scene = load(tetrahedron()).scene;
+    const std::vector<std::function<void(Scene&)>> seen = {
+        [](Scene& s) { s.mesh.positions[2].y = std::nextafter(s.mesh.positions[2].y, 9.0f); },
+        [](Scene& s) { s.mesh.normals.push_back(glm::vec3(1)); },
+        [](Scene& s) { s.mesh.attributes.uv[1].emplace_back(); },
+        [](Scene& s) { s.materials[0].base_color.y += 0.5f; },
+        [](Scene& s) { s.materials[0].textures.emplace_back(); },
+        [](Scene& s) { s.materials.emplace_back(); },
+        [](Scene& s) { s.images.emplace_back(); },
+        [](Scene& s) { s.lights.emplace_back(); },
+        [](Scene& s) { s.area_lights.emplace_back(); },
+        [](Scene& s) { s.environment.z += 1; },
+        [](Scene& s) { s.cameras[0].position.x += 1; },
+        [](Scene& s) { s.diffuse_model = DiffuseModel::burley; }};
+    std::vector<Fingerprint> found = {content_fingerprint(scene)};
+    for (const auto& change : seen) {
+        Scene other = scene;
+        change(other);
+        found.push_back(content_fingerprint(other));
+        CHECK(std::count(found.begin(), found.end(), found.back()) == 1);
+    }
+    Scene other = scene;
+    other.mesh.object_names = {"renamed"};
+    other.materials[0].name = other.cameras[0].name = "renamed";
+    other.cameras.emplace_back(); // not the one rendered from
+    CHECK(content_fingerprint(other) == found[0]);
 }
 
 TEST_CASE("printing an audit counts what is lost as warnings", "[scene]")
