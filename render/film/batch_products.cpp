@@ -34,7 +34,8 @@ double mean_of_channels(const Image& image)
 /// docs/error.md (5)
 double relative_weight(double mean, double variance, double dark)
 {
-    const double square = std::max(mean * mean - variance, 0.0);
+    const double seen = mean * mean;
+    const double square = seen > 0 ? seen * seen / (seen + variance) : 0;
     const double plain = square + dark;
     return plain > 0 ? 1 / (plain + 4 * variance * square / plain) : 0;
 }
@@ -89,10 +90,14 @@ ChannelStatistics ChannelReader::read(std::size_t pixel, std::size_t channel) co
     if (out.batches > 1)
         out.variance = squares / ((out.batches - 1) * out.passes);
     out.weight = relative_weight(out.mean, out.variance, dark_);
-    for (std::size_t i = 0; i < wide_.batch.size() && out.batches > 1; ++i)
-        if (kept[i] > 0)
-            out.noise += weight_without(out, squares, i, sums[i], kept[i]) * out.deviation[i] *
-                         out.deviation[i];
+    for (std::size_t i = 0; i < wide_.batch.size() && out.batches > 1; ++i) {
+        if (kept[i] == 0)
+            continue;
+        const double square = out.deviation[i] * out.deviation[i];
+        const double without = weight_without(out, squares, i, sums[i], kept[i]);
+        out.noise += std::sqrt(out.weight * without) * square;
+        out.most_noise += without * square;
+    }
     if (film_.bias == BiasKnowledge::from_radii)
         read_narrow(pixel, channel, out);
     return out;
@@ -145,6 +150,7 @@ BatchProducts batch_products(const Film& film)
         for (std::size_t channel = 0; channel < 3; ++channel) {
             const ChannelStatistics found = reader.read(pixel, channel);
             out.noise += found.noise;
+            out.most_noise += found.most_noise;
             add_products(out.deviations, found.weight, found.deviation, found.deviation);
             add_products(out.first, found.weight, found.first, found.first);
             add_products(out.both, found.weight, found.first, found.second);

@@ -9,14 +9,26 @@ namespace hipmap {
 
 namespace {
 
-/// For the sum of squares of the noise that is in this image.
-Interval noise_interval(double noise, const Spread& spread, double batches)
+/// Sum of squares of the noise over the channels.
+struct NoiseSquare {
+    double value = 0;
+    double least = 0, most = 0; ///< by weights that lean one way and the other
+    Interval interval;          ///< for what is in this image, besides
+};
+
+/// docs/error.md (4) to (7).  At least two batches.
+NoiseSquare noise_square(const BatchProducts& products, const Spread& spread)
 {
-    if (noise == 0)
-        return {};
+    const double others = static_cast<double>(products.wide.batch.size()) - 1;
+    NoiseSquare out;
+    out.value = products.noise / (others * products.wide.all);
+    out.least = std::min(spread.energy / products.wide.all, out.value);
+    out.most = std::max(products.most_noise / (others * products.wide.all), out.value);
     const double freedom = spread.freedom();
-    const double below = freedom * (batches - 1);
-    return {noise * f_quantile(-kZ, freedom, below), noise * f_quantile(kZ, freedom, below)};
+    if (out.value > 0)
+        out.interval = {out.value * f_quantile(-kZ, freedom, freedom * others),
+                        out.value * f_quantile(kZ, freedom, freedom * others)};
+    return out;
 }
 
 double square_of(double x)
@@ -32,27 +44,16 @@ std::optional<ImageError> estimate_error(const Film& film)
     if (products.wide.batch.size() < 2)
         return std::nullopt;
     const Spread spread = spread_of(products.deviations, products.channels);
-    const double batches = static_cast<double>(products.wide.batch.size());
-    const double noise = products.noise / ((batches - 1) * products.wide.all);
-    const double unsure = (noise - spread.energy / products.wide.all) / 2;
-    const Interval noisy = noise_interval(noise, spread, batches);
+    const NoiseSquare noise = noise_square(products, spread);
     BiasSquare bias;
     if (film.bias == BiasKnowledge::from_radii)
         bias = bias_square(products);
-
-    // docs/error.md (11)
     const double known = std::max(bias.value, 0.0);
-    const double both2 =
-        square_of(unsure) + kZ * kZ * 4 * known * spread.along() / products.wide.all;
-    const double below =
-        std::sqrt(square_of(noise - noisy.low) + square_of(known - bias.interval.low) + both2);
-    const double above = std::sqrt(square_of(noisy.high - noise) +
-                                   square_of(bias.interval.high - bias.value) + both2);
-    const double sum = noise + known;
+    const double sum = noise.value + known;
 
     ImageError out;
     out.bias = film.bias;
-    out.noise2 = noise / products.channels;
+    out.noise2 = noise.value / products.channels;
     out.bias2 = bias.value / products.channels;
     if (bias.ratio > 0)
         out.order = std::log(bias.ratio) / std::log(kNarrowing);
@@ -60,8 +61,14 @@ std::optional<ImageError> estimate_error(const Film& film)
     out.high = std::numeric_limits<double>::infinity();
     if (products.wide.batch.size() < kBatches)
         return out;
-    out.low = std::sqrt(std::max(sum - below, 0.0) / products.channels);
-    out.high = std::sqrt(std::max(noise + bias.value + above, sum) / products.channels);
+    // docs/error.md (11)
+    const double both2 = kZ * kZ * 4 * known * spread.along() / products.wide.all;
+    const double below = std::sqrt(square_of(noise.value - noise.interval.low) +
+                                   square_of(known - bias.interval.low) + both2);
+    const double above = std::sqrt(square_of(noise.interval.high - noise.value) +
+                                   square_of(bias.interval.high - bias.value) + both2);
+    out.low = std::sqrt(std::max(noise.least + known - below, 0.0) / products.channels);
+    out.high = std::sqrt(std::max(noise.most + bias.value + above, sum) / products.channels);
     return out;
 }
 
