@@ -11,8 +11,8 @@ Installs the packages that are missing (as root or with sudo), builds hipmap and
 runs them all.  Arguments after -- go to ctest, such as -R partition.
 
   --sanitize   build and run with AddressSanitizer and UndefinedBehaviorSanitizer
-  --fuzz       run the fuzz targets of the glTF, OBJ and partition readers instead, each for so long,
-               with both sanitizers (clang); what they find stays in build/fuzz/corpus
+  --fuzz       run the fuzz targets of the glTF, OBJ, partition and state readers instead, each for so
+               long, with both sanitizers (clang); what they find stays in build/fuzz/corpus
   --help       print this text
 TEXT
 }
@@ -59,6 +59,13 @@ fuzz() {
             2> /dev/null
         seeds=
     fi
+    if [[ $target == state ]]; then
+        "$build/bin/preprocess" "$root/tests/fuzz/corpus/gltf/quad.gltf" -o "$build/quad.hpm" \
+            2> /dev/null
+        "$build/bin/render" "$root/tests/fuzz/corpus/gltf/quad.gltf" "$build/quad.hpm" --size 2x2 \
+            --passes 9 -o "$build/quad.pfm" --state "$corpus/quad.state" 2> /dev/null
+        seeds=
+    fi
     echo "fuzzing the $target reader for $fuzz_seconds s"
     "$build/bin/fuzz_$target" -max_total_time="$fuzz_seconds" -timeout=10 -rss_limit_mb=2048 \
         -malloc_limit_mb=1024 -max_len=65536 -print_final_stats=1 -verbosity=0 \
@@ -66,8 +73,9 @@ fuzz() {
 }
 
 if [[ -n $fuzz_seconds ]]; then
-    "$root/.ci/setup.sh" fuzz preprocess fuzz_gltf fuzz_obj fuzz_partition
-    for target in gltf obj partition; do
+    "$root/.ci/setup.sh" fuzz preprocess render fuzz_gltf fuzz_obj fuzz_partition \
+        fuzz_state
+    for target in gltf obj partition state; do
         fuzz "$target"
     done
     exit

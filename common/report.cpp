@@ -28,6 +28,19 @@ double seconds_between(std::chrono::steady_clock::time_point from,
     return std::chrono::duration<double>(to - from).count();
 }
 
+std::string progress_text(const std::string& stage, double done, std::string_view note,
+                          double elapsed)
+{
+    std::string text = stage + ": " + std::to_string(static_cast<int>(done * 100)) + " %";
+    if (!note.empty())
+        text += ", " + std::string(note);
+    if (done > 0)
+        text += ", " + format_seconds(elapsed * (1 - done) / done) + " left";
+    return text;
+}
+
+} // namespace
+
 std::string format_seconds(double seconds)
 {
     char text[64];
@@ -40,16 +53,6 @@ std::string format_seconds(double seconds)
     }
     return text;
 }
-
-std::string progress_text(const std::string& stage, double done, double elapsed)
-{
-    std::string text = stage + ": " + std::to_string(static_cast<int>(done * 100)) + " %";
-    if (done > 0)
-        text += ", " + format_seconds(elapsed * (1 - done) / done) + " left";
-    return text;
-}
-
-} // namespace
 
 void Report::line(std::string_view text)
 {
@@ -74,7 +77,7 @@ void Report::begin(std::string_view stage)
     begun_ = shown_ = Clock::now();
 }
 
-void Report::progress(double done)
+void Report::progress(double done, std::string_view note)
 {
     const std::lock_guard lock(mutex_);
     const auto now = Clock::now();
@@ -83,7 +86,7 @@ void Report::progress(double done)
     shown_ = now;
     // A NaN counts as nothing done.
     const double clamped = done > 0 ? std::min(done, 1.0) : 0.0;
-    const std::string text = progress_text(stage_, clamped, seconds_between(begun_, now));
+    const std::string text = progress_text(stage_, clamped, note, seconds_between(begun_, now));
     if (on_terminal())
         std::cerr << kEraseLine << text << std::flush;
     else

@@ -7,6 +7,9 @@
 
 namespace hipmap {
 
+/// "12.34 s", or "1:02:03" from 100 s on.
+std::string format_seconds(double seconds);
+
 /// The only printing of both tools, all of it on standard error.  Thread-safe.
 class Report {
   public:
@@ -18,9 +21,10 @@ class Report {
 
     /// Starts a stage of long work that `progress` then reports on.
     void begin(std::string_view stage);
-    /// done: 0 to 1.  On a terminal one line that is rewritten, with the time left; elsewhere a
-    /// plain line at intervals.  Cheap enough to call often.
-    void progress(double done);
+    /// done: 0 to 1.  note: how things stand, may be empty.  On a terminal one line that is
+    /// rewritten, with the time left; elsewhere a plain line at intervals.  Cheap enough to call
+    /// often.
+    void progress(double done, std::string_view note = {});
     /// Ends the stage with a line that gives its time.  Returns the seconds it took.
     double end();
 

@@ -1,17 +1,16 @@
 #include "common/file/output_file.h"
-#include "common/image/exposure.h"
-#include "common/image/write_image.h"
+#include "common/input_error.h"
 #include "common/partition/partition_file.h"
-#include "common/report.h"
 #include "common/scene/print_audit.h"
 #include "common/stopwatch.h"
 #include "render/maps/hierarchical.h"
-#include "render/options.h"
+#include "render/merge.h"
+#include "render/outputs.h"
+#include "render/settings.h"
 #include "render/shading/describe_reflections.h"
 #include "render/statistics.h"
 
 #include <csignal>
-#include <iomanip>
 #include <sstream>
 
 namespace hipmap {
@@ -31,6 +30,8 @@ void check_outputs(const RenderArguments& arguments)
         check_writable(image);
     if (!arguments.statistics.empty())
         check_writable(arguments.statistics);
+    if (!arguments.state.empty())
+        check_writable(arguments.state);
 }
 
 void choose_diffuse_model(const RenderArguments& arguments, LoadedScene& loaded)
@@ -50,37 +51,65 @@ Partition load_partition(const RenderArguments& arguments, const Scene& scene)
     return partition;
 }
 
-RenderedImage render_with_progress(const RenderScene& scene, const RenderOptions& options,
-                                   Report& report)
+/// The state in the file, if there is one; refuses another render's.
+std::optional<RenderState> find_state(const RenderArguments& arguments,
+                                      const std::vector<std::string>& settings)
+{
+    if (!std::filesystem::exists(arguments.state))
+        return std::nullopt;
+    RenderState found = read_state(arguments.state);
+    check_settings(arguments.state, found.settings, settings);
+    return found;
+}
+
+RenderState begin_or_go_on(const RenderArguments& arguments, const PassSource& source,
+                           std::vector<std::string> settings,
+                           const std::optional<RenderState>& found, Report& report)
+{
+    RenderState state = begin_state(source, std::move(settings));
+    if (!found)
+        return state;
+    merge_state(state, *found, arguments.state);
+    state.checks = found->checks;
+    report.line("going on with " + std::to_string(count(state.film.passes)) + " passes of " +
+                arguments.state.string());
+    return state;
+}
+
+std::string describe_stops(const StopRules& stops)
+{
+    std::string text;
+    if (stops.passes < kMostPasses)
+        text += ", " + std::to_string(stops.passes) + (stops.passes == 1 ? " pass" : " passes");
+    if (std::isfinite(stops.seconds))
+        text += ", " + format_seconds(stops.seconds);
+    if (stops.error > 0)
+        text += ", to an error of " + percent(stops.error);
+    return text;
+}
+
+RunResult render_with_progress(const RenderArguments& arguments, const PassSource& source,
+                               RenderState& state, Report& report)
 {
     std::signal(SIGINT, ask_to_stop);
     std::signal(SIGTERM, ask_to_stop);
-    RenderControl control;
-    control.progress = [&report](double done) { report.progress(done); };
+    RunControl control;
+    control.progress = [&report](const RunProgress& progress) {
+        std::string note = std::to_string(progress.passes) + " passes";
+        if (progress.error)
+            note += ", error " + percent(progress.error->error);
+        report.progress(progress.done, note);
+    };
     control.stop = &g_stop;
-    report.begin("rendering " + std::to_string(options.width) + "x" +
-                 std::to_string(options.height) + ", " + std::to_string(options.passes) +
-                 (options.passes == 1 ? " pass" : " passes"));
-    RenderedImage out = render_image(scene, options, control);
+    if (!arguments.state.empty())
+        control.save = [&](const RenderState& now) { write_state(arguments.state, now); };
+    report.begin("rendering " + std::to_string(source.width) + "x" + std::to_string(source.height) +
+                 describe_stops(arguments.stops));
+    RunResult out = run_passes(source, arguments.stops, control, state);
     report.end();
+    if (!arguments.state.empty())
+        write_state(arguments.state, state);
     return out;
-}
-
-float write_images(const RenderArguments& arguments, const Image& image, Report& report)
-{
-    const float ev = arguments.exposure_ev ? *arguments.exposure_ev : auto_exposure(image);
-    for (const std::filesystem::path& path : arguments.images) {
-        write_image(path, image, {ev});
-        const ImageFormat format = image_format(path);
-        const bool exposed = format == ImageFormat::png || format == ImageFormat::ppm;
-        std::ostringstream line;
-        line << "wrote " << path.string();
-        if (exposed)
-            line << " (exposure " << std::showpos << std::fixed << std::setprecision(2) << ev
-                 << " EV" << (arguments.exposure_ev ? "" : ", auto") << ")";
-        report.line(line.str());
-    }
-    return ev;
 }
 
 void print_photons(const RenderStatistics& statistics, Report& report)
@@ -117,6 +146,50 @@ void warn_of_dropped(const RenderStatistics& statistics, Report& report)
                     " photons or samples were not finite and were left out");
 }
 
+void print_error(const RenderArguments& arguments, const RenderState& state, Report& report)
+{
+    if (state.checks.empty())
+        return;
+    report.line(describe_error(state.checks.back()));
+    report.line(describe_price(state.checks, arguments.render.photons));
+    if (!arguments.quote)
+        return;
+    for (const Price& price :
+         price_list(state.checks, arguments.render.photons, arguments.stops.error)) {
+        std::ostringstream line;
+        line << "an error of " << percent(price.error) << " takes " << price.passes << " passes, "
+             << format_seconds(price.seconds);
+        if (arguments.render.integrator != Integrator::path)
+            line << ", " << price.photons << " light paths";
+        report.line(line.str());
+    }
+    report.line("memory, for any of them: " + std::to_string(peak_memory() >> 20) + " MiB");
+}
+
+void print_statistics(const RenderArguments& arguments, const RenderStatistics& statistics,
+                      Report& report)
+{
+    if (arguments.render.integrator == Integrator::direct) {
+        print_photons(statistics, report);
+        if (arguments.render.maps.mode == MapMode::hierarchical &&
+            arguments.render.maps.tree == TreeKind::wide)
+            print_tiers(statistics, report);
+    }
+    warn_of_dropped(statistics, report);
+}
+
+/// Reads the scene and completes the options by it.
+LoadedScene load(RenderArguments& arguments)
+{
+    LoadedScene loaded = load_scene(arguments.scene, arguments.scene_options);
+    choose_diffuse_model(arguments, loaded);
+    const Scene& scene = loaded.scene;
+    const PictureSize size = complete_size(arguments.size, scene.cameras[scene.camera].aspect);
+    arguments.render.width = size.width;
+    arguments.render.height = size.height;
+    return loaded;
+}
+
 int render(RenderArguments& arguments)
 {
     Report report;
@@ -125,42 +198,39 @@ int render(RenderArguments& arguments)
     const ThreadLimit threads(arguments.threads);
 
     const Stopwatch reading;
-    LoadedScene loaded = load_scene(arguments.scene, arguments.scene_options);
-    choose_diffuse_model(arguments, loaded);
-    const Scene& scene = loaded.scene;
-    const Partition partition = load_partition(arguments, scene);
+    const LoadedScene loaded = load(arguments);
+    const Partition partition = load_partition(arguments, loaded.scene);
+    const std::vector<std::string> settings =
+        settings_of(arguments.render, loaded.scene, partition);
+    const std::optional<RenderState> found = find_state(arguments, settings);
     print_audit(report, loaded.audit);
-    for (const std::string& sentence : describe_reflections(scene))
+    for (const std::string& sentence : describe_reflections(loaded.scene))
         report.line(sentence);
     run.seconds_scene = reading.seconds();
 
-    const PictureSize size = complete_size(arguments.size, scene.cameras[scene.camera].aspect);
-    arguments.render.width = size.width;
-    arguments.render.height = size.height;
-
     const Stopwatch building;
-    const RenderScene render_scene(scene, partition);
+    const RenderScene render_scene(loaded.scene, partition);
     run.seconds_rays = building.seconds();
-    const RenderedImage rendered = render_with_progress(render_scene, arguments.render, report);
-    if (arguments.render.integrator == Integrator::direct)
-        print_photons(rendered.statistics, report);
-    if (arguments.render.maps.mode == MapMode::hierarchical &&
-        arguments.render.maps.tree == TreeKind::wide &&
-        arguments.render.integrator == Integrator::direct)
-        print_tiers(rendered.statistics, report);
-    warn_of_dropped(rendered.statistics, report);
+
+    RenderStatistics statistics;
+    const PassSource source = make_pass_source(render_scene, arguments.render, statistics);
+    RenderState state = begin_or_go_on(arguments, source, settings, found, report);
+    const RunResult rendered = render_with_progress(arguments, source, state, report);
+    print_statistics(arguments, statistics, report);
+    print_error(arguments, state, report);
 
     const Stopwatch writing;
-    run.exposure_ev = write_images(arguments, rendered.image, report);
+    run.exposure_ev = write_images(arguments.images, rendered.image, state.film, state.checks,
+                                   arguments.exposure_ev, report);
     run.seconds_write = writing.seconds();
     run.warnings = report.warnings();
     if (!arguments.statistics.empty()) {
         write_file(arguments.statistics,
-                   statistics_json(arguments, scene, partition, rendered.statistics, run));
+                   statistics_json(arguments, loaded.scene, partition, statistics, state, run));
         report.line("wrote " + arguments.statistics.string());
     }
-    if (rendered.stopped) {
-        report.line("stopped by a signal after " + std::to_string(rendered.statistics.passes) +
+    if (rendered.reason == StopReason::caller) {
+        report.line("stopped by a signal after " + std::to_string(count(state.film.passes)) +
                     " passes; the image holds what was done");
         return kExitStopped;
     }
@@ -171,16 +241,39 @@ int render(RenderArguments& arguments)
 
 } // namespace hipmap
 
+namespace {
+
+int render_main(int argc, char** argv)
+{
+    hipmap::RenderArguments arguments;
+    CLI::App app("Renders a scene with photon maps split along its partition.  `render merge` "
+                 "adds up what several runs kept by --state; see render merge --help.",
+                 "render");
+    app.set_version_flag("--version", "render " HIPMAP_VERSION);
+    hipmap::add_render_arguments(app, arguments);
+    if (const std::optional<int> code = hipmap::parse_arguments(app, argc, argv))
+        return *code;
+    hipmap::complete_arguments(app, arguments);
+    return hipmap::render(arguments);
+}
+
+/// argv begins with "merge".
+int merge_main(int argc, char** argv)
+{
+    hipmap::MergeArguments arguments;
+    CLI::App app("Adds up the passes of states of one render, and writes their image.",
+                 "render merge");
+    hipmap::add_merge_arguments(app, arguments);
+    if (const std::optional<int> code = hipmap::parse_arguments(app, argc, argv))
+        return *code;
+    return hipmap::merge_states(arguments);
+}
+
+} // namespace
+
 int main(int argc, char** argv)
 {
-    return hipmap::run_tool([&] {
-        hipmap::RenderArguments arguments;
-        CLI::App app("Renders a scene with photon maps split along its partition.", "render");
-        app.set_version_flag("--version", "render " HIPMAP_VERSION);
-        hipmap::add_render_arguments(app, arguments);
-        if (const std::optional<int> code = hipmap::parse_arguments(app, argc, argv))
-            return *code;
-        hipmap::complete_arguments(app, arguments);
-        return hipmap::render(arguments);
-    });
+    const bool merge = argc > 1 && std::string_view(argv[1]) == "merge";
+    return hipmap::run_tool(
+        [&] { return merge ? merge_main(argc - 1, argv + 1) : render_main(argc, argv); });
 }

@@ -41,6 +41,10 @@ constexpr std::uint32_t kLocalMinPerNeighbour = 10;
 constexpr double kMostPhotons = 4e9;
 constexpr double kMostNeighbours = 1e6;
 constexpr double kMostExposure = 100;
+constexpr double kMostPassesAsked = 1e6;
+constexpr double kMostFirstPass = 1e15;
+constexpr double kMostSeconds = 1e9;
+constexpr std::uint64_t kPasses = 16;
 
 template <typename Value>
 void add_choice(CLI::App& app, const std::string& name, Value& into,
@@ -59,18 +63,50 @@ void add_count(CLI::App& app, const std::string& name, Value& into, double low, 
     app.add_option(name, into, help)->check(finite_in(low, high))->type_name("N");
 }
 
+/// "5%" and "5" are 0.05.
+double parse_error(const std::string& text)
+{
+    constexpr double kLeastPercent = 1e-3;
+    const std::string number = text.ends_with('%') ? text.substr(0, text.size() - 1) : text;
+    double percent = 0;
+    if (!CLI::detail::lexical_cast(number, percent) ||
+        !(percent >= kLeastPercent && percent <= 100))
+        throw CLI::ValidationError(
+            "--error", "'" + text + "' is not an error; write a percentage from 0.001 to 100");
+    return percent / 100;
+}
+
+void add_images(CLI::App& app, std::vector<std::filesystem::path>& images)
+{
+    app.add_option("-o,--output", images,
+                   "Image to write; repeatable. .exr, .pfm, .hdr hold radiance, W/(m2 sr), .exr "
+                   "its noise, bias and error too; .png, .ppm are exposed sRGB")
+        ->allow_extra_args(false)
+        ->type_name("FILE");
+}
+
+void add_exposure(CLI::App& app, std::optional<float>& exposure_ev)
+{
+    app.add_option_function<std::string>(
+           "--exposure",
+           [&exposure_ev](const std::string& text) {
+               if (text == "auto")
+                   exposure_ev.reset();
+               else
+                   exposure_ev = std::stof(text);
+           },
+           "Exposure of 8-bit images in stops, or auto [auto]")
+        ->check(CLI::IsMember({"auto"}) | finite_in(-kMostExposure, kMostExposure))
+        ->type_name("EV|auto");
+}
+
 void add_files(CLI::App& app, RenderArguments& arguments)
 {
     app.add_option("SCENE", arguments.scene, "Scene: .glb, .gltf or .obj")->required();
     app.add_option("PARTITION", arguments.partition,
                    "Partition of that scene (.hpm), by preprocess")
         ->required();
-    app.add_option("-o,--output", arguments.images,
-                   "Image to write; repeatable. .exr, .pfm, .hdr hold radiance, W/(m2 sr); .png, "
-                   ".ppm are exposed sRGB")
-        ->required()
-        ->allow_extra_args(false)
-        ->type_name("FILE");
+    add_images(app, arguments.images);
     app.add_option("--stats", arguments.statistics, "Write statistics as JSON")->type_name("FILE");
 }
 
@@ -79,7 +115,6 @@ void add_method(CLI::App& app, RenderArguments& arguments)
     RenderOptions& render = arguments.render;
     render.maps.mode = MapMode::hierarchical;
     render.photons = 200'000;
-    render.passes = 16;
     render.samples = 2;
     add_choice(
         app, "--maps", render.maps.mode, kMapModes,
@@ -111,11 +146,31 @@ void add_method(CLI::App& app, RenderArguments& arguments)
               "Photons in an estimate, k [50]");
     add_count(app, "--local-min", render.maps.local_min, 1, kMostPhotons,
               "Fewest photons of a local map, M [10 k]");
-    add_count(app, "--passes", render.passes, 1, 1e6,
-              "Independent passes, whose images are averaged [16]");
     add_count(app, "--samples", render.samples, 1, 65536, "Samples of each pixel in a pass [2]");
     app.add_option("--seed", render.seed, "Seed; the same seed gives the same image [0]")
         ->type_name("N");
+}
+
+void add_stops(CLI::App& app, RenderArguments& arguments)
+{
+    StopRules& stops = arguments.stops;
+    add_count(app, "--passes", stops.passes, 1, kMostPassesAsked,
+              "End after so many independent passes, whose images are averaged [16, if nothing "
+              "else is to end it]");
+    app.add_option("--time", stops.seconds, "End after so many seconds")
+        ->check(finite_in(0, kMostSeconds))
+        ->type_name("S");
+    app.add_option_function<std::string>(
+           "--error", [&stops](const std::string& text) { stops.error = parse_error(text); },
+           "End when the error (root of the mean relative square) is so small, as 5%")
+        ->type_name("E%");
+    app.add_flag("--quote", arguments.quote,
+                 "Only render a few passes and say what errors would cost");
+    app.add_option("--state", arguments.state,
+                   "Keep the passes in this file, and go on with those it holds")
+        ->type_name("FILE");
+    add_count(app, "--first-pass", stops.first_pass, 0, kMostFirstPass,
+              "Take passes from this number on, to be merged with others [0]");
 }
 
 void add_picture(CLI::App& app, RenderArguments& arguments)
@@ -125,17 +180,7 @@ void add_picture(CLI::App& app, RenderArguments& arguments)
            [&arguments](const std::string& text) { arguments.size = parse_picture_size(text); },
            "Picture size in pixels; W alone takes the camera's aspect [512]")
         ->type_name("WxH");
-    app.add_option_function<std::string>(
-           "--exposure",
-           [&arguments](const std::string& text) {
-               if (text == "auto")
-                   arguments.exposure_ev.reset();
-               else
-                   arguments.exposure_ev = std::stof(text);
-           },
-           "Exposure of 8-bit images in stops, or auto [auto]")
-        ->check(CLI::IsMember({"auto"}) | finite_in(-kMostExposure, kMostExposure))
-        ->type_name("EV|auto");
+    add_exposure(app, arguments.exposure_ev);
     add_count(app, "--threads", arguments.threads, 0, 4096, "Threads; 0: all cores [0]");
 }
 
@@ -145,14 +190,32 @@ void add_render_arguments(CLI::App& app, RenderArguments& arguments)
 {
     add_files(app, arguments);
     add_method(app, arguments);
+    add_stops(app, arguments);
     add_picture(app, arguments);
     add_scene_arguments(app, arguments.scene_options);
+}
+
+void add_merge_arguments(CLI::App& app, MergeArguments& arguments)
+{
+    app.add_option("STATE", arguments.states, "States of renders of one image")->required();
+    add_images(app, arguments.images);
+    app.get_option("--output")->required();
+    add_exposure(app, arguments.exposure_ev);
+    app.add_option("--state", arguments.state, "Write all passes as one state")->type_name("FILE");
 }
 
 void complete_arguments(const CLI::App& app, RenderArguments& arguments)
 {
     for (const std::filesystem::path& image : arguments.images)
         image_format(image); // refuses an unknown suffix
+    if (arguments.images.empty() && !arguments.quote)
+        throw InputError("--output is required; give an image to write with -o, or --quote");
+    if (arguments.quote && !arguments.state.empty())
+        throw InputError("--quote keeps no passes; leave out --state");
+    if (app.count("--passes") + app.count("--time") + app.count("--error") == 0)
+        arguments.stops.passes = kPasses;
+    if (arguments.quote)
+        arguments.stops.passes = std::min(arguments.stops.passes, kBatches);
     MapOptions& maps = arguments.render.maps;
     if (app.count("--local-min") == 0)
         maps.local_min = kLocalMinPerNeighbour * maps.neighbours;

@@ -2,7 +2,7 @@
 
 #include "common/command_line/command_line.h"
 #include "common/scene/load_scene.h"
-#include "render/integrator/render_image.h"
+#include "render/integrator/run_passes.h"
 
 #include <filesystem>
 #include <optional>
@@ -16,6 +16,9 @@ struct RenderArguments {
     std::filesystem::path partition;
     std::vector<std::filesystem::path> images;
     std::filesystem::path statistics; ///< empty: none
+    std::filesystem::path state;      ///< to go on with and to keep; empty: none
+    StopRules stops;
+    bool quote = false; ///< only say what errors cost
     SceneOptions scene_options;
     RenderOptions render;                ///< its size is still to be completed
     std::optional<DiffuseModel> diffuse; ///< none: the scene's own
@@ -27,6 +30,16 @@ struct RenderArguments {
 /// Adds every option of `render` to `app`, to be read into `arguments`, which must outlive the
 /// parsing.
 void add_render_arguments(CLI::App& app, RenderArguments& arguments);
+
+/// What the user asked of `render merge`.
+struct MergeArguments {
+    std::vector<std::filesystem::path> states;
+    std::vector<std::filesystem::path> images;
+    std::filesystem::path state; ///< to write; empty: none
+    std::optional<float> exposure_ev;
+};
+
+void add_merge_arguments(CLI::App& app, MergeArguments& arguments);
 
 /// What the options mean together; throws InputError if they contradict each other.
 void complete_arguments(const CLI::App& app, RenderArguments& arguments);

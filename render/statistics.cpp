@@ -1,6 +1,8 @@
 #include "render/statistics.h"
 
 #include "render/maps/hierarchical.h"
+#include "render/outputs.h"
+#include "render/settings.h"
 
 #include <nlohmann/json.hpp>
 
@@ -62,18 +64,20 @@ Json rgb_json(const glm::dvec3& value)
 Json options_json(const RenderArguments& arguments, const Scene& scene)
 {
     const RenderOptions& options = arguments.render;
-    static const char* const kModes[] = {"none", "global", "shared", "thesis", "hierarchical"};
-    static const char* const kTrees[] = {"wide", "balanced", "unbalanced"};
-    return {{"maps", kModes[static_cast<int>(options.maps.mode)]},
-            {"tree", kTrees[static_cast<int>(options.maps.tree)]},
+    const StopRules& stops = arguments.stops;
+    return {{"maps", name_of(options.maps.mode)},
+            {"tree", name_of(options.maps.tree)},
             {"estimate", options.maps.estimate == EstimateForm::thesis ? "thesis" : "clipped"},
-            {"integrator", options.integrator == Integrator::path ? "path" : "direct"},
+            {"integrator", name_of(options.integrator)},
             {"direct", options.direct == DirectLight::photons ? "photons" : "shadow-rays"},
             {"diffuse", scene.diffuse_model == DiffuseModel::burley ? "burley" : "lambert"},
             {"photons", options.photons},
             {"neighbours", options.maps.neighbours},
             {"local_min", options.maps.local_min},
-            {"passes", options.passes},
+            {"passes", stops.passes < kMostPasses ? Json(stops.passes) : Json()},
+            {"time", std::isfinite(stops.seconds) ? Json(stops.seconds) : Json()},
+            {"error", stops.error > 0 ? Json(stops.error) : Json()},
+            {"first_pass", stops.first_pass},
             {"samples", options.samples},
             {"seed", options.seed}};
 }
@@ -85,11 +89,45 @@ Json seconds_json(const RenderStatistics& render, const RunStatistics& run)
             {"image", render.seconds_image},     {"write", run.seconds_write}};
 }
 
+Json check_json(const ErrorCheck& check)
+{
+    const ImageError& error = check.error;
+    Json json = {{"passes", check.passes},
+                 {"seconds", check.seconds},
+                 {"error", error.error},
+                 {"low", error.low},
+                 {"high", error.high}, // null if infinite
+                 {"noise", std::sqrt(error.noise2)}};
+    if (error.bias == BiasKnowledge::from_radii) {
+        json["bias2"] = error.bias2;
+        json["bias_order"] = error.order;
+    }
+    return json;
+}
+
+Json error_json(const RenderArguments& arguments, const RenderState& state)
+{
+    static const char* const kBias[] = {"none", "unknown", "from radii"};
+    Json checks = Json::array(), prices = Json::array();
+    for (const ErrorCheck& check : state.checks)
+        checks.push_back(check_json(check));
+    for (const Price& price :
+         price_list(state.checks, arguments.render.photons, arguments.stops.error))
+        prices.push_back({{"error", price.error},
+                          {"passes", price.passes},
+                          {"seconds", price.seconds},
+                          {"photons", price.photons}});
+    return {{"bias", kBias[static_cast<int>(state.film.bias)]},
+            {"checks", checks},
+            {"prices", prices},
+            {"memory", peak_memory()}};
+}
+
 } // namespace
 
 std::string statistics_json(const RenderArguments& arguments, const Scene& scene,
                             const Partition& partition, const RenderStatistics& render,
-                            const RunStatistics& run)
+                            const RenderState& state, const RunStatistics& run)
 {
     const double unit2 = scene.frame.metres_per_unit * scene.frame.metres_per_unit;
     const RenderOptions& options = arguments.render;
@@ -105,7 +143,9 @@ std::string statistics_json(const RenderArguments& arguments, const Scene& scene
     json["image"] = {
         {"width", options.width}, {"height", options.height}, {"exposure_ev", run.exposure_ev}};
     json["options"] = options_json(arguments, scene);
-    json["passes_done"] = render.passes;
+    json["passes_done"] = count(state.film.passes);
+    json["error"] = error_json(arguments, state);
+    json["saturated"] = state.film.saturated;
     json["seconds"] = seconds_json(render, run);
     json["processor_seconds"] = {{"maps", render.processor_maps},
                                  {"image", render.processor_image}};

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "render/integrator/render_image.h"
 #include "render/options.h"
 
 #include <string>
@@ -19,6 +18,6 @@ struct RunStatistics {
 /// The statistics of a render as JSON text (docs/statistics.md); powers in W.
 std::string statistics_json(const RenderArguments& arguments, const Scene& scene,
                             const Partition& partition, const RenderStatistics& render,
-                            const RunStatistics& run);
+                            const RenderState& state, const RunStatistics& run);
 
 } // namespace hipmap

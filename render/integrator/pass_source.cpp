@@ -177,6 +177,7 @@ RenderedPass render_pass(const RenderScene& scene, const MapSurfaces& surfaces,
     const PassMaps pass_maps{scene, surfaces, maps.caustic, maps.global, options.direct};
     const TileRenderer renderer(pass_maps, options, pass);
     out.whole = render_tiles(renderer, control, out.images, statistics);
+    statistics.passes += out.whole ? 1 : 0;
     statistics.seconds_image += watch.seconds();
     statistics.processor_image += watch.processor_seconds();
     return out;

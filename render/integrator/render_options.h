@@ -11,6 +11,7 @@ enum class Integrator : std::uint8_t {
     path,   ///< by path tracing, without photons
 };
 
+/// What a pass is made by: the same for all passes of an image.
 struct RenderOptions {
     Integrator integrator = Integrator::direct;
     int width = 0;
@@ -18,7 +19,6 @@ struct RenderOptions {
     MapOptions maps;
     DirectLight direct = DirectLight::shadow_rays;
     std::uint64_t photons = 0; ///< light paths per pass
-    std::uint32_t passes = 1;
     std::uint32_t samples = 1; ///< eye paths per pixel and pass
     std::uint64_t seed = 0;
 };
@@ -36,7 +36,7 @@ struct KindStatistics {
 
 /// What the passes of one run did.
 struct RenderStatistics {
-    std::uint32_t passes = 0;          ///< done
+    std::uint64_t passes = 0;          ///< whole ones
     std::uint64_t emitted = 0;         ///< light paths
     std::uint64_t aimed = 0;           ///< light paths besides, aimed at specular surfaces
     std::uint64_t dropped_photons = 0; ///< not finite

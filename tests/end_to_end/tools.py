@@ -34,7 +34,7 @@ class ToolsTestCase(unittest.TestCase):
         """Runs a tool that is to succeed; returns what it printed on standard error."""
         done = run(tool, *arguments)
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertNotIn("error", done.stderr)
+        self.assertNotRegex(done.stderr, r"(?m)^error: ")
         return done.stderr
 
     def refuse(self, tool, *arguments, naming):

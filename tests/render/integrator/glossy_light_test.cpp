@@ -1,10 +1,10 @@
 #include "common/math/sampling.h"
 #include "render/integrator/direct_light.h"
 #include "render/integrator/path_tracer.h"
-#include "render/integrator/render_image.h"
 #include "render/shading/glossy_albedo.h"
 #include "render/shading/scatter.h"
 #include "tests/support/mean_luminance.h"
+#include "tests/support/render_image.h"
 #include "tests/support/statistics.h"
 #include "tests/support/tiny_rooms.h"
 
@@ -185,7 +185,7 @@ TEST_CASE("glossy light: path tracer and photon maps agree on a glossy room", "[
 {
     const auto ready = tiny::ready(glossy_room());
     CHECK(ready->render->directional);
-    RenderOptions options;
+    ImageOptions options;
     options.width = 24;
     options.height = 16;
     options.photons = 40000;

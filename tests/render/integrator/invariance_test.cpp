@@ -1,6 +1,6 @@
-#include "render/integrator/render_image.h"
 #include "tests/support/hard_surfaces.h"
 #include "tests/support/placed_mesh.h"
+#include "tests/support/render_image.h"
 #include "tests/support/statistics.h"
 #include "tests/support/tiny_scenes.h"
 
@@ -74,7 +74,7 @@ tiny::GltfFile reordered(tiny::GltfFile file)
 
 Image render_with(const RenderScene& scene, std::uint64_t seed)
 {
-    RenderOptions options;
+    ImageOptions options;
     options.width = options.height = kSize;
     options.photons = 10000;
     options.maps.mode = MapMode::thesis;

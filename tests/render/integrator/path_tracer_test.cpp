@@ -1,8 +1,8 @@
 #include "common/math/sampling.h"
 #include "render/integrator/path_tracer.h"
-#include "render/integrator/render_image.h"
 #include "tests/support/form_factor.h"
 #include "tests/support/mean_luminance.h"
+#include "tests/support/render_image.h"
 #include "tests/support/statistics.h"
 #include "tests/support/tiny_rooms.h"
 
@@ -77,7 +77,7 @@ TEST_CASE("path tracer: facing mirrors pass an emitter's light on in a geometric
 TEST_CASE("path tracer and photon maps agree on a room with glass and mirror", "[integrator]")
 {
     const auto ready = tiny::ready(tiny::room());
-    RenderOptions options;
+    ImageOptions options;
     options.width = 24;
     options.height = 16;
     options.photons = 50000;

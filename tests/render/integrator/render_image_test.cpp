@@ -1,6 +1,6 @@
 #include "common/math/sampling.h"
-#include "render/integrator/render_image.h"
 #include "tests/support/mean_luminance.h"
+#include "tests/support/render_image.h"
 #include "tests/support/statistics.h"
 #include "tests/support/tiny_rooms.h"
 
@@ -11,9 +11,9 @@ using namespace hipmap;
 
 namespace {
 
-RenderOptions small_options()
+ImageOptions small_options()
 {
-    RenderOptions options;
+    ImageOptions options;
     options.width = 24;
     options.height = 16;
     options.photons = 20000;
@@ -29,7 +29,7 @@ TEST_CASE("render: a closed diffuse sphere has radiance one in every mode with p
     const auto ready = tiny::ready(tiny::furnace());
     for (const MapMode mode : {MapMode::global, MapMode::shared, MapMode::thesis})
         for (const DirectLight direct : {DirectLight::shadow_rays, DirectLight::photons}) {
-            RenderOptions options = small_options();
+            ImageOptions options = small_options();
             options.width = options.height = 16;
             options.maps.mode = mode;
             options.maps.local_min = 20;
@@ -49,7 +49,7 @@ TEST_CASE("render: a closed diffuse sphere has radiance one in every mode with p
 TEST_CASE("render: without photons the sphere shows emission and one bounce", "[integrator]")
 {
     const auto ready = tiny::ready(tiny::furnace());
-    RenderOptions options = small_options();
+    ImageOptions options = small_options();
     options.maps.mode = MapMode::none;
     options.samples = 16;
     RunningMean mean;
@@ -63,7 +63,7 @@ TEST_CASE("render: 1, 2 and 7 threads make the same image, bit for bit", "[integ
     const auto ready = tiny::ready(tiny::room());
     for (const MapMode mode : {MapMode::none, MapMode::global, MapMode::shared, MapMode::thesis,
                                MapMode::hierarchical}) {
-        RenderOptions options = small_options();
+        ImageOptions options = small_options();
         options.maps.mode = mode;
         options.maps.local_min = 100;
         const auto render_with = [&](std::size_t threads) {
@@ -87,7 +87,7 @@ TEST_CASE("render: thesis and shared maps make the same image of a room of flat 
           "[integrator]")
 {
     const auto ready = tiny::ready(tiny::room());
-    RenderOptions options = small_options();
+    ImageOptions options = small_options();
     options.maps.mode = MapMode::shared;
     const Image shared = render_image(*ready->render, options, {}).image;
     options.maps.mode = MapMode::thesis;
@@ -107,7 +107,7 @@ TEST_CASE("render: hierarchical and shared maps make the same image, bit for bit
     for (const bool furnace : {false, true})
         for (const TierChoice tiers : {TierChoice::paying, TierChoice::all}) {
             const auto ready = tiny::ready(furnace ? tiny::furnace() : tiny::room());
-            RenderOptions options = small_options();
+            ImageOptions options = small_options();
             options.maps.mode = MapMode::shared;
             options.maps.neighbours = 10;
             options.maps.local_min = 20;
@@ -134,7 +134,7 @@ TEST_CASE("render: a mirror shows the sky by its reflectance, clear glass passes
         scene.cameras[0].position = {0, 0, 5};
         scene.cameras[0].tan_half_height = 0.1f;
         const auto ready = tiny::ready(scene);
-        RenderOptions options = small_options();
+        ImageOptions options = small_options();
         options.samples = 64;
         options.integrator = integrator;
         const Image image = render_image(*ready->render, options, {}).image;
@@ -151,7 +151,7 @@ TEST_CASE("render: a mirror shows the sky by its reflectance, clear glass passes
 TEST_CASE("render: photons and shadow rays agree on direct light", "[integrator]")
 {
     const auto ready = tiny::ready(tiny::room());
-    RenderOptions options = small_options();
+    ImageOptions options = small_options();
     options.width = options.height = 12;
     options.samples = 8;
     options.maps.neighbours = 30;
@@ -170,7 +170,7 @@ TEST_CASE("render: photons and shadow rays agree on direct light", "[integrator]
 TEST_CASE("render: a stop keeps whole passes", "[integrator]")
 {
     const auto ready = tiny::ready(tiny::room());
-    RenderOptions options = small_options();
+    ImageOptions options = small_options();
     options.passes = 1;
     const Image one = render_image(*ready->render, options, {}).image;
     options.passes = 5;

@@ -1,0 +1,203 @@
+#include "render/film/render_state.h"
+
+#include "common/file/output_file.h"
+#include "common/input_error.h"
+#include "render/film/state_bytes.h"
+
+#include <algorithm>
+
+namespace hipmap {
+
+namespace {
+
+constexpr std::uint32_t kVersion = 1;
+constexpr std::uint64_t kMostSettings = 1000;
+constexpr int kMostSide = 65536;
+/// Of any float, the exponent of its mean.
+constexpr int kMostScale = 200;
+
+void put_film(StateWriter& out, const Film& film)
+{
+    out.put(film.width);
+    out.put(film.height);
+    out.put(film.scale);
+    out.put(static_cast<std::uint32_t>(film.bias));
+    out.put_array(film.passes.ranges);
+    out.put_array(film.radiance);
+    out.put_array(film.narrow);
+    out.put_array(film.narrower);
+    out.put(static_cast<std::uint64_t>(film.lost.size()));
+    for (const auto& [key, passes] : film.lost) {
+        out.put(key);
+        out.put(passes);
+    }
+    out.put(film.saturated);
+}
+
+void put_check(StateWriter& out, const ErrorCheck& check)
+{
+    const ImageError& error = check.error;
+    out.put(check.passes);
+    out.put(static_cast<std::uint32_t>(error.bias));
+    for (const double value : {check.seconds, error.noise2, error.bias2, error.order, error.error,
+                               error.low, error.high})
+        out.put(value);
+}
+
+BiasKnowledge get_bias(StateReader& in)
+{
+    const auto bias = in.get<std::uint32_t>();
+    in.require(bias <= static_cast<std::uint32_t>(BiasKnowledge::from_radii), "kind of bias");
+    return static_cast<BiasKnowledge>(bias);
+}
+
+/// Sums that passes can have led to, so that more passes cannot overflow them.
+void require_sums(const StateReader& in, const std::vector<std::int64_t>& sums,
+                  const PassSet& passes, std::uint64_t batches, std::size_t channels)
+{
+    in.require(sums.size() == batches * channels, "number of sums");
+    for (std::uint64_t batch = 0; batch < batches; ++batch) {
+        const std::int64_t most =
+            largest_value() * static_cast<std::int64_t>(count(passes, batches, batch));
+        const auto first = sums.begin() + static_cast<std::ptrdiff_t>(batch * channels);
+        in.require(std::all_of(first, first + static_cast<std::ptrdiff_t>(channels),
+                               [most](std::int64_t sum) { return sum >= -most && sum <= most; }),
+                   "sum");
+    }
+}
+
+void get_lost(StateReader& in, Film& film)
+{
+    const auto size = in.get<std::uint64_t>();
+    for (std::uint64_t i = 0; i < size; ++i) {
+        const auto key = in.get<std::uint64_t>();
+        const auto passes = in.get<std::uint32_t>();
+        const bool ordered = film.lost.empty() || key > film.lost.rbegin()->first;
+        in.require(ordered && key / kBatches < film.pixel_count() && passes > 0 &&
+                       passes <= count(film.passes, kBatches, key % kBatches),
+                   "lost sample");
+        film.lost.emplace_hint(film.lost.end(), key, passes);
+    }
+}
+
+Film get_film(StateReader& in)
+{
+    Film film;
+    film.width = in.get<int>();
+    film.height = in.get<int>();
+    in.require(film.width > 0 && film.height > 0 && film.width <= kMostSide &&
+                   film.height <= kMostSide,
+               "picture size");
+    film.scale = in.get<int>();
+    in.require(film.scale >= -kMostScale && film.scale <= kMostScale, "scale");
+    film.bias = get_bias(in);
+    film.passes.ranges = in.get_array<PassRange>();
+    in.require(is_valid(film.passes) && count(film.passes) <= kMostPasses, "set of passes");
+    film.radiance = in.get_array<std::int64_t>();
+    film.narrow = in.get_array<std::int64_t>();
+    film.narrower = in.get_array<std::int64_t>();
+    const std::size_t channels = 3 * film.pixel_count();
+    const std::uint64_t narrow = film.bias == BiasKnowledge::from_radii ? kNarrowBatches : 0;
+    require_sums(in, film.radiance, film.passes, kBatches, channels);
+    require_sums(in, film.narrow, film.passes, narrow, channels);
+    require_sums(in, film.narrower, film.passes, narrow, channels);
+    get_lost(in, film);
+    film.saturated = in.get<std::uint64_t>();
+    return film;
+}
+
+ErrorCheck get_check(StateReader& in)
+{
+    ErrorCheck check;
+    check.passes = in.get<std::uint64_t>();
+    in.require(check.passes > 0 && check.passes <= kMostPasses, "check");
+    check.error.bias = get_bias(in);
+    ImageError& error = check.error;
+    for (double* value :
+         {&check.seconds, &error.noise2, &error.bias2, &error.order, &error.error, &error.low}) {
+        *value = in.get<double>();
+        in.require(std::isfinite(*value), "check");
+    }
+    error.high = in.get<double>();
+    in.require(check.seconds >= 0 && error.error >= 0 && error.high >= 0, "check");
+    return check;
+}
+
+RenderState unpack(StateReader& in)
+{
+    RenderState state;
+    const auto settings = in.get<std::uint64_t>();
+    in.require(settings <= kMostSettings, "number of settings");
+    for (std::uint64_t i = 0; i < settings; ++i) {
+        const std::vector<char> text = in.get_array<char>();
+        in.require(
+            std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c <= '~'; }),
+            "setting");
+        state.settings.emplace_back(text.begin(), text.end());
+    }
+    state.film = get_film(in);
+    const auto checks = in.get<std::uint64_t>();
+    in.require(checks <= kMostPasses, "number of checks");
+    for (std::uint64_t i = 0; i < checks; ++i)
+        state.checks.push_back(get_check(in));
+    state.seconds = in.get<double>();
+    in.require(state.seconds >= 0 && std::isfinite(state.seconds), "time");
+    in.require(in.at_end(), "length");
+    return state;
+}
+
+} // namespace
+
+void write_state(const std::filesystem::path& path, const RenderState& state)
+{
+    StateWriter out(kVersion);
+    out.put(static_cast<std::uint64_t>(state.settings.size()));
+    for (const std::string& setting : state.settings)
+        out.put_array(std::vector<char>(setting.begin(), setting.end()));
+    put_film(out, state.film);
+    out.put(static_cast<std::uint64_t>(state.checks.size()));
+    for (const ErrorCheck& check : state.checks)
+        put_check(out, check);
+    out.put(state.seconds);
+    write_file(path, out.finish());
+}
+
+RenderState read_state(const std::filesystem::path& path)
+{
+    const std::vector<std::byte> bytes = read_file(path);
+    StateReader in(path, bytes, kVersion);
+    return unpack(in);
+}
+
+void check_settings(const std::filesystem::path& path, const std::vector<std::string>& found,
+                    const std::vector<std::string>& wanted)
+{
+    for (std::size_t i = 0; i < std::max(found.size(), wanted.size()); ++i) {
+        const std::string has = i < found.size() ? found[i] : "nothing";
+        const std::string wants = i < wanted.size() ? wanted[i] : "nothing";
+        if (has != wants)
+            throw InputError(path.string() + ": holds passes with " + has + ", not " + wants +
+                             "; use the scene and options it was begun with, or another file");
+    }
+}
+
+void merge_state(RenderState& into, const RenderState& from, const std::filesystem::path& path)
+{
+    check_settings(path, from.settings, into.settings);
+    const Film& film = from.film;
+    if (film.width != into.film.width || film.height != into.film.height ||
+        film.scale != into.film.scale || film.bias != into.film.bias)
+        throw InputError(path.string() +
+                         ": its picture is of another size or unit; render it again");
+    if (const auto pass = common_pass(into.film.passes, film.passes))
+        throw InputError(path.string() + ": pass " + std::to_string(*pass) +
+                         " is in another of the states too; render others with --first-pass");
+    if (count(into.film.passes) + count(film.passes) > kMostPasses)
+        throw InputError(path.string() + ": more than " + std::to_string(kMostPasses) +
+                         " passes in all; merge fewer states");
+    merge_film(into.film, film);
+    into.checks.clear();
+    into.seconds += from.seconds;
+}
+
+} // namespace hipmap

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "render/film/price.h"
+
+#include <filesystem>
+#include <string>
+
+namespace hipmap {
+
+/// All that a render can be gone on with, or merged with others; docs/error.md.
+struct RenderState {
+    /// What makes its passes, each as "name=value": scene, partition, options.  States that differ
+    /// in one hold passes of different images.
+    std::vector<std::string> settings;
+    Film film;
+    std::vector<ErrorCheck> checks; ///< by passes, of this film; none of a merged one
+    double seconds = 0;             ///< spent on its passes
+    bool operator==(const RenderState&) const = default;
+};
+
+/// Writes to a temporary name, synced, renamed: killed at any moment, there is the old state or the
+/// new one.  Throws InputError if the file cannot be written.
+void write_state(const std::filesystem::path& path, const RenderState& state);
+
+/// Reads a state and checks every value in it.  Throws InputError: no such file, damaged, another
+/// version of the format.
+RenderState read_state(const std::filesystem::path& path);
+
+/// Throws InputError, naming `path` and the first setting that differs, unless both are the same.
+void check_settings(const std::filesystem::path& path, const std::vector<std::string>& found,
+                    const std::vector<std::string>& wanted);
+
+/// Adds the passes of `from`, read from `path`, to those of `into`: the same bits in any order of
+/// merging.  Throws InputError, naming `path`: other settings, or a pass that both have.
+void merge_state(RenderState& into, const RenderState& from, const std::filesystem::path& path);
+
+} // namespace hipmap

@@ -1,0 +1,165 @@
+#include "render/integrator/run_passes.h"
+
+#include "common/stopwatch.h"
+
+#include <algorithm>
+
+namespace hipmap {
+
+namespace {
+
+/// Of the time, what saving may take.
+constexpr double kSavingShare = 0.02;
+constexpr double kSecondsBetweenSaves = 1;
+
+/// Notes what the error is now, unless that was done at this number of passes.
+void look_at_error(RenderState& state)
+{
+    const std::uint64_t passes = count(state.film.passes);
+    if (!state.checks.empty() && state.checks.back().passes >= passes)
+        return;
+    if (const std::optional<ImageError> error = estimate_error(state.film))
+        state.checks.push_back({passes, state.seconds, *error});
+}
+
+/// Share of the way from `begun` to `end` passes that `now` is.
+double share_of(double begun, double now, double end)
+{
+    return end > begun ? (now - begun) / (end - begun) : 1;
+}
+
+class Run {
+  public:
+    Run(const StopRules& rules, const RunControl& control, RenderState& state)
+        : rules_(rules), control_(control), state_(state), begun_(passes())
+    {
+    }
+
+    std::optional<StopReason> reason_to_stop() const
+    {
+        if (control_.stop != nullptr && control_.stop->load())
+            return StopReason::caller;
+        if (passes() >= rules_.passes)
+            return StopReason::passes;
+        if (error_is_met())
+            return StopReason::error;
+        // No pass is begun that would not be over in time.
+        if (done_ > 0 && watch_.seconds() + slowest_ > rules_.seconds)
+            return StopReason::time;
+        return std::nullopt;
+    }
+
+    PassControl pass_control()
+    {
+        needed_ = passes_needed();
+        PassControl pass;
+        pass.stop = control_.stop;
+        pass.progress = [this](double part) { tell(part); };
+        return pass;
+    }
+
+    void add(std::uint64_t pass, const PassImages& images, double seconds)
+    {
+        add_pass(state_.film, pass, images);
+        state_.seconds += seconds;
+        slowest_ = std::max(slowest_, seconds);
+        ++done_;
+        if (passes() >= next_check_) {
+            look_at_error(state_);
+            next_check_ = next_check(passes());
+        }
+    }
+
+    void save_if_due()
+    {
+        const double since = watch_.seconds() - saved_;
+        if (!control_.save || since < kSecondsBetweenSaves || since * kSavingShare < saving_)
+            return;
+        const Stopwatch saving;
+        control_.save(state_);
+        saving_ = saving.seconds();
+        saved_ = watch_.seconds();
+    }
+
+  private:
+    std::uint64_t passes() const { return count(state_.film.passes); }
+
+    bool error_is_met() const
+    {
+        return rules_.error > 0 && !state_.checks.empty() &&
+               state_.checks.back().passes == passes() && passes() >= kBatches &&
+               state_.checks.back().error.error <= rules_.error;
+    }
+
+    /// By the rules for passes and error.
+    double passes_needed() const
+    {
+        auto needed = static_cast<double>(rules_.passes);
+        if (rules_.error > 0 && !state_.checks.empty())
+            needed = std::min(needed, passes_for(fit_law(state_.checks), rules_.error));
+        return needed;
+    }
+
+    void tell(double part) const
+    {
+        if (!control_.progress)
+            return;
+        RunProgress progress;
+        progress.passes = passes();
+        progress.done = std::max(
+            share_of(static_cast<double>(begun_), static_cast<double>(passes()) + part, needed_),
+            watch_.seconds() / rules_.seconds);
+        if (!state_.checks.empty())
+            progress.error = state_.checks.back().error;
+        control_.progress(progress);
+    }
+
+    const StopRules& rules_;
+    const RunControl& control_;
+    RenderState& state_;
+    const Stopwatch watch_;
+    const std::uint64_t begun_;
+    std::uint64_t done_ = 0;
+    std::uint64_t next_check_ = next_check(begun_);
+    double needed_ = 0;
+    double slowest_ = 0, saved_ = 0, saving_ = 0; ///< s
+};
+
+} // namespace
+
+RenderState begin_state(const PassSource& source, std::vector<std::string> settings)
+{
+    RenderState state;
+    state.settings = std::move(settings);
+    state.film = make_film(source.width, source.height, source.pilot_mean, source.bias);
+    return state;
+}
+
+RunResult run_passes(const PassSource& source, const StopRules& rules, const RunControl& control,
+                     RenderState& state)
+{
+    RunResult out;
+    Run run(rules, control, state);
+    std::optional<StopReason> reason;
+    while (!(reason = run.reason_to_stop())) {
+        const std::uint64_t pass = next_missing(state.film.passes, rules.first_pass);
+        const Stopwatch watch;
+        const RenderedPass rendered = source.render(pass, run.pass_control());
+        if (!rendered.whole) {
+            out.image = rendered.images.radiance;
+            reason = StopReason::caller;
+            break;
+        }
+        run.add(pass, rendered.images, watch.seconds());
+        run.save_if_due();
+    }
+    out.reason = *reason;
+    look_at_error(state);
+    if (!state.film.passes.ranges.empty())
+        out.image = film_image(state.film);
+    else if (out.image.pixels.empty())
+        out.image = Image(source.width, source.height);
+    return out;
+}
+
+} // namespace hipmap

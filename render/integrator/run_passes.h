@@ -1,0 +1,52 @@
+#pragma once
+
+#include "render/film/render_state.h"
+#include "render/integrator/pass_source.h"
+
+#include <limits>
+
+namespace hipmap {
+
+/// When a render ends: at whichever comes first.
+struct StopRules {
+    std::uint64_t first_pass = 0;       ///< passes are taken from here on
+    std::uint64_t passes = kMostPasses; ///< in the film, over all runs
+    double seconds =
+        std::numeric_limits<double>::infinity(); ///< of this run; a pass is done anyhow
+    double error = 0;                            ///< 0.05: 5 %; looked at after next_check() passes
+};
+
+enum class StopReason : std::uint8_t { passes, time, error, caller };
+
+/// How far a render is.
+struct RunProgress {
+    double done = 0; ///< of what is still to do when this run began, 0 to 1
+    std::uint64_t passes = 0;
+    std::optional<ImageError> error; ///< when last looked at
+};
+
+/// What the caller hears and says while an image is made.
+struct RunControl {
+    std::function<void(const RunProgress&)> progress; ///< from any thread; may be empty
+    const std::atomic<bool>* stop = nullptr; ///< true: finish the tiles under way and return
+    /// Keeps the state.  Called between passes, so often that little is lost but no time that
+    /// matters is spent; not at the end.  May be empty.
+    std::function<void(const RenderState&)> save;
+};
+
+struct RunResult {
+    StopReason reason = StopReason::passes;
+    /// Mean of the whole passes, radiance, W/(m2 sr); stopped in the first, the pixels done.
+    Image image;
+};
+
+/// A state without passes, for a new render.
+RenderState begin_state(const PassSource& source, std::vector<std::string> settings);
+
+/// Adds passes to the state, in order of their number, those it holds already left out, until a
+/// rule or the caller says stop.  The same state is reached by one run or by many.  The last look
+/// at the error, at whatever number of passes, is at the end of `checks`.
+RunResult run_passes(const PassSource& source, const StopRules& rules, const RunControl& control,
+                     RenderState& state);
+
+} // namespace hipmap

@@ -1,0 +1,126 @@
+#include "render/outputs.h"
+
+#include "common/image/exposure.h"
+#include "common/image/exr_file.h"
+#include "common/image/write_image.h"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <iomanip>
+#include <sstream>
+
+namespace hipmap {
+
+namespace {
+
+void write_exr_with_error(const std::filesystem::path& path, const Image& image, const Film& film,
+                          const std::vector<ErrorCheck>& checks)
+{
+    if (checks.empty()) {
+        write_exr(path, image, {});
+        return;
+    }
+    const ErrorLayers layers = error_layers(film, checks.back().error.order);
+    std::vector<Layer> named = {{"noise", &layers.noise}, {"error", &layers.error}};
+    if (!layers.bias.pixels.empty())
+        named.push_back({"bias", &layers.bias});
+    write_exr(path, image, named);
+}
+
+std::string whole(double number)
+{
+    std::ostringstream text;
+    text << std::fixed << std::setprecision(0) << number;
+    return text.str();
+}
+
+} // namespace
+
+float write_images(const std::vector<std::filesystem::path>& paths, const Image& image,
+                   const Film& film, const std::vector<ErrorCheck>& checks,
+                   std::optional<float> exposure_ev, Report& report)
+{
+    const float ev = exposure_ev ? *exposure_ev : auto_exposure(image);
+    for (const std::filesystem::path& path : paths) {
+        const ImageFormat format = image_format(path);
+        if (format == ImageFormat::exr)
+            write_exr_with_error(path, image, film, checks);
+        else
+            write_image(path, image, {ev});
+        const bool exposed = format == ImageFormat::png || format == ImageFormat::ppm;
+        std::ostringstream line;
+        line << "wrote " << path.string();
+        if (exposed)
+            line << " (exposure " << std::showpos << std::fixed << std::setprecision(2) << ev
+                 << " EV" << (exposure_ev ? "" : ", auto") << ")";
+        report.line(line.str());
+    }
+    return ev;
+}
+
+std::string percent(double share)
+{
+    const double value = 100 * share;
+    std::ostringstream text;
+    if (value >= 1)
+        text << std::fixed << std::setprecision(value < 10 ? 1 : 0);
+    else
+        text << std::setprecision(2);
+    text << value << " %";
+    return text.str();
+}
+
+std::string describe_error(const ErrorCheck& check)
+{
+    const ImageError& error = check.error;
+    std::string text = "accuracy: error " + percent(error.error);
+    if (std::isfinite(error.high))
+        text += " (95 %: " + percent(error.low) + " to " + percent(error.high) + ")";
+    if (error.bias == BiasKnowledge::unknown)
+        text += " by noise only; the bias of estimates from the k nearest photons is not known";
+    if (error.bias == BiasKnowledge::from_radii)
+        text += "; noise " + percent(std::sqrt(error.noise2)) + ", bias " +
+                percent(std::sqrt(std::max(error.bias2, 0.0)));
+    return text;
+}
+
+std::string describe_price(std::span<const ErrorCheck> checks, std::uint64_t photons)
+{
+    const ErrorCheck& last = checks.back();
+    const Price half = price_of(checks, last.error.error / 2, photons);
+    const double before = error_after(fit_law(checks), static_cast<double>(last.passes) / 2);
+    std::string text = "price: " + percent(last.error.error) + " took " +
+                       std::to_string(last.passes) + " passes and " + format_seconds(last.seconds);
+    if (!std::isfinite(half.passes) || last.error.error == 0)
+        return text;
+    text += "; half that error takes " + whole(half.passes) + " and " +
+            format_seconds(half.seconds) + ", half the time gave " + percent(before);
+    return text;
+}
+
+std::vector<Price> price_list(std::span<const ErrorCheck> checks, std::uint64_t photons,
+                              double target)
+{
+    std::vector<Price> prices;
+    if (checks.empty() || !(checks.back().error.error > 0))
+        return prices;
+    std::vector<double> errors = {0.2, 0.1, 0.05, 0.02, 0.01, 0.005, checks.back().error.error / 2};
+    if (target > 0)
+        errors.push_back(target);
+    std::sort(errors.begin(), errors.end(), std::greater<>());
+    for (const double error : errors)
+        prices.push_back(price_of(checks, error, photons));
+    return prices;
+}
+
+std::uint64_t peak_memory()
+{
+    constexpr std::uint64_t kUnit = 1024; // Linux counts in KiB
+    rusage usage = {};
+    if (::getrusage(RUSAGE_SELF, &usage) != 0)
+        return 0;
+    return static_cast<std::uint64_t>(usage.ru_maxrss) * kUnit;
+}
+
+} // namespace hipmap

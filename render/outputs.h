@@ -1,0 +1,35 @@
+#pragma once
+
+#include "common/report.h"
+#include "render/film/price.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace hipmap {
+
+/// Writes the mean of a film, or `image` in its place while it is empty, and says so.  .exr files
+/// hold the layers of error_layers besides, where the film knows its error.  exposure_ev: none:
+/// auto.  Returns the exposure.  Throws InputError if a file cannot be written.
+float write_images(const std::vector<std::filesystem::path>& paths, const Image& image,
+                   const Film& film, const std::vector<ErrorCheck>& checks,
+                   std::optional<float> exposure_ev, Report& report);
+
+/// "3.2 %", of 0.032.
+std::string percent(double share);
+
+/// What is known of an image's error, in words.
+std::string describe_error(const ErrorCheck& check);
+
+/// What half the error would cost.  photons: light paths a pass.
+std::string describe_price(std::span<const ErrorCheck> checks, std::uint64_t photons);
+
+/// The errors of a price list: half of what there is now, and round ones.  target: 0 for none.
+std::vector<Price> price_list(std::span<const ErrorCheck> checks, std::uint64_t photons,
+                              double target);
+
+/// The most memory that this process has held, bytes; 0: not known.
+std::uint64_t peak_memory();
+
+} // namespace hipmap

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "common/partition/partition.h"
+#include "render/options.h"
+
+#include <string>
+#include <vector>
+
+namespace hipmap {
+
+/// All that the passes of a render depend on but their number, each as "name=value": states of the
+/// same settings hold passes of one image.  Names as on the command line; scene and partition by
+/// hash.  Cost: linear in the scene.
+std::vector<std::string> settings_of(const RenderOptions& options, const Scene& scene,
+                                     const Partition& partition);
+
+/// Names of choices, as on the command line.
+const char* name_of(MapMode mode);
+const char* name_of(TreeKind tree);
+const char* name_of(Integrator integrator);
+
+} // namespace hipmap

@@ -1,0 +1,128 @@
+"""Renders that are stopped, killed, gone on with and merged: the same bits as if never stopped.
+
+    state_test.py FOLDER_OF_TOOLS SCENE
+"""
+
+import json
+import os
+import random
+import signal
+import subprocess
+import sys
+import time
+
+import tools
+from tools import Tools, ToolsTestCase
+
+PASSES = 150
+KILLS = 4
+
+
+class State(ToolsTestCase):
+    def setUp(self):
+        super().setUp()
+        self.succeed("preprocess", Tools.scene, "-o", self.path("scene.hpm"))
+
+    def command(self, image, *options):
+        return [os.path.join(Tools.folder, "render"), Tools.scene, self.path("scene.hpm"), "-o",
+                self.path(image), "--size", "16x16", "--photons", "3000", *map(str, options)]
+
+    def render(self, image, *options):
+        return self.succeed("render", *self.command(image, *options)[1:])
+
+    def refuse_render(self, *options, naming):
+        self.refuse("render", *self.command("refused.pfm", *options)[1:], naming=naming)
+
+    def same(self, *images):
+        contents = []
+        for image in images:
+            with open(self.path(image), "rb") as file:
+                contents.append(file.read())
+        self.assertEqual(contents.count(contents[0]), len(contents), images)
+
+    def test_killed_at_any_moment_and_gone_on_with(self):
+        began = time.monotonic()
+        self.render("whole.pfm", "--passes", PASSES)
+        seconds = time.monotonic() - began
+        gone_on = 0
+        chance = random.Random(7)
+        for _ in range(KILLS):
+            command = self.command("killed.pfm", "--passes", PASSES, "--state", self.path("a.state"))
+            with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as render:
+                time.sleep(chance.uniform(0.2, 0.9) * seconds)
+                render.kill()
+                gone_on += "going on with" in render.communicate(timeout=120)[1]
+        said = self.render("killed.pfm", "--passes", PASSES, "--state", self.path("a.state"))
+        self.assertGreater(gone_on + ("going on with" in said), 0, "no state was kept in time")
+        self.same("whole.pfm", "killed.pfm")
+
+    def test_stopped_by_a_signal_and_gone_on_with(self):
+        options = ["--passes", PASSES, "--state", self.path("a.state")]
+        with subprocess.Popen(self.command("a.pfm", *options), stderr=subprocess.PIPE,
+                              text=True) as render:
+            while not os.path.exists(self.path("a.state")) and render.poll() is None:
+                time.sleep(0.01)
+            render.send_signal(signal.SIGINT)
+            said = render.communicate(timeout=120)[1]
+        self.assertIn(render.returncode, (0, 3), said)  # it may have been done by then
+        self.assertTrue(os.path.exists(self.path("a.pfm")))
+        self.assertIn("going on with", self.render("a.pfm", *options))
+        self.render("b.pfm", "--passes", PASSES)
+        self.same("a.pfm", "b.pfm")
+
+    def test_parts_by_any_number_of_threads_merge_into_the_bits_of_one(self):
+        self.render("whole.pfm", "--passes", 12, "--threads", 2)
+        for part, threads in enumerate((1, 2, 7)):
+            self.render("part.pfm", "--passes", 4, "--first-pass", 4 * part, "--threads", threads,
+                        "--state", self.path(f"{part}.state"))
+        states = [self.path(f"{part}.state") for part in (2, 0, 1)]
+        said = self.succeed("render", "merge", *states, "-o", self.path("merged.pfm"), "--state",
+                            self.path("merged.state"))
+        self.assertIn("accuracy: error ", said)
+        self.render("again.pfm", "--passes", 12, "--state", self.path("merged.state"))
+        self.same("whole.pfm", "merged.pfm", "again.pfm")
+
+        image = ("-o", self.path("refused.pfm"))
+        self.refuse("render", "merge", states[0], self.path("merged.state"), *image,
+                    naming="pass 8")
+        self.refuse("render", "merge", states[0], Tools.scene, *image, naming="cornell.glb")
+        self.refuse("render", "merge", states[0], "-o", self.path("a.tif"), naming="a.tif")
+        self.refuse("render", "merge", *image, naming="STATE")
+        self.refuse_render("--state", states[0], "--seed", 1, naming="seed=0")
+        self.refuse_render("--state", states[0], "--exclude", "Block", naming="")
+        self.refuse_render("--state", states[0], "--environment", "1", naming="scene=")
+
+    def test_it_ends_at_an_error_and_after_a_time_and_says_the_price(self):
+        said = self.render("a.pfm", "--integrator", "path", "--error", "20%", "--stats",
+                           self.path("a.json"))
+        self.assertIn("half that error takes", said)
+        with open(self.path("a.json"), encoding="utf-8") as file:
+            stats = json.load(file)
+        checks = stats["error"]["checks"]
+        self.assertLessEqual(checks[-1]["error"], 0.2)
+        self.assertTrue(all(check["error"] > 0.2 for check in checks[:-1]))
+        self.assertTrue(all(check["low"] <= check["error"] <= check["high"] for check in checks))
+        self.assertEqual(stats["passes_done"], checks[-1]["passes"])
+        prices = stats["error"]["prices"]
+        self.assertEqual(sorted((price["passes"] for price in prices)),
+                         [price["passes"] for price in prices])
+        self.render("a.pfm", "--time", "0.2", "--stats", self.path("a.json"))
+        with open(self.path("a.json"), encoding="utf-8") as file:
+            self.assertGreater(json.load(file)["passes_done"], 0)
+
+    def test_a_quote_writes_nothing(self):
+        before = sorted(os.listdir(self.folder))
+        said = self.succeed("render", Tools.scene, self.path("scene.hpm"), "--size", "16x16",
+                            "--photons", "3000", "--quote", "--error", "3")
+        self.assertIn("an error of 3.0 % takes", said)
+        self.assertIn("memory", said)
+        self.assertEqual(sorted(os.listdir(self.folder)), before)
+        for option, value in (("--error", "0"), ("--error", "5%%"), ("--error", "nan"),
+                              ("--time", "-1"), ("--passes", "0"), ("--first-pass", "-1")):
+            with self.subTest(option=option, value=value):
+                self.refuse_render(option, value, naming=option)
+        self.refuse("render", Tools.scene, self.path("scene.hpm"), naming="--output")
+
+
+if __name__ == "__main__":
+    tools.main(sys.argv)

@@ -1,0 +1,155 @@
+#include "common/file/output_file.h"
+#include "common/input_error.h"
+#include "render/film/render_state.h"
+#include "tests/render/film/synthetic_passes.h"
+#include "tests/support/temporary_folder.h"
+
+#include <catch2/catch.hpp>
+
+#include <functional>
+
+using namespace hipmap;
+
+namespace {
+
+RenderState state_of(std::uint64_t first, std::uint64_t end, bool radii = true)
+{
+    SyntheticPasses passes;
+    passes.side = 6;
+    passes.radii = radii;
+    RenderState state;
+    state.settings = {"scene=0123", "photons=1000"};
+    state.film = make_film(6, 6, 1, radii ? BiasKnowledge::from_radii : BiasKnowledge::unbiased);
+    for (std::uint64_t pass = first; pass < end; ++pass) {
+        PassImages images = passes.pass(pass);
+        images.kept[pass % 36] = 0;
+        add_pass(state.film, pass, images);
+    }
+    if (const auto error = estimate_error(state.film))
+        state.checks.push_back({end - first, 1.5, *error});
+    state.seconds = 2.5;
+    return state;
+}
+
+std::string refusal(const std::function<void()>& body)
+{
+    try {
+        body();
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "nothing was refused";
+}
+
+} // namespace
+
+TEST_CASE("render state: what is read is what was written", "[film]")
+{
+    const TemporaryFolder folder;
+    for (const bool radii : {false, true})
+        for (const std::uint64_t end : {3, 4, 5, 20}) {
+            const RenderState state = state_of(3, end, radii);
+            write_state(folder / "a.state", state);
+            CHECK(read_state(folder / "a.state") == state);
+        }
+    CHECK(folder.file_count() == 1);
+}
+
+TEST_CASE("render state: damaged files are refused, whatever the damage", "[film]")
+{
+    const TemporaryFolder folder;
+    write_state(folder / "a.state", state_of(0, 9));
+    const std::vector<std::byte> whole = read_file(folder / "a.state");
+    const auto read_bytes = [&](const std::vector<std::byte>& bytes) {
+        write_file(folder / "b.state", bytes);
+        return refusal([&] { read_state(folder / "b.state"); });
+    };
+    for (std::size_t length = 0; length < whole.size(); length += 1 + length / 8)
+        CHECK_THAT(read_bytes({whole.begin(), whole.begin() + static_cast<long>(length)}),
+                   Catch::Contains("b.state"));
+    for (std::size_t at = 0; at < whole.size(); at += 1 + at / 8) {
+        std::vector<std::byte> changed = whole;
+        changed[at] ^= std::byte{0x10};
+        CHECK_THAT(read_bytes(changed), Catch::Contains("b.state"));
+    }
+    std::vector<std::byte> longer = whole;
+    longer.push_back(std::byte{0});
+    CHECK_THAT(read_bytes(longer), Catch::Contains("checksum"));
+    CHECK_THAT(refusal([&] { read_state(folder / "none"); }), Catch::Contains("none"));
+}
+
+TEST_CASE("render state: values no render writes are refused, though the checksum is right",
+          "[film]")
+{
+    const TemporaryFolder folder;
+    const std::vector<std::function<void(RenderState&)>> spoilers = {
+        [](RenderState& state) { state.film.width = 0; },
+        [](RenderState& state) { state.film.width = -6, state.film.height = -6; },
+        [](RenderState& state) { state.film.height = 7; },
+        [](RenderState& state) { state.film.width = 1 << 30; },
+        [](RenderState& state) { state.film.scale = std::numeric_limits<int>::min(); },
+        [](RenderState& state) { state.film.bias = static_cast<BiasKnowledge>(9); },
+        [](RenderState& state) { state.film.bias = BiasKnowledge::unbiased; },
+        [](RenderState& state) {
+            state.film.passes.ranges = {{0, 4}, {3, 9}};
+        },
+        [](RenderState& state) {
+            state.film.passes.ranges = {{0, kMostPasses + 1}};
+        },
+        [](RenderState& state) { state.film.radiance[5] = 3 * largest_value(); },
+        [](RenderState& state) { state.film.radiance.back() = -3 * largest_value(); },
+        [](RenderState& state) { state.film.narrow.pop_back(); },
+        [](RenderState& state) { state.film.lost[36 * kBatches] = 1; },
+        [](RenderState& state) { state.film.lost[2] = 100; },
+        [](RenderState& state) { state.film.lost[2] = 0; },
+        [](RenderState& state) { state.settings[0] = "scene=\n"; },
+        [](RenderState& state) { state.seconds = -1; },
+        [](RenderState& state) { state.checks[0].passes = 0; },
+        [](RenderState& state) { state.checks[0].error.error = std::nan(""); },
+    };
+    for (std::size_t i = 0; i < spoilers.size(); ++i) {
+        RenderState state = state_of(0, 9);
+        spoilers[i](state);
+        write_state(folder / "a.state", state);
+        INFO("spoiler " << i);
+        CHECK_THAT(refusal([&] { read_state(folder / "a.state"); }), Catch::Contains("is damaged"));
+    }
+}
+
+TEST_CASE("render state: states merge in any order into the bits of one run", "[film]")
+{
+    const RenderState one = state_of(0, 20);
+    for (const bool reverse : {false, true}) {
+        std::vector<RenderState> parts = {state_of(0, 5), state_of(11, 20), state_of(5, 11)};
+        if (reverse)
+            std::reverse(parts.begin(), parts.end());
+        RenderState merged = parts[0];
+        merge_state(merged, parts[1], "b");
+        merge_state(merged, parts[2], "c");
+        CHECK(merged.film == one.film);
+        CHECK(merged.seconds == 7.5);
+        CHECK(merged.checks.empty());
+    }
+}
+
+TEST_CASE("render state: overlapping passes and other settings do not merge", "[film]")
+{
+    RenderState state = state_of(0, 5);
+    const RenderState before = state;
+    CHECK_THAT(refusal([&] { merge_state(state, state_of(4, 6), "b.state"); }),
+               Catch::Contains("b.state") && Catch::Contains("pass 4"));
+    RenderState other = state_of(5, 6);
+    other.settings[1] = "photons=2000";
+    CHECK_THAT(refusal([&] { merge_state(state, other, "b.state"); }),
+               Catch::Contains("photons=2000") && Catch::Contains("photons=1000"));
+    other.settings.pop_back();
+    CHECK_THAT(refusal([&] { merge_state(state, other, "b.state"); }),
+               Catch::Contains("photons=1000"));
+    other = state_of(5, 6);
+    ++other.film.scale;
+    CHECK_THAT(refusal([&] { merge_state(state, other, "b.state"); }), Catch::Contains("unit"));
+    other = state_of(5, 6);
+    other.film.passes.ranges = {{5, kMostPasses + 1}};
+    CHECK_THAT(refusal([&] { merge_state(state, other, "b.state"); }), Catch::Contains("fewer"));
+    CHECK(state == before);
+}
