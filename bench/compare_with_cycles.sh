@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Compares the bundled scene with Blender's Cycles, once as glTF means matt surfaces and once as
-# Blender does.  Needs blender on the PATH and both tools built (./pipeline.sh).
+# Compares the bundled scene with Blender's Cycles: as glTF means matt surfaces, as Blender does, and
+# with rough metal and glass in it.  Needs blender on the PATH and both tools built (./pipeline.sh).
 #
 #   bench/compare_with_cycles.sh [OUTDIR [SAMPLES]]
 set -euo pipefail
@@ -17,13 +17,14 @@ command -v blender > /dev/null || {
 }
 mkdir -p "$out"
 cmake --build "$root/build/release" --target preprocess render compare_images > /dev/null
-"$bin/preprocess" "$scene" -o "$out/cornell.hpm" 2> /dev/null
-for model in lambert burley; do
+for model in lambert burley glossy; do
+    [ "$model" = glossy ] && scene=$out/glossy.glb
     # Debian's Blender takes the first python3 on the PATH, which must be Debian's too.
     PATH=/usr/bin:$PATH blender -b --factory-startup --python "$root/bench/cycles_reference.py" \
-        -- "$model" "$out/cycles_$model.exr" "$samples" > "$out/blender_$model.log"
-    "$bin/render" "$scene" "$out/cornell.hpm" -o "$out/hipmap_$model.exr" --size 256 \
-        --diffuse "$model" 2> /dev/null
+        -- "$model" "$out/cycles_$model.exr" "$samples" "$out/glossy.glb" > "$out/blender_$model.log"
+    "$bin/preprocess" "$scene" -o "$out/$model.hpm" 2> /dev/null
+    "$bin/render" "$scene" "$out/$model.hpm" -o "$out/hipmap_$model.exr" --size 256 \
+        --diffuse "${model/glossy/lambert}" 2> /dev/null
     printf '\n%s: A is hipmap, B is Cycles\n' "$model"
     "$bin/compare_images" "$out/hipmap_$model.exr" "$out/cycles_$model.exr" \
         --side-by-side "$out/side_by_side_$model.png"
