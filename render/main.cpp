@@ -138,8 +138,11 @@ void print_tiers(const RenderStatistics& statistics, Report& report)
                         describe_plan(kind->group_plan));
 }
 
-void warn_of_dropped(const RenderStatistics& statistics, Report& report)
+void warn_of_dropped(const RenderStatistics& statistics, const Film& film, Report& report)
 {
+    if (film.saturated > 0)
+        report.warn(std::to_string(film.saturated) +
+                    " values were too large for the film and count as the largest it takes");
     const std::uint64_t dropped = statistics.dropped_photons + statistics.dropped_samples;
     if (dropped > 0)
         report.warn(std::to_string(dropped) +
@@ -167,7 +170,7 @@ void print_error(const RenderArguments& arguments, const RenderState& state, Rep
 }
 
 void print_statistics(const RenderArguments& arguments, const RenderStatistics& statistics,
-                      Report& report)
+                      const Film& film, Report& report)
 {
     if (arguments.render.integrator == Integrator::direct) {
         print_photons(statistics, report);
@@ -175,7 +178,7 @@ void print_statistics(const RenderArguments& arguments, const RenderStatistics& 
             arguments.render.maps.tree == TreeKind::wide)
             print_tiers(statistics, report);
     }
-    warn_of_dropped(statistics, report);
+    warn_of_dropped(statistics, film, report);
 }
 
 /// Reads the scene and completes the options by it.
@@ -216,7 +219,7 @@ int render(RenderArguments& arguments)
     const PassSource source = make_pass_source(render_scene, arguments.render, statistics);
     RenderState state = begin_or_go_on(arguments, source, settings, found, report);
     const RunResult rendered = render_with_progress(arguments, source, state, report);
-    print_statistics(arguments, statistics, report);
+    print_statistics(arguments, statistics, state.film, report);
     print_error(arguments, state, report);
 
     const Stopwatch writing;

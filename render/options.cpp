@@ -157,7 +157,7 @@ void add_stops(CLI::App& app, RenderArguments& arguments)
     add_count(app, "--passes", stops.passes, 1, kMostPassesAsked,
               "End after so many independent passes, whose images are averaged [16, if nothing "
               "else is to end it]");
-    app.add_option("--time", stops.seconds, "End after so many seconds")
+    app.add_option("--time", stops.seconds, "End after so many seconds of rendering")
         ->check(finite_in(0, kMostSeconds))
         ->type_name("S");
     app.add_option_function<std::string>(
