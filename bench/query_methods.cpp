@@ -1,7 +1,6 @@
 #include "bench/query_methods.h"
 
 #include "render/maps/kd_tree.h"
-#include "render/maps/wide_search.h"
 
 #include <nanoflann.hpp>
 
@@ -20,15 +19,6 @@ std::vector<std::uint32_t> photons_of(std::span<const Neighbour> found)
     for (const Neighbour& neighbour : found)
         out.push_back(neighbour.photon);
     return out;
-}
-
-/// The photons of each map, or all of them as one.
-std::vector<std::vector<TreePoint>> points_by_map(const Photons& photons, bool by_map)
-{
-    std::vector<std::vector<TreePoint>> points(by_map ? kRoomMaps : 1);
-    for (std::uint32_t i = 0; i < photons.size(); ++i)
-        points[by_map ? photons[i].map : 0].push_back({photons[i].position, i});
-    return points;
 }
 
 /// What nanoflann asks of points.
@@ -83,9 +73,11 @@ class Nanoflann : public QueryMethod {
         index_.tree->findNeighbors(result, &query.position[0], {});
         found_ = result.size();
     }
-    glm::vec4 power() const override
+    glm::vec4 power() const { return sum_powers(powers_, std::span(photons_).first(found_)); }
+    void sum(const RoomPoint& query) override
     {
-        return sum_powers(powers_, std::span(photons_).first(found_));
+        search(query);
+        sum_ = power();
     }
     std::vector<std::uint32_t> found() const override
     {
@@ -95,6 +87,7 @@ class Nanoflann : public QueryMethod {
     bool breaks_ties() const override { return false; }
 
   private:
+    glm::vec4 sum_;
     const Powers& powers_;
     NanoflannIndex index_;
     std::vector<std::uint32_t> photons_;
@@ -139,12 +132,18 @@ class SeededNanoflann : public QueryMethod {
         if (found_.size() == storage_.size())
             last_radius_ = std::sqrt(found_.back().distance2);
     }
-    glm::vec4 power() const override { return sum_powers(powers_, found_); }
+    glm::vec4 power() const { return sum_powers(powers_, found_); }
+    void sum(const RoomPoint& query) override
+    {
+        search(query);
+        sum_ = power();
+    }
     std::vector<std::uint32_t> found() const override { return photons_of(found_); }
     std::size_t bytes() const override { return index_.bytes(); }
     bool breaks_ties() const override { return false; }
 
   private:
+    glm::vec4 sum_;
     const Powers& powers_;
     NanoflannIndex index_;
     std::vector<Neighbour> storage_;
@@ -182,7 +181,12 @@ class Textbook : public QueryMethod {
             search_tree(unbalanced_[map], query.position, AcceptAll(), heap, pending_);
         found_ = heap.farthest_last();
     }
-    glm::vec4 power() const override { return sum_powers(powers_, found_); }
+    glm::vec4 power() const { return sum_powers(powers_, found_); }
+    void sum(const RoomPoint& query) override
+    {
+        search(query);
+        sum_ = power();
+    }
     std::vector<std::uint32_t> found() const override { return photons_of(found_); }
     std::size_t bytes() const override
     {
@@ -196,6 +200,7 @@ class Textbook : public QueryMethod {
     bool by_map() const override { return by_map_; }
 
   private:
+    glm::vec4 sum_;
     const Powers& powers_;
     TreeKind kind_;
     bool by_map_;
@@ -206,89 +211,39 @@ class Textbook : public QueryMethod {
     std::span<const Neighbour> found_;
 };
 
-class Wide : public QueryMethod {
-  public:
-    Wide(const Photons& photons, const Powers& powers, bool by_map)
-        : powers_(powers), by_map_(by_map)
-    {
-        for (std::vector<TreePoint>& points : points_by_map(photons, by_map)) {
-            trees_.push_back(build_wide_tree(points));
-            points_.push_back(std::move(points));
-        }
-    }
-    const char* name() const override { return by_map_ ? "wide, by map" : "wide"; }
-    void prepare(std::size_t k) override
-    {
-        k_ = k;
-        if (ordered_powers_.empty())
-            order_powers();
-    }
-    void search(const RoomPoint& query) override
-    {
-        map_ = by_map_ ? query.map : 0;
-        slots_ = find_nearest(trees_[map_], {query.position, k_}, scratch_).slots;
-    }
-    std::vector<std::uint32_t> found() const override
-    {
-        std::vector<std::uint32_t> out;
-        for (const std::uint32_t slot : slots_)
-            out.push_back(points_[map_][slot].photon);
-        return out;
-    }
-    glm::vec4 power() const override { return sum_powers(ordered_powers_[map_], slots_); }
-    std::size_t bytes() const override
-    {
-        std::size_t bytes = 0;
-        for (const WideTree& tree : trees_)
-            bytes += tree.bytes();
-        return bytes;
-    }
-    bool by_map() const override { return by_map_; }
-    bool breaks_ties() const override { return false; }
-
-  private:
-    /// As a renderer keeps its photons: in the order of the trees.
-    void order_powers()
-    {
-        for (const std::vector<TreePoint>& points : points_) {
-            ordered_powers_.emplace_back();
-            for (const TreePoint& point : points)
-                ordered_powers_.back().push_back(powers_[point.photon]);
-        }
-    }
-
-    const Powers& powers_;
-    bool by_map_;
-    std::vector<WideTree> trees_;
-    std::vector<std::vector<TreePoint>> points_; ///< by map and slot
-    std::vector<Powers> ordered_powers_;         ///< by map and slot
-    std::size_t map_ = 0;
-    std::size_t k_ = 0;
-    TreeScratch scratch_;
-    std::span<const std::uint32_t> slots_;
-};
-
-template <typename Method, typename... Arguments>
-BuiltMethod build(const Photons& photons, const Powers& powers, Arguments... arguments)
+template <typename Make>
+BuiltMethod build(const Make& make)
 {
     const std::clock_t start = std::clock();
-    auto method = std::make_unique<Method>(photons, powers, arguments...);
+    std::unique_ptr<QueryMethod> method = make();
     const double seconds = double(std::clock() - start) / CLOCKS_PER_SEC;
     return {std::move(method), seconds};
 }
 
 } // namespace
 
+std::vector<std::vector<TreePoint>> points_by_map(const Photons& photons, bool by_map)
+{
+    std::vector<std::vector<TreePoint>> points(by_map ? kRoomMaps : 1);
+    for (std::uint32_t i = 0; i < photons.size(); ++i)
+        points[by_map ? photons[i].map : 0].push_back({photons[i].position, i});
+    return points;
+}
+
 std::vector<BuiltMethod> build_methods(const std::vector<RoomPoint>& photons, const Powers& powers)
 {
+    std::vector<Photon> powered;
+    for (std::size_t i = 0; i < photons.size(); ++i)
+        powered.push_back({photons[i].position, Rgb(powers[i]), {0, 1, 0}, photons[i].map, 0});
     std::vector<BuiltMethod> methods;
-    methods.push_back(build<Nanoflann>(photons, powers));
-    methods.push_back(build<SeededNanoflann>(photons, powers));
+    methods.push_back(build([&] { return std::make_unique<Nanoflann>(photons, powers); }));
+    methods.push_back(build([&] { return std::make_unique<SeededNanoflann>(photons, powers); }));
     for (const TreeKind kind : {TreeKind::balanced, TreeKind::unbalanced})
         for (const bool by_map : {false, true})
-            methods.push_back(build<Textbook>(photons, powers, kind, by_map));
-    methods.push_back(build<Wide>(photons, powers, false));
-    methods.push_back(build<Wide>(photons, powers, true));
+            methods.push_back(
+                build([&] { return std::make_unique<Textbook>(photons, powers, kind, by_map); }));
+    for (const bool by_map : {false, true})
+        methods.push_back(build([&] { return make_wide(photons, powered, by_map); }));
     return methods;
 }
 

@@ -2,6 +2,8 @@
 
 #include "bench/power_sum.h"
 #include "bench/query_scene.h"
+#include "render/maps/wide_tree.h"
+#include "render/photons/photon.h"
 
 #include <cstddef>
 #include <memory>
@@ -17,8 +19,10 @@ class QueryMethod {
     /// Wants k photons of each search from now on.
     virtual void prepare(std::size_t k) = 0;
     virtual void search(const RoomPoint& query) = 0;
-    /// Sum over the photons of the last search.
-    virtual glm::vec4 power() const = 0;
+    /// Searches, and adds the powers of what it finds.
+    virtual void sum(const RoomPoint& query) = 0;
+    /// Whether the sum of the photons last searched is what a list of them has.
+    virtual bool sum_is_right(const RoomPoint&) { return true; }
     /// Numbers of the photons of the last search, in any order.
     virtual std::vector<std::uint32_t> found() const = 0;
     virtual std::size_t bytes() const = 0;
@@ -35,5 +39,13 @@ struct BuiltMethod {
 
 /// Every method over the same photons, built one after the other.  Borrows the powers, by photon.
 std::vector<BuiltMethod> build_methods(const std::vector<RoomPoint>& photons, const Powers& powers);
+
+/// The photons of each map, or all of them as one.
+std::vector<std::vector<TreePoint>> points_by_map(const std::vector<RoomPoint>& photons,
+                                                  bool by_map);
+
+/// The wide tree with the powers beside it.
+std::unique_ptr<QueryMethod> make_wide(const std::vector<RoomPoint>& photons,
+                                       const std::vector<Photon>& powered, bool by_map);
 
 } // namespace hipmap

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace hipmap {
 
@@ -93,6 +94,29 @@ Rgb estimate_sparse(const Gathering& from, const FoundPhotons& found, EstimateSc
     return density(from, found.slots, from.map.area);
 }
 
+/// (2) and (3) where no boundary is near, from sums alone; nothing where one is.
+std::optional<Rgb> estimate_from_sums(const PhotonMaps& maps, const MapSurfaces& surfaces,
+                                      const PhotonQuery& query, EstimateScratch& scratch)
+{
+    const SearchStatistics before = scratch.search.statistics;
+    const FoundSum found =
+        sum_photons(maps, surfaces.mesh, surfaces.partition, query, scratch.search);
+    if (found.nearest.photons == 0)
+        return Rgb(0);
+    const glm::dvec3 sum(found.nearest.power);
+    const bool sparse = found.nearest.photons < maps.options.neighbours;
+    const float radius = sparse ? query.radius : std::sqrt(found.nearest.farthest2);
+    if (!std::isfinite(radius))
+        return per_area(maps.power_scale, sum, found.map->area);
+    if (!(radius > 0))
+        return Rgb(0);
+    look_around(surfaces, query, radius, scratch);
+    if (scratch.segments.empty())
+        return per_area(maps.power_scale, sum, disc_area(radius));
+    scratch.search.statistics = before; // the search for a list counts
+    return {};
+}
+
 /// docs/photon_maps.md (7).
 Rgb estimate_plainly(const PhotonMaps& maps, const MapSurfaces& surfaces, PhotonQuery query,
                      EstimateScratch& scratch)
@@ -126,6 +150,10 @@ Rgb estimate_irradiance(const PhotonMaps& maps, const MapSurfaces& surfaces,
 {
     if (maps.options.estimate == EstimateForm::thesis)
         return estimate_plainly(maps, surfaces, query, scratch);
+    if (counts_whole(maps, query) && !scratch.near_boundary)
+        if (const std::optional<Rgb> sum = estimate_from_sums(maps, surfaces, query, scratch))
+            return *sum;
+    scratch.near_boundary = false;
     const FoundPhotons found =
         find_photons(maps, surfaces.mesh, surfaces.partition, query, scratch.search);
     if (found.slots.empty())
@@ -140,6 +168,7 @@ Rgb estimate_irradiance(const PhotonMaps& maps, const MapSurfaces& surfaces,
     if (!(radius > 0))
         return Rgb(0);
     look_around(surfaces, query, radius, scratch);
+    scratch.near_boundary = !scratch.segments.empty();
     if (scratch.segments.empty())
         return density(from, all_but_last(found), disc_area(radius));
     if (sees_all(found, scratch.disc))

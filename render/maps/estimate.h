@@ -11,6 +11,7 @@ struct EstimateScratch {
     SearchScratch search;
     std::vector<BoundarySegment> segments;
     VisibleDisc disc;
+    bool near_boundary = false; ///< the last estimate was, so that the next may need a list
 };
 
 /// The surfaces that photons lie on and where their maps end.  Borrows mesh and partition.

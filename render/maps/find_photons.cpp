@@ -3,6 +3,7 @@
 #include "common/partition/limiting_radius.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace hipmap {
@@ -22,6 +23,34 @@ TreeQuery wanted(const PhotonMaps& maps, const PhotonQuery& query)
     return {query.position, maps.options.neighbours, query.radius * query.radius};
 }
 
+/// A search that lists what it finds.
+struct Lists {
+    using Found = FoundSlots;
+    static std::size_t count(const Found& found) { return found.slots.size(); }
+    static Found search(const PhotonMap& map, const TreeQuery& query, MapScratch& scratch)
+    {
+        return find_in_map(map, query, scratch);
+    }
+    static Found search(const LocalMap& local, const TreeQuery& query, MapScratch& scratch)
+    {
+        const Found found = find_in_map(local, query, scratch);
+        for (std::uint32_t& slot : found.slots)
+            slot = local.shared_slots[slot];
+        return found;
+    }
+};
+
+/// A search that adds the powers of what it finds, in wide trees.
+struct Sums {
+    using Found = NearestSum;
+    static std::size_t count(const Found& found) { return found.photons; }
+    template <typename Map>
+    static Found search(const Map& map, const TreeQuery& query, MapScratch& scratch)
+    {
+        return sum_nearest(map.tree, map.powers, query, scratch);
+    }
+};
+
 using LimitingRadius = float (*)(const TriangleMesh&, const Partition&, FaceId, const glm::vec3&);
 
 /// A tier of local maps, and what is counted of it.
@@ -32,9 +61,10 @@ struct LocalTier {
 };
 
 /// Algorithm 4 of the thesis up to where it turns to the shared map; empty: it does turn there.
-FoundSlots find_in_local(const PhotonMaps& maps, const TriangleMesh& mesh,
-                         const Partition& partition, const PhotonQuery& query,
-                         const LocalTier& tier, MapScratch& scratch)
+template <typename How>
+typename How::Found find_in_local(const PhotonMaps& maps, const TriangleMesh& mesh,
+                                  const Partition& partition, const PhotonQuery& query,
+                                  const LocalTier& tier, MapScratch& scratch)
 {
     if (tier.locals.maps.empty())
         return {};
@@ -52,13 +82,11 @@ FoundSlots find_in_local(const PhotonMaps& maps, const TriangleMesh& mesh,
     // A photon at the limiting radius itself is already too far.
     in_local.radius2 = std::min(in_local.radius2, std::nextafter(limit * limit, 0.0f));
     in_local.order = local.shared_slots.data();
-    const FoundSlots found = find_in_map(local, in_local, scratch);
-    if (found.slots.size() < in_local.photons && limit <= query.radius) {
+    const typename How::Found found = How::search(local, in_local, scratch);
+    if (How::count(found) < in_local.photons && limit <= query.radius) {
         ++tier.searches.abandoned;
         return {};
     }
-    for (std::uint32_t& slot : found.slots)
-        slot = local.shared_slots[slot];
     return found;
 }
 
@@ -74,17 +102,18 @@ float expected_radius(const WideTree& shared, const TierMap& map, const TreeQuer
 
 /// Photons of one tier, if they are what the shared map would give; else none, and the radius in
 /// which the tier has k is remembered for the next one.
-FoundSlots find_in_tier(const WideTree& shared, const TierMap& map, TreeQuery query, float limit,
-                        TierSearches& searches, TreeScratch& scratch)
+template <typename How>
+typename How::Found find_in_tier(const PhotonMap& shared, const TierMap& tier, TreeQuery query,
+                                 float limit, TierSearches& searches, MapScratch& scratch)
 {
-    if (expected_radius(shared, map, query, scratch) > limit) {
+    if (expected_radius(shared.tree, tier, query, scratch) > limit) {
         ++searches.skipped;
         return {};
     }
     ++searches.begun;
-    query.from = map.node;
-    const FoundSlots found = find_nearest(shared, query, scratch);
-    const float reached2 = found.slots.size() == query.photons ? found.farthest2 : query.radius2;
+    query.from = tier.node;
+    const typename How::Found found = How::search(shared, query, scratch);
+    const float reached2 = How::count(found) == query.photons ? found.farthest2 : query.radius2;
     if (reached2 < limit * limit || !std::isfinite(limit))
         return found;
     ++searches.abandoned;
@@ -94,24 +123,50 @@ FoundSlots find_in_tier(const WideTree& shared, const TierMap& map, TreeQuery qu
     return {};
 }
 
-FoundSlots find_in_tiers(const PhotonMaps& maps, const WideTree& shared, const TriangleMesh& mesh,
-                         const Partition& partition, const PhotonQuery& query,
-                         SearchScratch& scratch)
+template <typename How>
+typename How::Found find_in_tiers(const PhotonMaps& maps, const PhotonMap& shared,
+                                  const TriangleMesh& mesh, const Partition& partition,
+                                  const PhotonQuery& query, SearchScratch& scratch)
 {
+    using Found = typename How::Found;
     const auto search = [&](const TierMaps& tier, auto limiting_radius, TierSearches& searches) {
         if (tier.of_face.empty())
-            return FoundSlots();
+            return Found();
         const std::uint32_t index = tier.of_face[maps.index_by_side(query.face, query.side)];
         if (index == kNone)
-            return FoundSlots();
+            return Found();
         const float limit = limiting_radius(mesh, partition, query.face, query.position);
-        return find_in_tier(shared, tier.maps[index], wanted(maps, query), limit, searches,
-                            scratch.shared);
+        return find_in_tier<How>(shared, tier.maps[index], wanted(maps, query), limit, searches,
+                                 scratch.shared);
     };
     SearchStatistics& statistics = scratch.statistics;
-    FoundSlots found = search(maps.local_tier, exact_limiting_radius, statistics.local);
-    if (found.slots.empty())
+    Found found = search(maps.local_tier, exact_limiting_radius, statistics.local);
+    if (How::count(found) == 0)
         found = search(maps.group_tier, exact_group_radius, statistics.group);
+    return found;
+}
+
+/// In whichever tier answers; `map` is that of the query.
+template <typename How>
+typename How::Found find_in_any(const PhotonMaps& maps, const PhotonMap& map,
+                                const TriangleMesh& mesh, const Partition& partition,
+                                const PhotonQuery& query, SearchScratch& scratch)
+{
+    SearchStatistics& statistics = scratch.statistics;
+    const bool thesis = maps.options.mode == MapMode::thesis;
+    const LocalTier faces{maps.locals, thesis ? limiting_radius : exact_limiting_radius,
+                          statistics.local};
+    typename How::Found found =
+        find_in_local<How>(maps, mesh, partition, query, faces, scratch.local);
+    if (How::count(found) == 0) {
+        const LocalTier groups{maps.groups, exact_group_radius, statistics.group};
+        found = find_in_local<How>(maps, mesh, partition, query, groups, scratch.local);
+    }
+    if (!maps.local_tier.maps.empty() || !maps.group_tier.maps.empty())
+        found = find_in_tiers<How>(maps, map, mesh, partition, query, scratch);
+    if (How::count(found) == 0)
+        found = How::search(map, wanted(maps, query), scratch.shared);
+    statistics.photons_found += How::count(found);
     return found;
 }
 
@@ -169,29 +224,28 @@ FoundPhotons find_photons(const PhotonMaps& maps, const TriangleMesh& mesh,
                           const Partition& partition, const PhotonQuery& query,
                           SearchScratch& scratch)
 {
-    if (maps.size == 0)
-        return {};
-    ++scratch.statistics.queries;
+    scratch.statistics.queries += maps.size > 0 ? 1 : 0;
     const PhotonMap* map = map_of_query(maps, partition, query);
     if (map == nullptr)
         return {};
-    FoundSlots found;
-    SearchStatistics& statistics = scratch.statistics;
-    const bool thesis = maps.options.mode == MapMode::thesis;
-    const LocalTier faces{maps.locals, thesis ? limiting_radius : exact_limiting_radius,
-                          statistics.local};
-    found = find_in_local(maps, mesh, partition, query, faces, scratch.local);
-    if (found.slots.empty()) {
-        const LocalTier groups{maps.groups, exact_group_radius, statistics.group};
-        found = find_in_local(maps, mesh, partition, query, groups, scratch.local);
+    if (passes_over(maps)) {
+        const FoundPhotons found = find_in_shared(maps, partition, query, scratch.shared);
+        scratch.statistics.photons_found += found.slots.size();
+        return found;
     }
-    if (!maps.local_tier.maps.empty() || !maps.group_tier.maps.empty())
-        found = find_in_tiers(maps, map->tree, mesh, partition, query, scratch);
-    FoundPhotons out{map, found.slots, found.farthest2};
-    if (out.slots.empty())
-        out = find_in_shared(maps, partition, query, scratch.shared);
-    statistics.photons_found += out.slots.size();
-    return out;
+    const FoundSlots found = find_in_any<Lists>(maps, *map, mesh, partition, query, scratch);
+    return {map, found.slots, found.farthest2};
+}
+
+FoundSum sum_photons(const PhotonMaps& maps, const TriangleMesh& mesh, const Partition& partition,
+                     const PhotonQuery& query, SearchScratch& scratch)
+{
+    assert(!passes_over(maps) && maps.options.tree == TreeKind::wide);
+    scratch.statistics.queries += maps.size > 0 ? 1 : 0;
+    const PhotonMap* map = map_of_query(maps, partition, query);
+    if (map == nullptr)
+        return {};
+    return {map, find_in_any<Sums>(maps, *map, mesh, partition, query, scratch)};
 }
 
 } // namespace hipmap

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "render/maps/photon_maps.h"
-#include "render/maps/wide_search.h"
+#include "render/maps/wide_sums.h"
 #include "render/shading/gathered_lobes.h"
 
 #include <limits>
@@ -60,10 +60,23 @@ struct FoundPhotons {
     float farthest2 = 0.0f;               ///< square distance of the last, square scene units
 };
 
+/// Their powers.
+struct FoundSum {
+    const PhotonMap* map = nullptr;
+    NearestSum nearest;
+};
+
 /// Distance from a point of `face` to the nearest edge across which its shared map goes on;
 /// infinite if there is none.  Algorithm 4 of the thesis, docs/photon_maps.md (6).
 float limiting_radius(const TriangleMesh& mesh, const Partition& partition, FaceId face,
                       const glm::vec3& point);
+
+/// Whether searches pass over photons whose light fell on the side not looked at: in mode global
+/// those of all surfaces are in one map.
+inline bool passes_over(const PhotonMaps& maps)
+{
+    return maps.options.mode == MapMode::global && maps.options.estimate == EstimateForm::clipped;
+}
 
 /// The map of the first tier that a query reads; null if it holds no photon.
 const PhotonMap* map_of_query(const PhotonMaps& maps, const Partition& partition,
@@ -82,6 +95,10 @@ float even_radius(const PhotonMaps& maps, const Partition& partition, const Phot
 FoundPhotons find_photons(const PhotonMaps& maps, const TriangleMesh& mesh,
                           const Partition& partition, const PhotonQuery& query,
                           SearchScratch& scratch);
+
+/// The same photons, added up: for wide trees whose searches pass over no photon.
+FoundSum sum_photons(const PhotonMaps& maps, const TriangleMesh& mesh, const Partition& partition,
+                     const PhotonQuery& query, SearchScratch& scratch);
 
 /// Searches the kind of tree that there is.  Map: PhotonMap or LocalMap.
 template <typename Map, typename Accept = AcceptAll>
@@ -105,9 +122,7 @@ FoundPhotons find_most_in_shared(const PhotonMaps& maps, const Partition& partit
         return {};
     const TreeQuery wanted{query.position, most, query.radius * query.radius};
     FoundSlots found;
-    if (maps.options.mode == MapMode::global && maps.options.estimate == EstimateForm::clipped) {
-        // Photons of all surfaces are in one map: only light that fell on the side looked at
-        // counts.
+    if (passes_over(maps)) {
         found = find_in_map(*map, wanted, scratch, [&](std::uint32_t slot) {
             return glm::dot(map->direction(slot), query.normal) > 0 && accept(*map, slot);
         });

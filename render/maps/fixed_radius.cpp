@@ -8,27 +8,48 @@
 
 namespace hipmap {
 
+namespace {
+
+RadiusEstimates estimate_from_sums(const PhotonMaps& maps, const PhotonMap& map,
+                                   const PhotonQuery& query, const std::array<float, 3>& radii,
+                                   EstimateScratch& scratch)
+{
+    const std::array<float, 3> radii2{radii[0] * radii[0], radii[1] * radii[1],
+                                      radii[2] * radii[2]};
+    const RadiusSums<3> sums =
+        sum_within(map.tree, map.powers, query.position, radii2, scratch.search.within);
+    RadiusEstimates out;
+    out.photons = static_cast<std::uint32_t>(sums[0].photons);
+    for (std::size_t r = 0; r < radii.size(); ++r)
+        out.irradiance[r] =
+            per_area(maps.power_scale, glm::dvec3(sums[r].power), disc_area(radii[r]));
+    return out;
+}
+
+} // namespace
+
 RadiusEstimates estimate_within(const PhotonMaps& maps, const MapSurfaces& surfaces,
                                 const PhotonQuery& query, const std::array<float, 3>& radii,
                                 EstimateScratch& scratch)
 {
     assert(radii[0] >= radii[1] && radii[1] >= radii[2] && radii[2] >= 0);
     RadiusEstimates out{{Rgb(0), Rgb(0), Rgb(0)}, 0};
-    if (!(radii[0] > 0))
-        return out;
-    PhotonQuery within = query;
-    within.radius = radii[0];
-    constexpr std::size_t kAll = std::numeric_limits<std::uint32_t>::max();
-    const FoundPhotons found =
-        find_most_in_shared(maps, surfaces.partition, within, kAll, scratch.search.within);
-    if (found.slots.empty())
+    const PhotonMap* map = map_of_query(maps, surfaces.partition, query);
+    if (map == nullptr || !(radii[0] > 0))
         return out;
     const bool facing_only = maps.options.estimate == EstimateForm::thesis; // (7)
     const bool bounded = !facing_only && maps.options.mode != MapMode::global;
     if (bounded)
         look_around(surfaces, query, radii[0], scratch);
     const bool tilted = bounded && !scratch.segments.empty(); // (4)
+    if (!tilted && counts_whole(maps, query))
+        return estimate_from_sums(maps, *map, query, radii, scratch);
 
+    PhotonQuery within = query;
+    within.radius = radii[0];
+    constexpr std::size_t kAll = std::numeric_limits<std::uint32_t>::max();
+    const FoundPhotons found =
+        find_most_in_shared(maps, surfaces.partition, within, kAll, scratch.search.within);
     std::array<glm::dvec3, 3> sums{};
     for (const std::uint32_t slot : found.slots) {
         const MetPhoton photon{*found.map, slot};

@@ -21,6 +21,10 @@ glm::dvec3 projected_power(const MetPhoton& photon, const PhotonQuery& query,
 /// Whether the photon's light came from in front of the query's surface.
 bool faces_query(const MetPhoton& photon, const PhotonQuery& query);
 
+/// Whether photons count by nothing but their power where no boundary is near, so that their powers
+/// can be added without a list.
+bool counts_whole(const PhotonMaps& maps, const PhotonQuery& query);
+
 /// W/m2 from a sum in units of the scale.  Zero where the area is not above zero or the quotient
 /// not finite.
 Rgb per_area(const PowerScale& scale, const glm::dvec3& sum, double area);

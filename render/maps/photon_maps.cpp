@@ -163,10 +163,12 @@ LocalMaps build_local_maps(const PhotonMaps& maps, const std::vector<Photon>& ph
     tbb::parallel_for(std::size_t{0}, out.maps.size(), [&](std::size_t i) {
         const std::span<TreePoint> points = groups.of(key_of_local[i]);
         LocalMap& local = out.maps[i];
-        if (maps.options.tree == TreeKind::wide)
+        if (maps.options.tree == TreeKind::wide) {
             local.tree = build_wide_tree(points);
-        else
+            local.powers = build_powers(local.tree, points, photons, maps.power_scale);
+        } else {
             local.kd_tree = build_kd_tree(maps.options.tree, points);
+        }
         for (const TreePoint& point : points)
             local.shared_slots.push_back(slot_of[point.photon]);
         local.filter_radius =

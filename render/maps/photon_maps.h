@@ -72,6 +72,7 @@ struct PhotonMap {
 /// map.
 struct LocalMap {
     WideTree tree;
+    PhotonPowers powers;                     ///< beside it
     KdTree kd_tree;                          ///< instead, if MapOptions::tree says so
     std::vector<std::uint32_t> shared_slots; ///< [n] by slot
     float filter_radius = 0.0f;              ///< docs/photon_maps.md (5), scene units

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/maps/photon_powers.h"
 #include "render/maps/wide_search.h"
 
 namespace hipmap::tree_search {
@@ -7,6 +8,39 @@ namespace hipmap::tree_search {
 /// Fills blocks and rows with at least k photons near the point, of which the k-th nearest bounds
 /// the k-th of all, and returns their number.  query.from has more than k photons.
 std::size_t collect_near(const WideTree& tree, const TreeQuery& query, TreeScratch& scratch);
+
+/// As collect, but puts blocks that are wholly nearer than bounds.low2 into scratch.whole instead;
+/// their photons count.
+std::size_t collect_shell(const WideTree& tree, const TreeQuery& query, const Bounds2& bounds,
+                          TreeScratch& scratch);
+
+/// Photons of some blocks in ascending order.
+inline std::size_t photons_in(const WideTree& tree, std::span<const std::uint32_t> blocks)
+{
+    const std::size_t slots = kTreeWidth * blocks.size();
+    const bool has_last = !blocks.empty() && blocks.back() + 1 == tree.blocks.size();
+    return has_last ? slots - (kTreeWidth * tree.blocks.size() - tree.size) : slots;
+}
+
+/// Powers of the photons in scratch.whole, and of those collected nearer than `farthest2`, and how
+/// many they are.
+struct NearerSum {
+    PowerSum power;
+    std::size_t nearer;
+};
+NearerSum sum_nearer(const PhotonPowers& powers, float farthest2, const TreeScratch& scratch);
+
+/// The k-th of the collected photons, or the farthest if no more than k are inside.
+float kth_of_collected(std::size_t k, const Bounds2& bounds, std::size_t inside,
+                       TreeScratch& scratch);
+
+/// Of `count` slots as far as the k-th, the first come first in the query's order.
+std::span<std::uint32_t> ties_in_order(const TreeQuery& query, std::size_t count,
+                                       TreeScratch& scratch);
+
+/// Remembers a search for the next one.  found: photons.
+void remember(const WideTree& tree, const TreeQuery& query, std::size_t found, float farthest2,
+              TreeScratch& scratch);
 
 /// The k-th smallest of the collected distances up to bounds.high2, of which there are `inside` >=
 /// k.

@@ -12,7 +12,8 @@ constexpr float kNear = 0.5f;
 /// More than the roundings of a few operations take away.
 constexpr float kRoundedUp = 1.00001f;
 
-/// Or the farthest, if no more than k are inside.
+} // namespace
+
 float kth_of_collected(std::size_t k, const Bounds2& bounds, std::size_t inside,
                        TreeScratch& scratch)
 {
@@ -20,7 +21,26 @@ float kth_of_collected(std::size_t k, const Bounds2& bounds, std::size_t inside,
                       : greatest_distance2(bounds.high2, scratch);
 }
 
-} // namespace
+std::span<std::uint32_t> ties_in_order(const TreeQuery& query, std::size_t count,
+                                       TreeScratch& scratch)
+{
+    const auto ties = std::span(scratch.ties).first(count);
+    if (query.order != nullptr)
+        std::sort(ties.begin(), ties.end(), [&](std::uint32_t a, std::uint32_t b) {
+            return query.order[a] < query.order[b];
+        });
+    return ties;
+}
+
+void remember(const WideTree& tree, const TreeQuery& query, std::size_t found, float farthest2,
+              TreeScratch& scratch)
+{
+    scratch.last_tree = tree.number;
+    scratch.last_point = query.point;
+    scratch.last_missed = false;
+    scratch.last_radius =
+        found == query.photons ? std::sqrt(farthest2) : std::numeric_limits<float>::infinity();
+}
 
 float limit2(const WideTree& tree, const TreeQuery& query)
 {
@@ -58,22 +78,13 @@ FoundSlots select(const WideTree& tree, const TreeQuery& query, const Bounds2& b
     if (inside > 0) {
         found.farthest2 = kth_of_collected(query.photons, bounds, inside, scratch);
         const Emitted emitted = emit_nearest(found.farthest2, scratch);
-        const auto ties = std::span(scratch.ties).first(emitted.as_far);
-        if (query.order != nullptr)
-            std::sort(ties.begin(), ties.end(), [&](std::uint32_t a, std::uint32_t b) {
-                return query.order[a] < query.order[b];
-            });
+        const auto ties = ties_in_order(query, emitted.as_far, scratch);
         const std::size_t count = std::min(emitted.nearer + ties.size(), query.photons);
         for (std::size_t i = emitted.nearer; i < count; ++i)
             scratch.found[i] = ties[i - emitted.nearer];
         found.slots = {scratch.found.data(), count};
     }
-    scratch.last_tree = tree.number;
-    scratch.last_point = query.point;
-    scratch.last_missed = false;
-    scratch.last_radius = found.slots.size() == query.photons
-                              ? std::sqrt(found.farthest2)
-                              : std::numeric_limits<float>::infinity();
+    remember(tree, query, found.slots.size(), found.farthest2, scratch);
     return found;
 }
 

@@ -31,10 +31,14 @@ struct TreeScratch {
     std::vector<std::uint32_t> blocks;  ///< that the ball touches, in tree order
     std::vector<Row> rows;              ///< square distances of their photons
     std::size_t filled = 0;             ///< blocks and rows in use
-    std::vector<float> band;            ///< square distances among which the k-th is
-    std::size_t in_band = 0;            ///< values in use
-    std::vector<std::uint32_t> found;   ///< slots
-    std::vector<std::uint32_t> ties;    ///< slots as far as the k-th
+    std::vector<std::uint32_t> whole;   ///< blocks all of whose photons are nearer than the k-th
+    std::size_t wholes = 0;             ///< of them in use
+    std::size_t in_wholes = 0;          ///< their photons
+    std::array<std::vector<std::uint32_t>, 3> rings; ///< nodes or blocks within some of the radii
+    std::vector<float> band;                         ///< square distances among which the k-th is
+    std::size_t in_band = 0;                         ///< values in use
+    std::vector<std::uint32_t> found;                ///< slots
+    std::vector<std::uint32_t> ties;                 ///< slots as far as the k-th
 
     std::uint64_t last_tree = 0; ///< its number
     glm::vec3 last_point{0.0f};
@@ -59,6 +63,12 @@ struct AcceptAll {
 
 /// The steps of find_nearest.
 namespace tree_search {
+
+/// Comparisons with such a point say nothing.
+inline bool is_nowhere(const glm::vec3& point)
+{
+    return std::isnan(point.x + point.y + point.z);
+}
 
 /// How many photons a search can look at.
 inline std::uint64_t most_photons(const WideTree& tree, const TreeQuery& query)
@@ -117,8 +127,8 @@ template <typename Accept = AcceptAll>
 FoundSlots find_nearest(const WideTree& tree, const TreeQuery& query, TreeScratch& scratch,
                         const Accept& accept = {})
 {
-    if (std::isnan(query.point.x + query.point.y + query.point.z))
-        return {}; // comparisons with such a point say nothing
+    if (tree_search::is_nowhere(query.point))
+        return {};
     const float most2 = tree_search::limit2(tree, query);
     tree_search::Bounds2 bounds = tree_search::bounds2(tree, query, most2, scratch);
     for (;;) {
