@@ -5,6 +5,7 @@
 //
 //     queries [PHOTONS...] [--neighbours K...] [--simd TARGET]     default: 50000 1000000, all K
 
+#include "bench/fixed_radius.h"
 #include "bench/query_methods.h"
 #include "common/command_line/command_line.h"
 #include "common/math/random.h"
@@ -213,6 +214,7 @@ int measure_queries(const std::vector<std::size_t>& sizes, const std::vector<std
                         1e9 * built.build_seconds / double(size),
                         methods[0].build_seconds / built.build_seconds,
                         double(built.method->bytes()) / double(size));
+        right = measure_fixed_radius(photons, orders[1].queries) && right;
         for (const std::size_t k : wanted)
             right = measure(photons, methods, orders, k) && right;
     }

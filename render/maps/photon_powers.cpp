@@ -16,6 +16,9 @@ namespace {
 /// One less than fits, so that rounding up and the rounding of a quotient have room.
 constexpr double kLargest = 65534;
 
+/// By so many photons the processor is told early which it will need: they lie anywhere.
+constexpr std::size_t kAhead = 4 * kTreeWidth;
+
 /// Three numbers in [0, 1).
 glm::dvec3 random_thirds(std::uint64_t number)
 {
@@ -89,6 +92,9 @@ PhotonPowers build_powers(const WideTree& tree, std::span<const TreePoint> point
     tbb::parallel_for(std::size_t{0}, powers.blocks.size(), [&](std::size_t b) {
         const std::size_t begin = b * kTreeWidth;
         const std::size_t lanes = std::min<std::size_t>(kTreeWidth, points.size() - begin);
+        const std::size_t ahead = std::min(points.size(), begin + kAhead);
+        for (std::size_t i = ahead; i < std::min(points.size(), ahead + kTreeWidth); ++i)
+            __builtin_prefetch(&photons[points[i].photon].power);
         for (std::size_t lane = 0; lane < lanes; ++lane) {
             const std::uint32_t number = points[begin + lane].photon;
             const auto rounded = round_power(photons[number].power, scale, number);

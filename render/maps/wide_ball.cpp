@@ -114,7 +114,8 @@ HWY_INLINE std::size_t sort_blocks(const WideTree& tree, const PointVec& point,
             const Mask nearer = hn::Lt(box.farthest, low2);
             const Mask rest = hn::AndNot(nearer, hn::Le(box.nearest, high2));
             const std::uint32_t first = kTreeWidth * node + lane;
-            whole += write_lanes(first, nearer, scratch.whole.data() + whole);
+            if (!hn::AllFalse(d, nearer))
+                whole += write_lanes(first, nearer, scratch.whole.data() + whole);
             other += write_lanes(first, rest, scratch.blocks.data() + other);
         }
     }

@@ -68,7 +68,7 @@ std::size_t CollectNear(const WideTree& tree, const TreeQuery& query, TreeScratc
         if (kTreeWidth * count > 2 * k + kTreeWidth)
             break;
     }
-    return measure(tree, point, {0.0f, std::numeric_limits<float>::max()}, count, scratch);
+    return measure(tree, point, {0.0f, std::numeric_limits<float>::max(), 0.0f}, count, scratch);
 }
 
 } // namespace hipmap::tree_search::HWY_NAMESPACE

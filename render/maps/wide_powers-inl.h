@@ -16,8 +16,8 @@ namespace hipmap::tree_search::HWY_NAMESPACE {
 using WordVec = hn::Vec<Words>;
 using Halves = hn::Rebind<std::uint16_t, Words>;
 
-/// So many blocks can be added to a sum of 32 bits.
-constexpr std::size_t kChunk = 4096;
+/// Twice as many blocks can be added to a sum of 32 bits.
+constexpr std::size_t kChunk = 2048;
 
 /// Sums of a chunk by lane and channel.
 struct LaneSums {
@@ -42,12 +42,14 @@ HWY_INLINE WordVec keep(Mask mask, WordVec powers)
 
 HWY_INLINE std::uint64_t sum_lanes(WordVec lanes)
 {
-    HWY_ALIGN std::uint32_t values[kTreeWidth];
-    hn::Store(lanes, Words(), values);
-    std::uint64_t sum = 0;
-    for (std::size_t lane = 0; lane < hn::Lanes(Words()); ++lane)
-        sum += values[lane];
-    return sum;
+#if HWY_TARGET == HWY_SCALAR
+    return hn::GetLane(lanes);
+#else
+    const hn::Repartition<std::uint64_t, Words> wide;
+    const auto pairs = hn::BitCast(wide, lanes);
+    const auto low = hn::And(pairs, hn::Set(wide, 0xffffffffu));
+    return hn::GetLane(hn::SumOfLanes(wide, hn::Add(low, hn::ShiftRight<32>(pairs))));
+#endif
 }
 
 HWY_INLINE PowerSum total(const LaneSums& sums)
@@ -55,37 +57,31 @@ HWY_INLINE PowerSum total(const LaneSums& sums)
     return {sum_lanes(sums.red), sum_lanes(sums.green), sum_lanes(sums.blue)};
 }
 
-/// Calls `add(index)` for 0 to count - 1, and `flush()` before a sum could overflow and at the end.
-template <typename Add, typename Flush>
-HWY_INLINE void in_chunks(std::size_t count, const Add& add, const Flush& flush)
+/// The photons of whole blocks, of which there are at most kChunk.
+HWY_INLINE void add_blocks(const PhotonPowers& powers, std::span<const std::uint32_t> blocks,
+                           LaneSums& sums)
 {
-    for (std::size_t begin = 0; begin < count; begin += kChunk) {
-        const std::size_t end = HWY_MIN(count, begin + kChunk);
-        for (std::size_t i = begin; i < end; ++i)
-            add(i);
-        flush();
-    }
+    const PowerBlock* const all = powers.blocks.data();
+    for (const std::uint32_t block : blocks)
+        for (std::size_t lane = 0; lane < kTreeWidth; lane += hn::Lanes(Words())) {
+            sums.red = hn::Add(sums.red, load_powers(all[block], 0, lane));
+            sums.green = hn::Add(sums.green, load_powers(all[block], 1, lane));
+            sums.blue = hn::Add(sums.blue, load_powers(all[block], 2, lane));
+        }
 }
 
-/// Of whole blocks.
-HWY_INLINE PowerSum sum_blocks(const PhotonPowers& powers, std::span<const std::uint32_t> blocks)
+/// The part of `items` that is the chunk from `begin` on.
+template <typename T>
+HWY_INLINE std::span<const T> chunk_of(std::span<const T> items, std::size_t begin)
 {
-    PowerSum sum(0);
-    LaneSums sums = no_sums();
-    const auto add = [&](std::size_t i) HWY_ATTR {
-        const PowerBlock& block = powers.blocks[blocks[i]];
-        for (std::size_t lane = 0; lane < kTreeWidth; lane += hn::Lanes(Words())) {
-            sums.red = hn::Add(sums.red, load_powers(block, 0, lane));
-            sums.green = hn::Add(sums.green, load_powers(block, 1, lane));
-            sums.blue = hn::Add(sums.blue, load_powers(block, 2, lane));
-        }
-    };
-    const auto flush = [&]() HWY_ATTR {
-        sum += total(sums);
-        sums = no_sums();
-    };
-    in_chunks(blocks.size(), add, flush);
-    return sum;
+    begin = HWY_MIN(begin, items.size());
+    return items.subspan(begin, HWY_MIN(kChunk, items.size() - begin));
+}
+
+/// Adds one to the lanes in the mask.
+HWY_INLINE WordVec count_lanes(WordVec count, Mask mask)
+{
+    return hn::Add(count, keep(mask, hn::Set(Words(), 1)));
 }
 
 HWY_INLINE void add_lanes(const PowerBlock& block, std::size_t lane, Mask mask, LaneSums& sums)

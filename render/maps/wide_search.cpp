@@ -9,6 +9,11 @@ namespace {
 /// Of the last radius: after a step farther than this the last search bounds the next one badly.
 constexpr float kNear = 0.5f;
 
+/// The k-th photon is looked for within so many mean changes of the radius; the mean forgets at
+/// this rate.
+constexpr float kDrifts = 5.0f;
+constexpr float kDriftShare = 0.1f;
+
 /// More than the roundings of a few operations take away.
 constexpr float kRoundedUp = 1.00001f;
 
@@ -35,11 +40,16 @@ std::span<std::uint32_t> ties_in_order(const TreeQuery& query, std::size_t count
 void remember(const WideTree& tree, const TreeQuery& query, std::size_t found, float farthest2,
               TreeScratch& scratch)
 {
+    const float radius =
+        found == query.photons ? std::sqrt(farthest2) : std::numeric_limits<float>::infinity();
+    const float step = glm::distance(query.point, scratch.last_point);
+    const float change = std::abs(radius - scratch.last_radius);
+    if (scratch.last_tree == tree.number && step > 0 && change <= step)
+        scratch.drift += kDriftShare * (change / step - scratch.drift);
     scratch.last_tree = tree.number;
     scratch.last_point = query.point;
     scratch.last_missed = false;
-    scratch.last_radius =
-        found == query.photons ? std::sqrt(farthest2) : std::numeric_limits<float>::infinity();
+    scratch.last_radius = radius;
 }
 
 float limit2(const WideTree& tree, const TreeQuery& query)
@@ -52,23 +62,30 @@ float limit2(const WideTree& tree, const TreeQuery& query)
 Bounds2 bounds2(const WideTree& tree, const TreeQuery& query, float most2, TreeScratch& scratch)
 {
     if (most_photons(tree, query) <= query.photons)
-        return {0.0f, most2};
+        return {0.0f, most2, most2};
     const float step = glm::distance(query.point, scratch.last_point), last = scratch.last_radius;
     if (scratch.last_tree == tree.number && step < kNear * last) {
-        const float low = std::isfinite(last) && !scratch.last_missed ? last - step : 0.0f;
-        const float high = last + step;
-        return {low * low / kRoundedUp, std::min(most2, high * high * kRoundedUp)};
+        // The k-th is no more than a step farther or nearer than it was; mostly much less.
+        const float likely = step * std::min(1.0f, kDrifts * scratch.drift);
+        const float low = std::isfinite(last) && !scratch.last_missed ? last - likely : 0.0f;
+        const float high = last + likely, surely = last + step;
+        return {low * low / kRoundedUp, std::min(most2, high * high * kRoundedUp),
+                std::min(most2, surely * surely * kRoundedUp)};
     }
     const std::size_t near = collect_near(tree, query, scratch);
     const float far2 = greatest_distance2(std::numeric_limits<float>::max(), scratch);
-    return {0.0f, std::min(most2, kth_of_collected(query.photons, {0.0f, far2}, near, scratch))};
+    const float kth2 = kth_of_collected(query.photons, {0.0f, far2, far2}, near, scratch);
+    return {0.0f, std::min(most2, kth2), std::min(most2, kth2)};
 }
 
-float wider2(const TreeQuery& query, float radius2, std::size_t inside, float most2)
+Bounds2 wider(const TreeQuery& query, const Bounds2& bounds, std::size_t inside, float most2)
 {
+    if (bounds.high2 < bounds.surely2)
+        return {bounds.low2, bounds.surely2, bounds.surely2};
     const float missing = static_cast<float>(query.photons) / static_cast<float>(inside + 1);
-    const float wider = radius2 * std::clamp(1.3f * missing, 1.5f, 4.0f);
-    return wider > radius2 && wider < most2 ? wider : most2;
+    const float wider2 = bounds.high2 * std::clamp(1.3f * missing, 1.5f, 4.0f);
+    const float next2 = wider2 > bounds.high2 && wider2 < most2 ? wider2 : most2;
+    return {bounds.low2, next2, next2};
 }
 
 FoundSlots select(const WideTree& tree, const TreeQuery& query, const Bounds2& bounds,

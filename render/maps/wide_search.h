@@ -44,6 +44,7 @@ struct TreeScratch {
     glm::vec3 last_point{0.0f};
     float last_radius = 0.0f;    ///< of the last k-th photon; infinite if there were fewer
     bool last_missed = false;    ///< photons outside the node where it began may be nearer
+    float drift = 1.0f;          ///< by how much the radius has lately changed for a step of 1
     std::uint64_t kept_tree = 0; ///< its number
     TreeNode kept_from;          ///< of it
     glm::vec3 kept_point{0.0f};
@@ -79,15 +80,16 @@ inline std::uint64_t most_photons(const WideTree& tree, const TreeQuery& query)
 /// Square of the distance beyond which no photon of the tree counts.
 float limit2(const WideTree& tree, const TreeQuery& query);
 
-/// Squares of two distances between which the k-th photon is likely to be: by the last search or by
-/// some photons near the point.
+/// Squares of two distances between which the k-th photon is likely to be: by the last searches or
+/// by some photons near the point.
 struct Bounds2 {
     float low2, high2;
+    float surely2; ///< and of one that it does not exceed, by what was found
 };
 Bounds2 bounds2(const WideTree& tree, const TreeQuery& query, float most2, TreeScratch& scratch);
 
-/// The next radius after one in which only `inside` of the k photons were; at most `most2`.
-float wider2(const TreeQuery& query, float radius2, std::size_t inside, float most2);
+/// The next bounds after some within which only `inside` of the k photons were; at most `most2`.
+Bounds2 wider(const TreeQuery& query, const Bounds2& bounds, std::size_t inside, float most2);
 
 /// Fills blocks and rows with the photons within bounds.high2 and returns their number; puts
 /// those not nearer than bounds.low2 into the band.
@@ -138,7 +140,7 @@ FoundSlots find_nearest(const WideTree& tree, const TreeQuery& query, TreeScratc
             inside = tree_search::drop_rejected(bounds.high2, accept, scratch);
         if (inside >= query.photons || all || !(bounds.high2 < most2))
             return tree_search::select(tree, query, bounds, inside, scratch);
-        bounds.high2 = tree_search::wider2(query, bounds.high2, inside, most2);
+        bounds = tree_search::wider(query, bounds, inside, most2);
     }
 }
 

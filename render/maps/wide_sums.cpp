@@ -18,20 +18,26 @@ NearerSum SumNearer(const PhotonPowers& powers, float farthest2, const TreeScrat
 {
     const Floats d;
     const FloatVec farthest = hn::Set(d, farthest2);
-    NearerSum out{sum_blocks(powers, {scratch.whole.data(), scratch.wholes}), scratch.in_wholes};
-    LaneSums sums = no_sums();
-    const auto add = [&](std::size_t i) HWY_ATTR {
-        for (std::size_t lane = 0; lane < kTreeWidth; lane += hn::Lanes(d)) {
-            const Mask nearer = hn::Lt(hn::Load(d, scratch.rows[i].distance2 + lane), farthest);
-            out.nearer += hn::CountTrue(d, nearer);
-            add_lanes(powers.blocks[scratch.blocks[i]], lane, nearer, sums);
+    const PowerBlock* const all = powers.blocks.data();
+    const std::span<const std::uint32_t> whole(scratch.whole.data(), scratch.wholes);
+    const std::span<const std::uint32_t> others(scratch.blocks.data(), scratch.filled);
+    const TreeScratch::Row* row = scratch.rows.data();
+    NearerSum out{PowerSum(0), scratch.in_wholes};
+    for (std::size_t begin = 0; begin < HWY_MAX(whole.size(), others.size()); begin += kChunk) {
+        LaneSums sums = no_sums();
+        add_blocks(powers, chunk_of(whole, begin), sums);
+        WordVec count = hn::Zero(Words());
+        for (const std::uint32_t block : chunk_of(others, begin)) {
+            for (std::size_t lane = 0; lane < kTreeWidth; lane += hn::Lanes(d)) {
+                const Mask nearer = hn::Lt(hn::Load(d, row->distance2 + lane), farthest);
+                count = count_lanes(count, nearer);
+                add_lanes(all[block], lane, nearer, sums);
+            }
+            ++row;
         }
-    };
-    const auto flush = [&]() HWY_ATTR {
         out.power += total(sums);
-        sums = no_sums();
-    };
-    in_chunks(scratch.filled, add, flush);
+        out.nearer += sum_lanes(count);
+    }
     return out;
 }
 
@@ -84,7 +90,7 @@ NearestSum sum_nearest(const WideTree& tree, const PhotonPowers& powers, const T
         else if (inside >= k || inside >= most_photons(tree, query) || !(bounds.high2 < most2))
             break;
         else
-            bounds.high2 = wider2(query, bounds.high2, inside, most2);
+            bounds = wider(query, bounds, inside, most2);
     }
     NearestSum out;
     out.photons = std::min(k, inside);

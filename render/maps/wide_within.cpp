@@ -65,42 +65,52 @@ HWY_INLINE RingCounts<n> sort_level(const WideTree& tree, std::uint32_t level, s
     return count;
 }
 
-/// Adds the photons of the first `count` blocks in scratch.blocks.
-template <std::size_t n>
-HWY_INLINE void measure_blocks(const WideTree& tree, const PhotonPowers& powers,
-                               const PointVec& point, const std::array<float, n>& radii2,
-                               std::size_t count, const TreeScratch& scratch, RadiusSums<n>& out)
-{
-    const Floats d;
-    LaneSums sums[n];
-    for (LaneSums& ring : sums)
-        ring = no_sums();
-    const auto add = [&](std::size_t i) HWY_ATTR {
-        const std::uint32_t block = scratch.blocks[i];
-        for (std::size_t lane = 0; lane < kTreeWidth; lane += hn::Lanes(d)) {
-            const FloatVec distance2 = photon_distance2(tree.blocks[block], lane, point);
-            for (std::size_t r = 0; r < n; ++r) {
-                const Mask within = hn::Le(distance2, hn::Set(d, radii2[r]));
-                out[r].photons += hn::CountTrue(d, within);
-                add_lanes(powers.blocks[block], lane, within, sums[r]);
-            }
-        }
-    };
-    const auto flush = [&]() HWY_ATTR {
-        for (std::size_t r = 0; r < n; ++r) {
-            out[r].power += total(sums[r]);
-            sums[r] = no_sums();
-        }
-    };
-    in_chunks(count, add, flush);
-}
-
 template <std::size_t n>
 HWY_INLINE void add_to_rings(const RadiusSum& sum, std::size_t ring, RadiusSums<n>& out)
 {
     for (std::size_t r = 0; r <= ring; ++r) {
         out[r].power += sum.power;
         out[r].photons += sum.photons;
+    }
+}
+
+/// Adds the photons of the blocks in scratch.blocks and in the rings.
+template <std::size_t n>
+HWY_INLINE void measure_blocks(const WideTree& tree, const PhotonPowers& powers,
+                               const PointVec& point, const std::array<float, n>& radii2,
+                               const RingCounts<n>& count, const TreeScratch& scratch,
+                               RadiusSums<n>& out)
+{
+    const Floats d;
+    const std::span<const std::uint32_t> crossed(scratch.blocks.data(), count.crossed);
+    for (std::size_t begin = 0; begin < crossed.size(); begin += kChunk) {
+        LaneSums sums[n];
+        WordVec counts[n];
+        for (std::size_t r = 0; r < n; ++r) {
+            sums[r] = no_sums();
+            counts[r] = hn::Zero(Words());
+        }
+        for (const std::uint32_t block : chunk_of(crossed, begin))
+            for (std::size_t lane = 0; lane < kTreeWidth; lane += hn::Lanes(d)) {
+                const FloatVec distance2 = photon_distance2(tree.blocks[block], lane, point);
+                for (std::size_t r = 0; r < n; ++r) {
+                    const Mask within = hn::Le(distance2, hn::Set(d, radii2[r]));
+                    counts[r] = count_lanes(counts[r], within);
+                    add_lanes(powers.blocks[block], lane, within, sums[r]);
+                }
+            }
+        for (std::size_t r = 0; r < n; ++r) {
+            out[r].power += total(sums[r]);
+            out[r].photons += sum_lanes(counts[r]);
+        }
+    }
+    for (std::size_t r = 0; r < n; ++r) {
+        const std::span<const std::uint32_t> ring(scratch.rings[r].data(), count.ring[r]);
+        for (std::size_t begin = 0; begin < ring.size(); begin += kChunk) {
+            LaneSums sums = no_sums();
+            add_blocks(powers, chunk_of(ring, begin), sums);
+            add_to_rings({total(sums), photons_in(tree, chunk_of(ring, begin))}, r, out);
+        }
     }
 }
 
@@ -129,11 +139,7 @@ HWY_INLINE RadiusSums<n> sum_within_radii(const WideTree& tree, const PhotonPowe
         scratch.parents.swap(scratch.blocks);
     }
     count = sort_level(tree, tree.levels - 1, count.crossed, point, radii2, scratch);
-    measure_blocks(tree, powers, point, radii2, count.crossed, scratch, out);
-    for (std::size_t r = 0; r < n; ++r)
-        if (const std::span blocks = std::span(scratch.rings[r]).first(count.ring[r]);
-            !blocks.empty())
-            add_to_rings({sum_blocks(powers, blocks), photons_in(tree, blocks)}, r, out);
+    measure_blocks(tree, powers, point, radii2, count, scratch, out);
     return out;
 }
 
