@@ -18,8 +18,8 @@ wide, one sample a pixel; angle threshold {ANGLE_DEG} degrees; M = 10 k; the dis
 (`--estimate thesis`). Photons emitted and k are the dissertation's divided by {about["divide"]}.
 
 Seconds are of the processor, of all threads together, so that other programs disturb them little. Each
-scene and test was run in rounds through all modes and trees
-({", ".join(map(str, about["rounds"].values()))} by test), and the fastest counts. A ratio is of the fastest runs, with the least and the most of the rounds in brackets. Building is
+scene and test was run in rounds through all modes and trees, up to {about["most_rounds"]} for few
+photons and one for millions, and the fastest counts. A ratio is of the fastest runs, with the least and the most of the rounds in brackets. Building is
 splitting and ordering the photons. The **net query cost** is the time to render an image whose
 light comes from the photons alone less the time to render it without photons. Caustic photons have maps of
 their own in every mode. `balanced` is Jensen's kd-tree, `unbalanced` one made by inserting, `wide`

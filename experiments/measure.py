@@ -15,18 +15,18 @@ TREES = ("balanced", "unbalanced", "wide")
 TESTS = {1: (2500, 25), 2: (5000, 50), 3: (15000, 150), 4: (30000, 300), 5: (60000, 600)}
 ANGLE_DEG = 90  # the dissertation's threshold
 LOCAL_MIN_PER_NEIGHBOUR = 10  # the dissertation's M / k
+ROUNDS = ((30_000, 5), (200_000, 3), (1_000_000, 2))  # below so many light paths, so many rounds
 
 
 @dataclasses.dataclass(frozen=True)
 class Bench:
     """tools: folder of the programs.  folder: for their files.  size: pixels across an image.
-    rounds: {test: how often each rendering is repeated}.  divide: photons and k are divided by
-    it."""
+    most_rounds: of each rendering.  divide: photons and k are divided by it."""
 
     tools: pathlib.Path
     folder: pathlib.Path
     size: int
-    rounds: dict
+    most_rounds: int
     divide: int
 
 
@@ -84,6 +84,13 @@ def light_paths(bench, scene, test):
     return TESTS[test][0] // bench.divide * light_primitives(scene_path(scene))
 
 
+def rounds(bench, scene, test):
+    """Short runs are disturbed more, and repeated more often."""
+    paths = light_paths(bench, scene, test)
+    wanted = next((count for below, count in ROUNDS if paths < below), 1)
+    return min(bench.most_rounds, wanted)
+
+
 def neighbours(bench, test):
     return max(2, TESTS[test][1] // bench.divide)
 
@@ -125,7 +132,7 @@ def measure_together(bench, settings, ran):
     photons = light_paths(bench, scene, test)
     rows = [{**dataclasses.asdict(setting), "k": neighbours(bench, test), "emitted": photons,
              "build_runs": [], "image_runs": [], "empty_runs": []} for setting in settings]
-    for _ in range(bench.rounds[test]):
+    for _ in range(rounds(bench, scene, test)):
         empty = summary(render(bench, settings[0], 0))["image_s"]
         for setting, row in zip(settings, rows):
             done = summary(render(bench, setting, photons))

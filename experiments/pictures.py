@@ -5,7 +5,7 @@ import shutil
 from measure import ANGLE_DEG, partition_path, run_tool, scene_path
 
 # Fine enough to look at, in some tens of seconds each.
-RENDER = {"photons": 1_000_000, "neighbours": 100, "passes": 4, "samples": 16, "size": 480}
+RENDER = {"photons": 500_000, "neighbours": 100, "passes": 4, "samples": 9, "size": 480}
 QUICK_RENDER = {"photons": 20_000, "neighbours": 50, "passes": 1, "samples": 1, "size": 96}
 
 

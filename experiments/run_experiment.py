@@ -10,6 +10,7 @@ Needs the programs in build/release/bin and, for the plots, Debian's python3-mat
 import argparse
 import itertools
 import json
+import operator
 import os
 import pathlib
 import platform
@@ -24,9 +25,8 @@ import measure
 import pictures
 import questions
 
-QUICK = {"divide": 10, "size": 96, "rounds": dict.fromkeys(measure.TESTS, 1)}
-# Short runs are disturbed more.
-FULL = {"divide": 1, "size": 256, "rounds": {1: 5, 2: 5, 3: 3, 4: 2, 5: 2}}
+QUICK = {"divide": 10, "size": 96, "most_rounds": 1}
+FULL = {"divide": 1, "size": 256, "most_rounds": 5}
 PROGRAMS = ("preprocess", "render", "crease_profile", "filter_radius")
 # Seconds of a light path and of a photon found, about; for the time left.
 PATH_SECONDS, FOUND_SECONDS, START_SECONDS = 1.5e-6, 1e-7, 0.05
@@ -41,7 +41,7 @@ def parse_options():
     parser.add_argument("--quick", action="store_true",
                         help="a tenth of the photons and neighbours, small images, one run each")
     parser.add_argument("--rounds", type=int,
-                        help="times to run each [5, 5, 3, 2, 2 by test; with --quick 1]")
+                        help="times to run each at most [5; with --quick 1]")
     parser.add_argument("--to", type=pathlib.Path,
                         help="folder to write to [docs; with --quick out/experiments]")
     parser.add_argument("--tools", type=pathlib.Path, default=measure.ROOT / "build/release/bin",
@@ -60,9 +60,9 @@ class Progress:
         self.bench, self.start = bench, time.monotonic()
         self.done, self.done_weight = 0, 0.0
         settings = [setting for batch in batches for setting in batch]
-        self.total = sum(bench.rounds[setting.test] for setting in settings)
-        self.total_weight = sum(bench.rounds[setting.test] * self.weight(setting)
-                                for setting in settings)
+        times = [measure.rounds(bench, setting.scene, setting.test) for setting in settings]
+        self.total = sum(times)
+        self.total_weight = sum(map(operator.mul, times, map(self.weight, settings)))
 
     def weight(self, setting):
         found = self.bench.size ** 2 * 0.75 * measure.neighbours(self.bench, setting.test)
@@ -100,8 +100,6 @@ def machine():
 
 def run_all(bench, options):
     """The results, but for what the run itself was."""
-    for scene in options.scenes:
-        measure.make_partition(bench, scene)
     main = [[measure.Setting(scene, test, mode, tree) for tree in measure.TREES
              for mode in measure.MODES]
             for scene, test in itertools.product(options.scenes, options.tests)]
@@ -131,17 +129,17 @@ def write(results, drawn, to):
 def run(options, results_file):
     start = time.monotonic()
     settings = dict(QUICK if options.quick else FULL)
-    if options.rounds:
-        settings["rounds"] = dict.fromkeys(measure.TESTS, options.rounds)
+    settings["most_rounds"] = options.rounds or settings["most_rounds"]
     with tempfile.TemporaryDirectory() as folder:
         bench = measure.Bench(options.tools, pathlib.Path(folder), **settings)
-        results = run_all(bench, options)
+        about = {"commit": commit(), "machine": machine(), **settings}
+        for scene in options.scenes:
+            measure.make_partition(bench, scene)
         print("rendering the scenes", file=sys.stderr)
-        results["pictures"] = pictures.draw_all(
-            bench, options.scenes, results_file.parent,
-            pictures.QUICK_RENDER if options.quick else pictures.RENDER)
-    results["about"] = {"commit": commit(), "machine": machine(), **settings,
-                        "minutes": (time.monotonic() - start) / 60}
+        drawn = pictures.draw_all(bench, options.scenes, results_file.parent,
+                                  pictures.QUICK_RENDER if options.quick else pictures.RENDER)
+        results = {"about": about, "pictures": drawn, **run_all(bench, options)}
+    about["minutes"] = (time.monotonic() - start) / 60
     results_file.write_text(json.dumps(results, indent=1) + "\n")
     return results
 
