@@ -13,13 +13,13 @@ def introduction(results, root):
 
 Written by `experiments/run_experiment.py`; do not edit. Every figure below is from that run and in
 [results.json](experiments/results.json). Scenes and settings: [experiments/README.md]({root}/experiments/README.md).
-Commit {about["commit"]}; {about["machine"]}; {about["minutes"]:.0f} minutes; images {about["size"]} pixels
+Commit {about["commit"]}; {about["machine"]}; measured in {about["minutes"]:.0f} minutes; images {about["size"]} pixels
 wide, one sample a pixel; angle threshold {ANGLE_DEG} degrees; M = 10 k; the dissertation's estimate
 (`--estimate thesis`). Photons emitted and k are the dissertation's divided by {about["divide"]}.
 
 Seconds are of the processor, of all threads together, so that other programs disturb them little. Each
 scene and test was run in rounds through all modes and trees, up to {about["most_rounds"]} for few
-photons and one for millions, and the fastest counts. A ratio is of the fastest runs, with the least and the most of the rounds in brackets. Building is
+photons and one for many, and the fastest counts. A ratio is of the fastest runs, with the least and the most of the rounds in brackets. Building is
 splitting and ordering the photons. The **net query cost** is the time to render an image whose
 light comes from the photons alone less the time to render it without photons. Caustic photons have maps of
 their own in every mode. `balanced` is Jensen's kd-tree, `unbalanced` one made by inserting, `wide`

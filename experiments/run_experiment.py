@@ -26,7 +26,7 @@ import pictures
 import questions
 
 QUICK = {"divide": 10, "size": 96, "most_rounds": 1}
-FULL = {"divide": 1, "size": 256, "most_rounds": 5}
+FULL = {"divide": 1, "size": 256, "most_rounds": 3}
 PROGRAMS = ("preprocess", "render", "crease_profile", "filter_radius")
 # Seconds of a light path and of a photon found, about; for the time left.
 PATH_SECONDS, FOUND_SECONDS, START_SECONDS = 1.5e-6, 1e-7, 0.05
@@ -41,7 +41,7 @@ def parse_options():
     parser.add_argument("--quick", action="store_true",
                         help="a tenth of the photons and neighbours, small images, one run each")
     parser.add_argument("--rounds", type=int,
-                        help="times to run each at most [5; with --quick 1]")
+                        help="times to run each at most [3; with --quick 1]")
     parser.add_argument("--to", type=pathlib.Path,
                         help="folder to write to [docs; with --quick out/experiments]")
     parser.add_argument("--tools", type=pathlib.Path, default=measure.ROOT / "build/release/bin",
@@ -105,7 +105,7 @@ def run_all(bench, options):
             for scene, test in itertools.product(options.scenes, options.tests)]
     asked = questions.batches(options.scenes, options.tests)
     print("measuring creases and filter radii", file=sys.stderr)
-    singly = {"creases": questions.run_creases(bench, 100 // bench.divide),
+    singly = {"creases": questions.run_creases(bench, 50 // bench.divide),
               "filter": questions.run_filter(bench, options.scenes, options.tests)}
     progress = Progress(bench, main + [batch for batches in asked.values() for batch in batches])
     return {**singly,
@@ -135,11 +135,13 @@ def run(options, results_file):
         about = {"commit": commit(), "machine": machine(), **settings}
         for scene in options.scenes:
             measure.make_partition(bench, scene)
+        results = {"about": about, "pictures": {}, **run_all(bench, options)}
+        about["minutes"] = (time.monotonic() - start) / 60
+        results_file.write_text(json.dumps(results, indent=1) + "\n")
         print("rendering the scenes", file=sys.stderr)
-        drawn = pictures.draw_all(bench, options.scenes, results_file.parent,
-                                  pictures.QUICK_RENDER if options.quick else pictures.RENDER)
-        results = {"about": about, "pictures": drawn, **run_all(bench, options)}
-    about["minutes"] = (time.monotonic() - start) / 60
+        results["pictures"] = pictures.draw_all(
+            bench, options.scenes, results_file.parent,
+            pictures.QUICK_RENDER if options.quick else pictures.RENDER)
     results_file.write_text(json.dumps(results, indent=1) + "\n")
     return results
 
