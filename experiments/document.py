@@ -1,9 +1,11 @@
 """Writes docs/experiments.md from the results."""
 
+import statistics
+
 import claims
 import questions
 import tables
-from measure import ANGLE_DEG
+from measure import ANGLE_DEG, net_runs
 from tables import percent, pick, seconds, table, times, values
 
 
@@ -13,18 +15,32 @@ def introduction(results, root):
 
 Written by `experiments/run_experiment.py`; do not edit. Every figure below is from that run and in
 [results.json](experiments/results.json). Scenes and settings: [experiments/README.md]({root}/experiments/README.md).
-Commit {about["commit"]}; {about["machine"]}; measured in {about["minutes"]:.0f} minutes; images {about["size"]} pixels
+Run on {about["date"]}; {about["machine"]}; measured in {about["minutes"]:.0f} minutes; images {about["size"]} pixels
 wide, one sample a pixel; angle threshold {ANGLE_DEG} degrees; M = 10 k; the dissertation's estimate
 (`--estimate thesis`). Photons emitted and k are the dissertation's divided by {about["divide"]}.
 
 Seconds are of the processor, of all threads together, so that other programs disturb them little. Each
 scene and test was run in rounds through all modes and trees, up to {about["most_rounds"]} for few
-photons and one for many, and the fastest counts. A ratio is of the fastest runs, with the least and the most of the rounds in brackets. Building is
-splitting and ordering the photons. The **net query cost** is the time to render an image whose
+photons and one for many, and the fastest counts. A ratio is of the fastest runs, with the least and the
+most of the rounds in brackets, if there were several. {noise(results["rows"])}
+Building is splitting and ordering the photons. The **net query cost** is the time to render an image whose
 light comes from the photons alone less the time to render it without photons. Caustic photons have maps of
 their own in every mode. `balanced` is Jensen's kd-tree, `unbalanced` one made by inserting, `wide`
 hipmap's ([photon_maps.md]({root}/docs/photon_maps.md)).
 """
+
+
+def noise(rows):
+    """How much a single round is to be trusted: a sentence."""
+    said = []
+    for tree in ("balanced", "wide"):
+        spreads = [max(costs) / min(costs) - 1 for costs in map(net_runs, pick(rows, tree=tree))
+                   if len(costs) > 1 and min(costs) > 0]
+        if spreads:
+            said.append(f"{percent(statistics.median(spreads))} on {tree} trees")
+    if not said:
+        return "There was one round."
+    return f"Between rounds net costs differed by {' and '.join(said)} (the median)."
 
 
 def scene_3(rows):

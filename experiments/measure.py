@@ -21,13 +21,14 @@ ROUNDS = ((30_000, 3), (200_000, 2))  # below so many light paths, so many round
 @dataclasses.dataclass(frozen=True)
 class Bench:
     """tools: folder of the programs.  folder: for their files.  size: pixels across an image.
-    most_rounds: of each rendering.  divide: photons and k are divided by it."""
+    most_rounds: of each rendering; rounds_asked: as many, whatever it takes; 0: not asked.  divide: photons and k are divided by it."""
 
     tools: pathlib.Path
     folder: pathlib.Path
     size: int
     most_rounds: int
     divide: int
+    rounds_asked: int = 0
 
 
 @dataclasses.dataclass(frozen=True)
@@ -86,6 +87,8 @@ def light_paths(bench, scene, test):
 
 def rounds(bench, scene, test):
     """Short runs are disturbed more, and repeated more often."""
+    if bench.rounds_asked:
+        return bench.rounds_asked
     paths = light_paths(bench, scene, test)
     wanted = next((count for below, count in ROUNDS if paths < below), 1)
     return min(bench.most_rounds, wanted)

@@ -8,6 +8,8 @@ Needs the programs in build/release/bin and, for the plots, Debian's python3-mat
 """
 
 import argparse
+import dataclasses
+import datetime
 import itertools
 import json
 import operator
@@ -48,6 +50,8 @@ def parse_options():
                         help="folder of the programs [build/release/bin]")
     parser.add_argument("--again", action="store_true",
                         help="measure nothing: write the document and plots from results.json")
+    parser.add_argument("--update", action="store_true",
+                        help="measure these scenes and tests anew, keep the rest of results.json")
     options = parser.parse_args()
     options.to = options.to or measure.ROOT / ("out/experiments" if options.quick else "docs")
     return options
@@ -98,11 +102,15 @@ def machine():
     return f"{name}, {os.cpu_count()} cores"
 
 
+def main_batch(scene, test):
+    """The settings of one scene and test, to be measured in turn."""
+    return [measure.Setting(scene, test, mode, tree) for tree in measure.TREES
+            for mode in measure.MODES]
+
+
 def run_all(bench, options):
     """The results, but for what the run itself was."""
-    main = [[measure.Setting(scene, test, mode, tree) for tree in measure.TREES
-             for mode in measure.MODES]
-            for scene, test in itertools.product(options.scenes, options.tests)]
+    main = list(itertools.starmap(main_batch, itertools.product(options.scenes, options.tests)))
     asked = questions.batches(options.scenes, options.tests)
     print("measuring creases and filter radii", file=sys.stderr)
     singly = {"creases": questions.run_creases(bench, 50 // bench.divide),
@@ -132,7 +140,8 @@ def run(options, results_file):
     settings["most_rounds"] = options.rounds or settings["most_rounds"]
     with tempfile.TemporaryDirectory() as folder:
         bench = measure.Bench(options.tools, pathlib.Path(folder), **settings)
-        about = {"commit": commit(), "machine": machine(), **settings}
+        about = {"date": datetime.date.today().isoformat(), "commit": commit(),
+                 "machine": machine(), **settings}
         for scene in options.scenes:
             measure.make_partition(bench, scene)
         results = {"about": about, "pictures": {}, **run_all(bench, options)}
@@ -142,6 +151,27 @@ def run(options, results_file):
         results["pictures"] = pictures.draw_all(
             bench, options.scenes, results_file.parent,
             pictures.QUICK_RENDER if options.quick else pictures.RENDER)
+    results_file.write_text(json.dumps(results, indent=1) + "\n")
+    return results
+
+
+def update(options, results_file):
+    """Rows of the scenes and tests asked for, measured anew; the rest as it was."""
+    results = json.loads(results_file.read_text())
+    with tempfile.TemporaryDirectory() as folder:
+        bench = measure.Bench(options.tools, pathlib.Path(folder),
+                              **{name: results["about"][name] for name in FULL})
+        bench = dataclasses.replace(bench, rounds_asked=options.rounds)
+        for scene in options.scenes:
+            measure.make_partition(bench, scene)
+        batches = list(itertools.starmap(main_batch,
+                                         itertools.product(options.scenes, options.tests)))
+        progress = Progress(bench, batches)
+        rows = [row for batch in batches
+                for row in measure.measure_together(bench, batch, progress.ran)]
+    new = {(row["scene"], row["test"]): row for row in rows}
+    kept = [row for row in results["rows"] if (row["scene"], row["test"]) not in new]
+    results["rows"] = sorted(kept + rows, key=lambda row: (row["scene"], row["test"]))
     results_file.write_text(json.dumps(results, indent=1) + "\n")
     return results
 
@@ -157,7 +187,7 @@ def main():
         if missing:
             sys.exit(f"error: {options.tools}/{missing[0]} is missing; build it: cmake --build "
                      f"build/release --target {' '.join(PROGRAMS)}")
-        results = run(options, results_file)
+        results = (update if options.update else run)(options, results_file)
     write(results, results["pictures"], options.to)
 
 
