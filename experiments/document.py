@@ -23,11 +23,16 @@ Seconds are of the processor, of all threads together, so that other programs di
 scene and test was run in rounds through all modes and trees, up to {about["most_rounds"]} for few
 photons and one for many, and the fastest counts. A ratio is of the fastest runs, with the least and the
 most of the rounds in brackets, if there were several. {noise(results["rows"])}
-Building is splitting and ordering the photons. The **net query cost** is the time to render an image whose
+{again(about)}Building is splitting and ordering the photons. The **net query cost** is the time to render an image whose
 light comes from the photons alone less the time to render it without photons. Caustic photons have maps of
 their own in every mode. `balanced` is Jensen's kd-tree, `unbalanced` one made by inserting, `wide`
 hipmap's ([photon_maps.md]({root}/docs/photon_maps.md)).
 """
+
+
+def again(about):
+    """What replaced rows of the run: a sentence, or nothing."""
+    return f"Measured anew after the run: {'; '.join(about['again'])}.\n" if "again" in about else ""
 
 
 def noise(rows):

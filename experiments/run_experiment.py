@@ -171,6 +171,9 @@ def update(options, results_file):
                 for row in measure.measure_together(bench, batch, progress.ran)]
     new = {(row["scene"], row["test"]): row for row in rows}
     kept = [row for row in results["rows"] if (row["scene"], row["test"]) not in new]
+    results["about"].setdefault("again", []).extend(
+        f"scene {scene}, test {test} ({measure.rounds(bench, scene, test)} rounds)"
+        for scene, test in new)
     results["rows"] = sorted(kept + rows, key=lambda row: (row["scene"], row["test"]))
     results_file.write_text(json.dumps(results, indent=1) + "\n")
     return results
