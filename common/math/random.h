@@ -1,5 +1,7 @@
 #pragma once
 
+#include "common/math/scrambled_sobol.h"
+
 #include <glm/vec2.hpp>
 
 #include <cstdint>
@@ -19,32 +21,63 @@ enum class RandomStream : std::uint64_t { photons = 1, eye_paths = 2, pictures =
 
 /// Uniform numbers in [0, 1) as a function of (seed, stream, pass, path, dimension) alone, so that
 /// neither the number of threads nor the order of work can change them.
+///
+/// Of samples that are summed, the index can be given too: samples 0, 1, 2, ... of a path are then
+/// stratified, each dimension and pair of dimensions for itself (`scrambled_sobol`), while each of
+/// them stays uniform.
 class RandomSequence {
   public:
     RandomSequence(std::uint64_t seed, RandomStream stream, std::uint64_t pass, std::uint64_t path)
+        : state_(key_of(seed, stream, pass, path))
     {
-        std::uint64_t key = mix_bits(seed + kStep);
-        key = mix_bits(key ^ (static_cast<std::uint64_t>(stream) + kStep));
-        key = mix_bits(key ^ (pass + kStep));
-        state_ = mix_bits(key ^ (path + kStep));
+    }
+
+    RandomSequence(std::uint64_t seed, RandomStream stream, std::uint64_t pass, std::uint64_t path,
+                   std::uint64_t index)
+        // Beyond 2^32 points the sequence begins anew.
+        : state_(key_of(seed, stream, pass, path) ^ mix_bits(index >> 32)),
+          index_(static_cast<std::uint32_t>(index)), stratified_(true)
+    {
     }
 
     /// The next dimension; 24 bits.
     float next()
     {
         state_ += kStep;
-        return static_cast<float>(mix_bits(state_) >> 40) * 0x1p-24f;
+        const std::uint64_t mixed = mix_bits(state_);
+        return stratified_ ? fraction(scrambled_sobol(index_, mixed).x)
+                           : fraction(static_cast<std::uint32_t>(mixed >> 32));
     }
 
+    /// The next two.
     glm::vec2 next2()
     {
-        const float u = next();
-        return {u, next()};
+        if (!stratified_) {
+            const float u = next();
+            return {u, next()};
+        }
+        state_ += kStep;
+        const FractionPair pair = scrambled_sobol(index_, mix_bits(state_));
+        return {fraction(pair.x), fraction(pair.y)};
     }
 
   private:
     static constexpr std::uint64_t kStep = 0x9e3779b97f4a7c15ull;
+
+    static float fraction(std::uint32_t bits) { return static_cast<float>(bits >> 8) * 0x1p-24f; }
+
+    static std::uint64_t key_of(std::uint64_t seed, RandomStream stream, std::uint64_t pass,
+                                std::uint64_t path)
+    {
+        std::uint64_t key = mix_bits(seed + kStep);
+        key = mix_bits(key ^ (static_cast<std::uint64_t>(stream) + kStep));
+        key = mix_bits(key ^ (pass + kStep));
+        return mix_bits(key ^ (path + kStep));
+    }
+
     std::uint64_t state_;
+    std::uint32_t index_ = 0;
+    bool stratified_ = false;
 };
 
 } // namespace hipmap

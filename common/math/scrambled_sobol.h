@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdint>
+
+namespace hipmap {
+
+/// Bit 0 becomes bit 31 and so on.
+inline std::uint32_t reverse_bits(std::uint32_t x)
+{
+    x = (x >> 1 & 0x55555555u) | (x & 0x55555555u) << 1;
+    x = (x >> 2 & 0x33333333u) | (x & 0x33333333u) << 2;
+    x = (x >> 4 & 0x0f0f0f0fu) | (x & 0x0f0f0f0fu) << 4;
+    return __builtin_bswap32(x);
+}
+
+/// Owen's scrambling of a number in [0, 1) whose bits are written in reverse (Owen 1995), by the
+/// hash of Laine and Karras (2011) in Vegdahl's form: a bit is turned over by a function of the
+/// seed and of the bits that weigh more.  The result is in reverse too.
+inline std::uint32_t scramble_reversed(std::uint32_t x, std::uint32_t seed)
+{
+    x ^= x * 0x3d20adeau;
+    x += seed;
+    x *= seed >> 16 | 1u;
+    x ^= x * 0x05526c56u;
+    x ^= x * 0x53a22864u;
+    return x;
+}
+
+/// The second dimension of Sobol's sequence, in reverse.  Its matrix is Pascal's triangle modulo 2,
+/// which has a one where the bits of the row are among those of the column (Lucas), so that five
+/// steps do what else takes one for each bit.
+inline std::uint32_t second_sobol_reversed(std::uint32_t index)
+{
+    std::uint32_t x = index;
+    x ^= x >> 1 & 0x55555555u;
+    x ^= x >> 2 & 0x33333333u;
+    x ^= x >> 4 & 0x0f0f0f0fu;
+    x ^= x >> 8 & 0x00ff00ffu;
+    x ^= x >> 16;
+    return x;
+}
+
+/// A point of the unit square, as 32-bit fractions.
+struct FractionPair {
+    std::uint32_t x, y;
+};
+
+/// Point `index` of a (0, 2)-sequence that is shuffled and scrambled by `key` (Burley 2020): any
+/// aligned 2^m of the points have one in each of 2^m boxes of every shape, each point is uniform,
+/// and points of different keys are independent.  Cost: some 10 ns.
+inline FractionPair scrambled_sobol(std::uint32_t index, std::uint64_t key)
+{
+    const auto seed = static_cast<std::uint32_t>(key);
+    const auto other = static_cast<std::uint32_t>(key >> 32);
+    const std::uint32_t shuffled =
+        reverse_bits(scramble_reversed(reverse_bits(index), seed ^ 0x68bc21ebu));
+    return {reverse_bits(scramble_reversed(shuffled, other)),
+            reverse_bits(scramble_reversed(second_sobol_reversed(shuffled), seed))};
+}
+
+} // namespace hipmap
