@@ -172,7 +172,7 @@ void print_error(const RenderArguments& arguments, const RenderState& state, Rep
 void print_statistics(const RenderArguments& arguments, const RenderStatistics& statistics,
                       const Film& film, Report& report)
 {
-    if (arguments.render.integrator == Integrator::direct) {
+    if (arguments.render.integrator != Integrator::path) {
         print_photons(statistics, report);
         if (arguments.render.maps.mode == MapMode::hierarchical &&
             arguments.render.maps.tree == TreeKind::wide)

@@ -27,7 +27,8 @@ const std::map<std::string, EstimateForm> kEstimates = {{"clipped", EstimateForm
                                                         {"thesis", EstimateForm::thesis}};
 
 const std::map<std::string, Integrator> kIntegrators = {{"direct", Integrator::direct},
-                                                        {"path", Integrator::path}};
+                                                        {"path", Integrator::path},
+                                                        {"progressive", Integrator::progressive}};
 
 const std::map<std::string, DirectLight> kDirectLights = {{"shadow-rays", DirectLight::shadow_rays},
                                                           {"photons", DirectLight::photons}};
@@ -132,8 +133,9 @@ void add_method(CLI::App& app, RenderArguments& arguments)
         "Irradiance from k photons: clipped (k-1 of them over the area seen from the point), "
         "thesis (k over the whole disc, as in the dissertation, to compare with) [clipped]");
     add_choice(app, "--integrator", render.integrator, kIntegrators,
+               "progressive: photon maps and a gather ray, by radii that shrink from pass to pass; "
                "direct: the maps are looked at directly; path: path tracing without photons, to "
-               "compare with [direct]");
+               "compare with [progressive]");
     add_choice(app, "--direct", render.direct, kDirectLights,
                "Direct light by shadow-rays or from the photons [shadow-rays]");
     add_choice(
@@ -219,10 +221,13 @@ void complete_arguments(const CLI::App& app, RenderArguments& arguments)
     MapOptions& maps = arguments.render.maps;
     if (app.count("--local-min") == 0)
         maps.local_min = kLocalMinPerNeighbour * maps.neighbours;
-    if (arguments.render.direct == DirectLight::photons &&
-        arguments.render.integrator == Integrator::path)
-        throw InputError("--direct photons needs photons, and --integrator path has none; choose "
-                         "--integrator direct or --direct shadow-rays");
+    const bool looks_at_maps = arguments.render.integrator == Integrator::direct;
+    if (arguments.render.direct == DirectLight::photons && !looks_at_maps)
+        throw InputError("--direct photons is for --integrator direct; choose that or --direct "
+                         "shadow-rays");
+    if (maps.estimate == EstimateForm::thesis && !looks_at_maps)
+        throw InputError("--estimate thesis is for --integrator direct; choose that or --estimate "
+                         "clipped");
     if (arguments.render.direct == DirectLight::photons && maps.mode == MapMode::none)
         throw InputError("--direct photons needs photons, and --maps none has none; choose other "
                          "maps or --direct shadow-rays");

@@ -32,7 +32,8 @@ const char* name_of(TreeKind tree)
 
 const char* name_of(Integrator integrator)
 {
-    return integrator == Integrator::path ? "path" : "direct";
+    static const char* const kNames[] = {"direct", "path", "progressive"};
+    return kNames[static_cast<int>(integrator)];
 }
 
 std::vector<std::string> settings_of(const RenderOptions& options, const Scene& scene,

@@ -156,6 +156,8 @@ std::string statistics_json(const RenderArguments& arguments, const Scene& scene
                        {"paths_cut", render.cut_paths},
                        {"caustic", kind_json(render.caustic, options.maps)},
                        {"global", kind_json(render.global, options.maps)}};
+    if (options.integrator == Integrator::progressive)
+        json["photons"]["indirect"] = kind_json(render.indirect, options.maps);
     json["power_W"] = {{"emitted", rgb_json(render.power.emitted * unit2)},
                        {"absorbed", rgb_json(render.power.absorbed * unit2)},
                        {"escaped", rgb_json(render.power.escaped * unit2)}};

@@ -35,7 +35,13 @@ struct PassSource {
 /// The number of the pass that pilots are made with; none of an image.
 inline constexpr std::uint64_t kPilotPass = ~std::uint64_t{0};
 
-/// The integrators `direct` and `path`.  Adds what passes do to `statistics`.  Everything is
+/// The control of what is left of a pass; borrows `control`.
+PassControl after(const PassControl& control, double begun);
+
+/// Mean of the channels; zero of no pixel.
+double mean_of(const Image& image);
+
+/// The integrator that the options name.  Adds what passes do to `statistics`.  Everything is
 /// borrowed, and must outlive the source.  Renders the pilot.
 PassSource make_pass_source(const RenderScene& scene, const RenderOptions& options,
                             RenderStatistics& statistics);

@@ -7,13 +7,14 @@ namespace hipmap {
 
 /// How the light along an eye ray is found.
 enum class Integrator : std::uint8_t {
-    direct, ///< from the photon maps at the first diffuse surface
-    path,   ///< by path tracing, without photons
+    direct,      ///< from the photon maps at the first diffuse surface
+    path,        ///< by path tracing, without photons
+    progressive, ///< from photon maps and a gather ray, by radii that shrink from pass to pass
 };
 
 /// What a pass is made by: the same for all passes of an image.
 struct RenderOptions {
-    Integrator integrator = Integrator::direct;
+    Integrator integrator = Integrator::progressive;
     int width = 0;
     int height = 0;
     MapOptions maps;
@@ -44,7 +45,8 @@ struct RenderStatistics {
     std::uint64_t cut_paths = 0;
     KindStatistics caustic;
     KindStatistics global;
-    PowerBalance power; ///< of the last pass
+    KindStatistics indirect; ///< integrator progressive: the global ones that came by a bounce
+    PowerBalance power;      ///< of the last pass
     double seconds_photons = 0;
     double seconds_maps = 0;
     double seconds_image = 0;

@@ -137,12 +137,16 @@ MapSurfaces::MapSurfaces(const TriangleMesh& of_mesh, const Partition& of_partit
     : mesh(of_mesh), partition(of_partition), boundaries(of_mesh, of_partition)
 {
     normals.reserve(mesh.face_count());
+    std::vector<double> area(partition.map_count, 0.0);
     for (FaceId face = 0; face < mesh.face_count(); ++face) {
         const glm::dvec3 normal = scaled_normal(mesh, face);
         const double length = glm::length(normal);
         const double sign = partition.flipped[face] != 0 ? -1 : 1;
         normals.push_back(length > 0 ? glm::vec3(normal * (sign / length)) : glm::vec3(0));
+        if (partition.map_of_face[face] != kNone)
+            area[partition.map_of_face[face]] += length / 2;
     }
+    map_area.assign(area.begin(), area.end());
 }
 
 Rgb estimate_irradiance(const PhotonMaps& maps, const MapSurfaces& surfaces,

@@ -21,6 +21,7 @@ struct MapSurfaces {
     const Partition& partition;
     MapBoundaries boundaries;
     std::vector<glm::vec3> normals; ///< [F] unit, towards side 0; zero for a face without area
+    std::vector<float> map_area;    ///< [shared maps] square scene units
 
     MapSurfaces(const TriangleMesh& of_mesh, const Partition& of_partition);
 };

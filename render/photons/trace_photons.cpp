@@ -8,6 +8,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace hipmap {
 
@@ -24,6 +25,7 @@ struct Wanted {
     bool direct = false;
     bool caustic = false;
     bool indirect = false;
+    bool bounces = false;
 };
 
 /// A light path under way.
@@ -32,8 +34,17 @@ struct LightPath {
     Rgb power{0.0f};
     Rgb absorption{0.0f}; ///< of what the ray travels in
     bool specular = false;
-    bool diffuse = false;
+    int diffuse = 0;                ///< diffuse bounces
+    std::uint64_t last = kNoPhoton; ///< photon of the chunk left at the last diffuse surface
+    bool last_caustic = false;
 };
+
+/// Whether nothing more of a path is wanted.
+bool is_done(const LightPath& path, const Wanted& wanted)
+{
+    const bool bounces = wanted.bounces && path.last != kNoPhoton;
+    return !wanted.indirect && path.diffuse > (bounces ? 1 : 0);
+}
 
 enum class Event { absorb, diffuse, gathered, followed, mirror, transmit };
 constexpr int kLobes = 5;
@@ -61,23 +72,30 @@ Event choose_event(LightPath& path, const Rgb (&shares)[kLobes], float u)
     return Event::absorb;
 }
 
-/// docs/photon_maps.md (1).
-void store(const Interaction& at, const LightPath& path, bool directional, const Wanted& wanted,
+/// Keeps the photon in the maps that want it, docs/photon_maps.md (1).
+void store(const Interaction& at, LightPath& path, bool directional, const Wanted& wanted,
            TracedPhotons& out)
 {
-    const bool caustic = path.specular && !path.diffuse;
-    if (!(caustic ? wanted.caustic : path.diffuse ? wanted.indirect : wanted.direct))
-        return;
     const float geometric = glm::dot(at.back, at.normal);
     Rgb power = path.power * (at.cosine / geometric);
     if (!directional)
         power *= coat_half(at.bsdf, at.cosine);
+    const BouncedPhoton bounced{{at.point.position, power, at.back, at.point.face, at.side},
+                                std::exchange(path.last, kNoPhoton),
+                                path.last_caustic};
     if (!is_finite(power) || !is_finite(at.point.position)) {
         ++out.dropped;
         return;
     }
-    (caustic ? out.caustic : out.global)
-        .push_back({at.point.position, power, at.back, at.point.face, at.side});
+    if (wanted.bounces && bounced.from != kNoPhoton)
+        out.bounces.push_back(bounced);
+    const bool caustic = path.specular && path.diffuse == 0;
+    if (caustic ? wanted.caustic : path.diffuse > 0 ? wanted.indirect : wanted.direct) {
+        std::vector<Photon>& kept = caustic ? out.caustic : out.global;
+        path.last = kept.size();
+        path.last_caustic = caustic;
+        kept.push_back(bounced.photon);
+    }
 }
 
 /// Sends the path on by the diffuse lobe.  False: into the surface.
@@ -92,7 +110,7 @@ bool scatter_diffusely(const Interaction& at, LightPath& path, RandomSequence& r
                   diffuse_shape(at.bsdf, at.shading_normal, at.back, path.ray.direction);
     const bool out = glm::dot(path.ray.direction, at.normal) > 0;
     balance.absorbed += glm::dvec3(out ? incoming - path.power : incoming);
-    path.diffuse = true;
+    ++path.diffuse;
     return out;
 }
 
@@ -131,7 +149,7 @@ bool scatter(const Interaction& at, LightPath& path, RandomSequence& random, Pow
         break;
     case Event::gathered:
         follow_facet(at, gathered, path);
-        path.diffuse = true;
+        ++path.diffuse;
         break;
     case Event::followed:
         follow_facet(at, followed, path);
@@ -171,29 +189,37 @@ void trace_path(const RenderScene& scene, const Wanted& wanted, const EmittedPat
         const Interaction at = interact(scene, path.ray, *hit);
         if (at.bsdf.gathers() && scene.partition.map_of_face[hit->face] != kNone)
             store(at, path, scene.directional, wanted, out);
-        if (!scatter(at, path, random, out.power) || (path.diffuse && !wanted.indirect))
+        else if (at.bsdf.gathers())
+            path.last = kNoPhoton;
+        if (!scatter(at, path, random, out.power) || is_done(path, wanted))
             return;
     }
     ++out.cut;
 }
 
-void append(std::vector<Photon>& to, std::vector<Photon>& from)
+template <typename T>
+void append(std::vector<T>& to, std::vector<T>& from)
 {
     to.insert(to.end(), from.begin(), from.end());
-    std::vector<Photon>().swap(from);
+    std::vector<T>().swap(from);
 }
 
 TracedPhotons join(std::vector<TracedPhotons>& chunks)
 {
     TracedPhotons out;
-    std::size_t caustic = 0, global = 0;
+    std::size_t caustic = 0, global = 0, bounces = 0;
     for (const TracedPhotons& chunk : chunks) {
         caustic += chunk.caustic.size();
         global += chunk.global.size();
+        bounces += chunk.bounces.size();
     }
     out.caustic.reserve(caustic);
     out.global.reserve(global);
+    out.bounces.reserve(bounces);
     for (TracedPhotons& chunk : chunks) {
+        for (BouncedPhoton& photon : chunk.bounces)
+            photon.from += photon.from_caustic ? out.caustic.size() : out.global.size();
+        append(out.bounces, chunk.bounces);
         append(out.caustic, chunk.caustic);
         append(out.global, chunk.global);
         out.dropped += chunk.dropped;
@@ -227,23 +253,29 @@ TracedPhotons trace_photons(const RenderScene& scene, const PhotonOptions& optio
         targets = find_specular_targets(scene);
     const EmissionPlan plan = plan_emission(scene.lights, options.paths);
     TracedPhotons out = trace_paths(plan.paths, [&](std::uint64_t i, TracedPhotons& photons) {
-        RandomSequence random(options.seed, RandomStream::photons, options.pass, i);
+        const LightShare share = share_of(plan, i);
+        RandomSequence random(options.seed, RandomStream::photons, options.pass, share.light,
+                              share.place);
         const EmittedPath start =
             emit_path(scene.lights, plan, scene.mesh(), scene.bsdfs, i, random);
-        trace_path(scene, {options.store_direct, targets.empty(), true}, start, random, photons);
+        trace_path(scene, {options.store_direct, targets.empty(), true, options.link_bounces},
+                   start, random, photons);
     });
     out.emitted = plan.paths;
     if (targets.empty())
         return out;
     const EmissionPlan aimed = plan_emission(scene.lights, options.caustic_paths);
     TracedPhotons caustics = trace_paths(aimed.paths, [&](std::uint64_t i, TracedPhotons& photons) {
-        RandomSequence random(options.seed, RandomStream::caustics, options.pass, i);
+        const LightShare share = share_of(aimed, i);
+        RandomSequence random(options.seed, RandomStream::caustics, options.pass, share.light,
+                              share.place);
         const EmittedPath start = emit_aimed_path(scene, aimed, targets, i, random);
         if (max_channel(start.power) > 0)
-            trace_path(scene, {false, true, false}, start, random, photons);
+            trace_path(scene, {false, true, false, options.link_bounces}, start, random, photons);
     });
     out.aimed = aimed.paths;
     out.caustic = std::move(caustics.caustic);
+    append(out.bounces, caustics.bounces);
     out.dropped += caustics.dropped;
     out.cut += caustics.cut;
     return out;

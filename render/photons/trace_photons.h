@@ -17,6 +17,17 @@ struct PhotonOptions {
         false; ///< photons straight from a light too; else the integrator finds that light
     std::uint64_t caustic_paths = 0; ///< to aim at specular surfaces besides, if there are any; 0:
                                      ///< what reaches them without aim makes the caustics
+    bool link_bounces = false;       ///< fill TracedPhotons::bounces
+};
+
+/// No photon.
+inline constexpr std::uint64_t kNoPhoton = ~std::uint64_t{0};
+
+/// A photon whose light came by a diffuse bounce, straight or through specular surfaces.
+struct BouncedPhoton {
+    Photon photon;
+    std::uint64_t from; ///< the photon that its path left at the surface of the bounce
+    bool from_caustic;  ///< it is one of the caustic photons, else of the global ones
 };
 
 /// Where the power of the light paths that were not aimed went, W / metres_per_unit^2.
@@ -29,12 +40,14 @@ struct PowerBalance {
 
 /// The photons of one pass, in the order of (path, bounce).
 struct TracedPhotons {
-    std::uint64_t emitted = 0;   ///< light paths
-    std::uint64_t aimed = 0;     ///< light paths aimed at specular surfaces
-    std::vector<Photon> caustic; ///< light, specular+, diffuse
-    std::vector<Photon> global;  ///< indirect, and direct if asked for
-    std::uint64_t dropped = 0;   ///< not finite; their power is lost
-    std::uint64_t cut = 0;       ///< paths that reached the largest number of bounces
+    std::uint64_t emitted = 0;          ///< light paths
+    std::uint64_t aimed = 0;            ///< light paths aimed at specular surfaces
+    std::vector<Photon> caustic;        ///< light, specular+, diffuse
+    std::vector<Photon> global;         ///< indirect, and direct if asked for
+    std::vector<BouncedPhoton> bounces; ///< indirect, if asked for; those from a caustic are of
+                                        ///< aimed paths, the others not
+    std::uint64_t dropped = 0;          ///< not finite; their power is lost
+    std::uint64_t cut = 0;              ///< paths that reached the largest number of bounces
     PowerBalance power;
 };
 

@@ -4,7 +4,9 @@
 
 namespace hipmap {
 
+/// Integrator direct unless a test says otherwise.
 struct ImageOptions : RenderOptions {
+    ImageOptions() { integrator = Integrator::direct; }
     std::uint64_t passes = 1;
 };
 

@@ -236,3 +236,27 @@ TEST_CASE("trace photons: aimed paths bring the caustics that others bring, with
     CHECK(plain.standard_error() < 0.05 * plain.mean());
     CHECK(aimed_photons > plain_photons);
 }
+
+TEST_CASE("bounced photons know the photon their light bounced from", "[photons]")
+{
+    const auto ready = tiny::ready(open_room());
+    PhotonOptions options;
+    options.paths = 3000;
+    options.caustic_paths = 3000;
+    options.store_direct = options.link_bounces = true;
+    const TracedPhotons traced = trace_photons(*ready->render, options);
+    std::size_t straight = 0, from_caustics = 0;
+    for (const BouncedPhoton& bounced : traced.bounces) {
+        const std::vector<Photon>& kept = bounced.from_caustic ? traced.caustic : traced.global;
+        REQUIRE(bounced.from < kept.size());
+        from_caustics += bounced.from_caustic;
+        // Unless a ball was between, the light came from there.
+        const glm::vec3 way = kept[bounced.from].position - bounced.photon.position;
+        straight += glm::dot(glm::normalize(way), bounced.photon.direction) > 0.9999f;
+    }
+    CHECK(from_caustics > 100);
+    CHECK(traced.bounces.size() - from_caustics > 1000);
+    CHECK(straight > traced.bounces.size() * 3 / 4);
+    options.link_bounces = false;
+    CHECK(trace_photons(*ready->render, options).bounces.empty());
+}

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "common/math/random.h"
+#include "render/integrator/gather_radius.h"
+#include "render/maps/fixed_radius.h"
+#include "render/shading/interaction.h"
+
+namespace hipmap {
+
+/// What one pass gathers from.  Borrows everything.
+struct GatherMaps {
+    const RenderScene& scene;
+    const MapSurfaces& surfaces;
+    const PhotonMaps& caustic;  ///< of the pass
+    const PhotonMaps& global;   ///< of the pass, direct photons too
+    const PhotonMaps& indirect; ///< of the pass, weighed by weigh_bounces
+    const PilotMaps& pilot;     ///< whose k-th photons fix the first radii
+    float shrink = 1;           ///< radius of the pass over the first radius
+};
+
+/// What one thread needs for gather paths.
+struct GatherScratch {
+    EstimateScratch caustic, global, indirect;
+    SearchScratch pilot_caustic, pilot_global, pilot_indirect;
+};
+
+/// Estimates of one radiance with the radius of the pass, and with narrower ones (kNarrowing,
+/// twice): from the same photons and rays, so that they differ by their bias and the noise of few
+/// photons.
+using RadianceByRadius = std::array<Rgb, 3>;
+
+/// Radiance that arrives along an eye ray, W/(m2 sr), docs/light_transport.md (20): at the first
+/// diffuse surface direct light by shadow rays, the caustic map, and one gather ray to the next
+/// diffuse surface, where both maps are read.  Biased by the maps' radii alone, which shrink from
+/// pass to pass.  May not be finite if the scene's numbers overflow; the film drops such samples.
+/// Thread-safe.
+RadianceByRadius trace_gather_path(const GatherMaps& maps, const Ray& ray, RandomSequence& random,
+                                   GatherScratch& scratch);
+
+} // namespace hipmap

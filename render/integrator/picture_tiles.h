@@ -1,0 +1,124 @@
+#pragma once
+
+#include "common/math/random.h"
+#include "common/rays/camera_ray.h"
+#include "render/integrator/pass_source.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <mutex>
+
+namespace hipmap {
+
+/// What the samples of one pass are taken by.
+struct PictureJob {
+    const Camera& camera;
+    const RenderOptions& options;
+    std::uint64_t pass = 0;
+};
+
+inline constexpr int kTile = 16;
+
+inline bool is_finite_rgb(const Rgb& value)
+{
+    return is_finite(value);
+}
+
+/// Samples of one eye ray, by what each image of the pass is to have.
+template <std::size_t images>
+using Samples = std::array<Rgb, images>;
+
+/// Takes the samples of a pixel: the mean of those that are finite, one for each image; `kept` is
+/// their number.
+template <std::size_t images, typename Trace>
+Samples<images> sample_pixel(const PictureJob& job, int x, int y, const Trace& trace,
+                             std::uint32_t& kept)
+{
+    const RenderOptions& options = job.options;
+    const float width = static_cast<float>(options.width);
+    const float height = static_cast<float>(options.height);
+    const std::uint64_t pixel = static_cast<std::uint64_t>(y) * options.width + x;
+    Samples<images> sum{};
+    kept = 0;
+    for (std::uint32_t s = 0; s < options.samples; ++s) {
+        RandomSequence random(options.seed, RandomStream::eye_paths, job.pass, pixel, s);
+        const glm::vec2 at =
+            (glm::vec2(static_cast<float>(x), static_cast<float>(y)) + random.next2()) /
+            glm::vec2(width, height);
+        const Samples<images> sample = trace(camera_ray(job.camera, at, width / height), random);
+        if (!std::all_of(sample.begin(), sample.end(), is_finite_rgb))
+            continue;
+        for (std::size_t i = 0; i < images; ++i)
+            sum[i] += sample[i];
+        ++kept;
+    }
+    for (Rgb& mean : sum)
+        mean /= static_cast<float>(std::max(1u, kept));
+    return sum;
+}
+
+/// A tile of 16 x 16 pixels: writes their means; returns the samples dropped because they were not
+/// finite.
+template <std::size_t images, typename Trace>
+std::uint64_t render_tile(const PictureJob& job, int tile, PassImages& out, const Trace& trace)
+{
+    const int width = job.options.width, height = job.options.height;
+    const int across = (width + kTile - 1) / kTile;
+    const int x0 = tile % across * kTile, y0 = tile / across * kTile;
+    std::uint64_t dropped = 0;
+    for (int y = y0; y < std::min(y0 + kTile, height); ++y)
+        for (int x = x0; x < std::min(x0 + kTile, width); ++x) {
+            std::uint32_t kept = 0;
+            const Samples<images> mean = sample_pixel<images>(job, x, y, trace, kept);
+            dropped += job.options.samples - kept;
+            if (kept == 0 || !std::all_of(mean.begin(), mean.end(), is_finite_rgb))
+                continue;
+            out.radiance.at(x, y) = mean[0];
+            if constexpr (images == 3) {
+                out.narrow.at(x, y) = mean[1];
+                out.narrower.at(x, y) = mean[2];
+            }
+            out.kept[static_cast<std::size_t>(y) * width + x] = 1;
+        }
+    return dropped;
+}
+
+/// Fills the images of a pass tile by tile, in parallel.  `trace(ray, random, scratch)` gives the
+/// Samples of a ray; `count(scratch)` hears what the scratch of a tile has counted, one at a time.
+/// A pixel without a finite sample, or of a tile that a stop left out, is not kept.  Returns the
+/// samples dropped.
+template <std::size_t images, typename Scratch, typename Trace, typename Count>
+std::uint64_t render_tiles(const PictureJob& job, const PassControl& control, RenderedPass& out,
+                           const Trace& trace, const Count& count)
+{
+    static_assert(images == 1 || images == 3);
+    const int width = job.options.width, height = job.options.height;
+    out.images.radiance = Image(width, height);
+    if (images == 3)
+        out.images.narrow = out.images.narrower = out.images.radiance;
+    out.images.kept.assign(out.images.radiance.pixels.size(), 0);
+    const int tiles = ((width + kTile - 1) / kTile) * ((height + kTile - 1) / kTile);
+    std::mutex mutex;
+    std::uint64_t dropped = 0;
+    int done = 0;
+    tbb::parallel_for(0, tiles, [&](int tile) {
+        if (control.stop != nullptr && control.stop->load())
+            return;
+        Scratch scratch;
+        const std::uint64_t lost =
+            render_tile<images>(job, tile, out.images, [&](const Ray& ray, RandomSequence& random) {
+                return trace(ray, random, scratch);
+            });
+        const std::lock_guard lock(mutex);
+        count(scratch);
+        dropped += lost;
+        out.whole = ++done == tiles;
+        if (control.progress)
+            control.progress(static_cast<double>(done) / tiles);
+    });
+    return dropped;
+}
+
+} // namespace hipmap

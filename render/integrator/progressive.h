@@ -1,0 +1,14 @@
+#pragma once
+
+#include "render/integrator/pass_source.h"
+
+namespace hipmap {
+
+/// Progressive photon mapping in independent passes (Knaus and Zwicker 2011): each traces photons,
+/// gathers along eye paths by `trace_gather_path`, and has images by narrower radii.  Borrows and
+/// counts as make_pass_source does.  Renders the pilot, which fixes the first radii: the same for
+/// the same scene and options.
+PassSource make_progressive_source(const RenderScene& scene, const RenderOptions& options,
+                                   RenderStatistics& statistics);
+
+} // namespace hipmap

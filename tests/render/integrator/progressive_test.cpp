@@ -1,0 +1,135 @@
+#include "render/integrator/progressive.h"
+#include "tests/support/statistics.h"
+#include "tests/support/tiny_rooms.h"
+
+#include <catch2/catch.hpp>
+#include <tbb/global_control.h>
+
+using namespace hipmap;
+
+namespace {
+
+RenderOptions small_options(std::uint64_t photons)
+{
+    RenderOptions options;
+    options.integrator = Integrator::progressive;
+    options.width = options.height = 16;
+    options.photons = photons;
+    options.maps.mode = MapMode::shared;
+    return options;
+}
+
+/// A matt box, inside, that glows: radiance one everywhere, whatever absorbs nothing is put in.
+Scene glowing_box()
+{
+    TriangleMesh walls = tiny::cube();
+    tiny::turn_inside_out(walls);
+    Scene scene = tiny::make_scene(walls);
+    scene.materials[0] = tiny::matt(Rgb(0.5f));
+    scene.materials[0].emission = Rgb(0.5f);
+    scene.cameras[0].position = {0, 0, 0.48f};
+    scene.cameras[0].tan_half_height = 0.8f;
+    return scene;
+}
+
+Scene with_glass_and_mirror(Scene scene)
+{
+    TriangleMesh ball = tiny::uv_sphere(16, 8);
+    tiny::scale(ball, 0.15f);
+    tiny::move(ball, {-0.2f, -0.3f, 0});
+    tiny::add(scene, ball, tiny::glass(1.5f));
+    tiny::move(ball, {0.4f, 0, 0});
+    tiny::add(scene, ball, tiny::mirror(Rgb(1)));
+    return scene;
+}
+
+struct Means {
+    RunningMean radiance, narrow, narrower;
+};
+
+Means mean_of_passes(const tiny::ReadyScene& ready, const RenderOptions& options,
+                     std::uint64_t passes)
+{
+    RenderStatistics ignored;
+    const PassSource source = make_pass_source(*ready.render, options, ignored);
+    Means out;
+    for (std::uint64_t pass = 0; pass < passes; ++pass) {
+        const RenderedPass rendered = source.render(pass, {});
+        out.radiance.add(mean_of(rendered.images.radiance));
+        if (source.bias == BiasKnowledge::from_radii) {
+            out.narrow.add(mean_of(rendered.images.narrow));
+            out.narrower.add(mean_of(rendered.images.narrower));
+        }
+    }
+    return out;
+}
+
+} // namespace
+
+TEST_CASE("progressive: radiance is one in a glowing box, by all radii, with glass and mirror too",
+          "[integrator]")
+{
+    for (const bool specular : {false, true}) {
+        const auto ready =
+            tiny::ready(specular ? with_glass_and_mirror(glowing_box()) : glowing_box());
+        const Means means = mean_of_passes(*ready, small_options(4000), 48);
+        INFO(specular);
+        CHECK(std::abs(means.radiance.z_score(1)) < kMostZ);
+        CHECK(std::abs(means.narrow.z_score(1)) < kMostZ);
+        CHECK(std::abs(means.narrower.z_score(1)) < kMostZ);
+        CHECK(means.radiance.standard_error() < 0.004);
+    }
+}
+
+TEST_CASE("progressive: differs from paths by noise and by what narrower radii take away",
+          "[integrator]")
+{
+    const auto ready = tiny::ready(tiny::room());
+    RenderOptions options = small_options(20000);
+    options.samples = 16;
+    const Means gathered = mean_of_passes(*ready, options, 24);
+    options.integrator = Integrator::path;
+    options.samples = 150;
+    const Means paths = mean_of_passes(*ready, options, 24);
+    // Bias that goes with the radius itself is halved in the narrowest; else it is less.
+    const double bias = 2 * std::abs(gathered.radiance.mean() - gathered.narrower.mean());
+    const double noise =
+        std::hypot(gathered.radiance.standard_error(), paths.radiance.standard_error());
+    CHECK(std::abs(gathered.radiance.mean() - paths.radiance.mean()) < bias + kMostZ * noise);
+    CHECK(bias + kMostZ * noise < 0.04 * paths.radiance.mean());
+}
+
+TEST_CASE("progressive: a pass has the same bits whenever and by however many threads",
+          "[integrator]")
+{
+    const auto ready = tiny::ready(tiny::room());
+    const RenderOptions options = small_options(5000);
+    const auto fifth_pass = [&](std::size_t threads, bool others_before) {
+        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+        RenderStatistics ignored;
+        const PassSource source = make_pass_source(*ready->render, options, ignored);
+        if (others_before)
+            source.render(3, {});
+        return source.render(5, {}).images;
+    };
+    const PassImages one = fifth_pass(1, false);
+    CHECK(mean_of(one.radiance) > 0.1);
+    for (const std::size_t threads : {2, 7}) {
+        const PassImages many = fifth_pass(threads, true);
+        CHECK(one.radiance.pixels == many.radiance.pixels);
+        CHECK(one.narrow.pixels == many.narrow.pixels);
+        CHECK(one.narrower.pixels == many.narrower.pixels);
+        CHECK(one.kept == many.kept);
+    }
+}
+
+TEST_CASE("progressive: without light all is black, without photons there is one bounce",
+          "[integrator]")
+{
+    const Means dark = mean_of_passes(*tiny::ready(tiny::matt_floor()), small_options(1000), 2);
+    CHECK(dark.radiance.mean() == 0);
+    RenderOptions options = small_options(1000);
+    options.maps.mode = MapMode::none;
+    const Means bounce = mean_of_passes(*tiny::ready(glowing_box()), options, 16);
+    CHECK(std::abs(bounce.radiance.z_score(0.75)) < kMostZ);
+}
