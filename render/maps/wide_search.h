@@ -59,7 +59,7 @@ struct FoundSlots {
 
 /// Lets every photon through.
 struct AcceptAll {
-    bool operator()(auto...) const { return true; }
+    bool operator()(const auto&...) const { return true; }
 };
 
 /// The steps of find_nearest.
