@@ -1,6 +1,5 @@
 #include "render/integrator/pass_source.h"
 
-#include "common/stopwatch.h"
 #include "render/integrator/pass_photons.h"
 #include "render/integrator/path_tracer.h"
 #include "render/integrator/picture_tiles.h"
@@ -37,10 +36,9 @@ RenderedPass render_pass(const RenderScene& scene, const MapSurfaces& surfaces,
 {
     const PassMapSet maps = make_maps(scene, options, pass, statistics);
     const PassMaps pass_maps{scene, surfaces, maps.caustic, maps.global, options.direct};
-    const Stopwatch watch;
-    RenderedPass out;
-    statistics.dropped_samples += render_tiles<1, EyeScratch>(
-        {scene.scene.cameras[scene.scene.camera], options, pass}, after(control, kPhotonShare), out,
+    return render_tiles<1, EyeScratch>(
+        {scene.scene.cameras[scene.scene.camera], options, pass}, after(control, kPhotonShare),
+        statistics,
         [&](const Ray& ray, RandomSequence& random, EyeScratch& scratch) -> Samples<1> {
             if (options.integrator == Integrator::path)
                 return {trace_path(scene, ray, random)};
@@ -50,10 +48,6 @@ RenderedPass render_pass(const RenderScene& scene, const MapSurfaces& surfaces,
             statistics.caustic.searches += scratch.caustic.search.statistics;
             statistics.global.searches += scratch.global.search.statistics;
         });
-    statistics.passes += out.whole ? 1 : 0;
-    statistics.seconds_image += watch.seconds();
-    statistics.processor_image += watch.processor_seconds();
-    return out;
 }
 
 /// Of a small image by few photons.

@@ -2,6 +2,7 @@
 
 #include "common/math/random.h"
 #include "common/rays/camera_ray.h"
+#include "common/stopwatch.h"
 #include "render/integrator/pass_source.h"
 
 #include <tbb/parallel_for.h>
@@ -87,13 +88,15 @@ std::uint64_t render_tile(const PictureJob& job, int tile, PassImages& out, cons
 
 /// Fills the images of a pass tile by tile, in parallel.  `trace(ray, random, scratch)` gives the
 /// Samples of a ray; `count(scratch)` hears what the scratch of a tile has counted, one at a time.
-/// A pixel without a finite sample, or of a tile that a stop left out, is not kept.  Returns the
-/// samples dropped.
+/// A pixel without a finite sample, or of a tile that a stop left out, is not kept.  Adds passes,
+/// samples dropped and time to the statistics.
 template <std::size_t images, typename Scratch, typename Trace, typename Count>
-std::uint64_t render_tiles(const PictureJob& job, const PassControl& control, RenderedPass& out,
-                           const Trace& trace, const Count& count)
+RenderedPass render_tiles(const PictureJob& job, const PassControl& control,
+                          RenderStatistics& statistics, const Trace& trace, const Count& count)
 {
     static_assert(images == 1 || images == 3);
+    const Stopwatch watch;
+    RenderedPass out;
     const int width = job.options.width, height = job.options.height;
     out.images.radiance = Image(width, height);
     if (images == 3)
@@ -101,7 +104,6 @@ std::uint64_t render_tiles(const PictureJob& job, const PassControl& control, Re
     out.images.kept.assign(out.images.radiance.pixels.size(), 0);
     const int tiles = ((width + kTile - 1) / kTile) * ((height + kTile - 1) / kTile);
     std::mutex mutex;
-    std::uint64_t dropped = 0;
     int done = 0;
     tbb::parallel_for(0, tiles, [&](int tile) {
         if (control.stop != nullptr && control.stop->load())
@@ -113,12 +115,15 @@ std::uint64_t render_tiles(const PictureJob& job, const PassControl& control, Re
             });
         const std::lock_guard lock(mutex);
         count(scratch);
-        dropped += lost;
+        statistics.dropped_samples += lost;
         out.whole = ++done == tiles;
         if (control.progress)
             control.progress(static_cast<double>(done) / tiles);
     });
-    return dropped;
+    statistics.passes += out.whole ? 1 : 0;
+    statistics.seconds_image += watch.seconds();
+    statistics.processor_image += watch.processor_seconds();
+    return out;
 }
 
 } // namespace hipmap

@@ -72,21 +72,16 @@ RenderedPass render_pass(const RenderScene& scene, const Progressive& shared,
         build_maps(scene, weighed, options.maps, statistics.indirect, statistics);
     traced = {};
 
-    const Stopwatch watch;
     const double shrink = pass == kPilotPass ? 1.0 : radius_of_pass(pass);
     const GatherMaps maps{scene,        shared.surfaces,           caustic, global, indirect,
                           shared.pilot, static_cast<float>(shrink)};
-    RenderedPass out;
-    statistics.dropped_samples += render_tiles<3, GatherScratch>(
-        {scene.scene.cameras[scene.scene.camera], options, pass}, after(control, kPhotonShare), out,
+    return render_tiles<3, GatherScratch>(
+        {scene.scene.cameras[scene.scene.camera], options, pass}, after(control, kPhotonShare),
+        statistics,
         [&](const Ray& ray, RandomSequence& random, GatherScratch& scratch) {
             return trace_gather_path(maps, ray, random, scratch);
         },
         [&](const GatherScratch& scratch) { count_searches(scratch, statistics); });
-    statistics.passes += out.whole ? 1 : 0;
-    statistics.seconds_image += watch.seconds();
-    statistics.processor_image += watch.processor_seconds();
-    return out;
 }
 
 /// Of a small image by few photons.

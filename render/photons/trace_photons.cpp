@@ -76,21 +76,25 @@ Event choose_event(LightPath& path, const Rgb (&shares)[kLobes], float u)
 void store(const Interaction& at, LightPath& path, bool directional, const Wanted& wanted,
            TracedPhotons& out)
 {
+    const std::uint64_t from = std::exchange(path.last, kNoPhoton);
+    const bool caustic = path.specular && path.diffuse == 0;
+    const bool keep = caustic ? wanted.caustic : path.diffuse > 0 ? wanted.indirect : wanted.direct;
+    const bool link = wanted.bounces && from != kNoPhoton;
+    if (!keep && !link)
+        return;
     const float geometric = glm::dot(at.back, at.normal);
     Rgb power = path.power * (at.cosine / geometric);
     if (!directional)
         power *= coat_half(at.bsdf, at.cosine);
-    const BouncedPhoton bounced{{at.point.position, power, at.back, at.point.face, at.side},
-                                std::exchange(path.last, kNoPhoton),
-                                path.last_caustic};
+    const BouncedPhoton bounced{
+        {at.point.position, power, at.back, at.point.face, at.side}, from, path.last_caustic};
     if (!is_finite(power) || !is_finite(at.point.position)) {
         ++out.dropped;
         return;
     }
-    if (wanted.bounces && bounced.from != kNoPhoton)
+    if (link)
         out.bounces.push_back(bounced);
-    const bool caustic = path.specular && path.diffuse == 0;
-    if (caustic ? wanted.caustic : path.diffuse > 0 ? wanted.indirect : wanted.direct) {
+    if (keep) {
         std::vector<Photon>& kept = caustic ? out.caustic : out.global;
         path.last = kept.size();
         path.last_caustic = caustic;
