@@ -50,8 +50,18 @@ RenderedPass render_pass(const RenderScene& scene, const MapSurfaces& surfaces,
         });
 }
 
-/// Of a small image by few photons.
-double pilot_mean(const RenderScene& scene, const MapSurfaces& surfaces, RenderOptions options)
+double pilot_mean(const RenderScene& scene, const MapSurfaces& surfaces,
+                  const RenderOptions& options)
+{
+    RenderStatistics ignored;
+    const RenderOptions small = pilot_options(options);
+    const RenderedPass pilot = render_pass(scene, surfaces, small, kPilotPass, {}, ignored);
+    return mean_of(pilot.images.radiance);
+}
+
+} // namespace
+
+RenderOptions pilot_options(RenderOptions options)
 {
     constexpr int kPilotSide = 32;
     constexpr std::uint64_t kPilotShare = 16;
@@ -59,12 +69,8 @@ double pilot_mean(const RenderScene& scene, const MapSurfaces& surfaces, RenderO
     options.height = std::min(options.height, kPilotSide);
     options.samples = 1;
     options.photons /= kPilotShare;
-    RenderStatistics ignored;
-    const RenderedPass pilot = render_pass(scene, surfaces, options, kPilotPass, {}, ignored);
-    return mean_of(pilot.images.radiance);
+    return options;
 }
-
-} // namespace
 
 double mean_of(const Image& image)
 {

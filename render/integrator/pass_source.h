@@ -35,6 +35,9 @@ struct PassSource {
 /// The number of the pass that pilots are made with; none of an image.
 inline constexpr std::uint64_t kPilotPass = ~std::uint64_t{0};
 
+/// For an image from which only its mean is taken: small, by few photons.
+RenderOptions pilot_options(RenderOptions options);
+
 /// The control of what is left of a pass; borrows `control`.
 PassControl after(const PassControl& control, double begun);
 

@@ -84,17 +84,11 @@ RenderedPass render_pass(const RenderScene& scene, const Progressive& shared,
         [&](const GatherScratch& scratch) { count_searches(scratch, statistics); });
 }
 
-/// Of a small image by few photons.
-double pilot_mean(const RenderScene& scene, const Progressive& shared, RenderOptions options)
+double pilot_mean(const RenderScene& scene, const Progressive& shared, const RenderOptions& options)
 {
-    constexpr int kPilotSide = 32;
-    constexpr std::uint64_t kPilotShare = 16;
-    options.width = std::min(options.width, kPilotSide);
-    options.height = std::min(options.height, kPilotSide);
-    options.samples = 1;
-    options.photons /= kPilotShare;
     RenderStatistics ignored;
-    return mean_of(render_pass(scene, shared, options, kPilotPass, {}, ignored).images.radiance);
+    const RenderOptions small = pilot_options(options);
+    return mean_of(render_pass(scene, shared, small, kPilotPass, {}, ignored).images.radiance);
 }
 
 } // namespace
