@@ -97,9 +97,9 @@ int main(int argc, char** argv)
         std::string file;
         app.add_option("--neighbours", options.maps.neighbours, "k [50]")
             ->check(CLI::Range(2, 1000));
-        app.add_option("--photons", options.photons, "Photons of a set [60000]")
+        app.add_option("--photons", options.photons, "Photons of a set [6000]")
             ->check(CLI::Range(1000, 10'000'000));
-        app.add_option("--sets", options.sets, "Independent sets of photons to average [100]")
+        app.add_option("--sets", options.sets, "Independent sets of photons to average [10000]")
             ->check(CLI::Range(1, 100'000));
         app.add_option("--csv", file, "Write the table as CSV")->type_name("FILE");
         if (const std::optional<int> code = hipmap::parse_arguments(app, argc, argv))

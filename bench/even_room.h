@@ -12,8 +12,8 @@ namespace hipmap {
 /// directions, as from an even sky.
 struct EvenRoomOptions {
     MapOptions maps;
-    std::size_t photons = 60'000; ///< of a set; each wall gets a sixth
-    std::size_t sets = 100;
+    std::size_t photons = 6000; ///< of a set; each wall gets a sixth
+    std::size_t sets = 10'000;
     bool dark_floor = false; ///< nothing falls on the floor: the irradiance there is 0
 };
 

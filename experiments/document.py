@@ -5,7 +5,7 @@ import statistics
 import claims
 import questions
 import tables
-from measure import ANGLE_DEG, net_runs
+from measure import ANGLE_DEG, ROUNDS_OF_MANY, net_runs
 from tables import percent, pick, seconds, table, times, values
 
 
@@ -20,8 +20,8 @@ wide, one sample a pixel; angle threshold {ANGLE_DEG} degrees; M = 10 k; the dis
 (`--estimate thesis`). Photons emitted and k are the dissertation's divided by {about["divide"]}.
 
 Seconds are of the processor, of all threads together, so that other programs disturb them little. Each
-scene and test was run in rounds through all modes and trees, up to {about["most_rounds"]} for few
-photons and one for many, and the fastest counts. A ratio is of the fastest runs, with the least and the
+scene and test was run in rounds through all modes and trees, {about["most_rounds"]} for few
+photons and {min(ROUNDS_OF_MANY, about["most_rounds"])} for many, and the fastest counts. A ratio is of the fastest runs, with the least and the
 most of the rounds in brackets, if there were several. {noise(results["rows"])}
 {again(about)}Building is splitting and ordering the photons. The **net query cost** is the time to render an image whose
 light comes from the photons alone less the time to render it without photons. Caustic photons have maps of
@@ -68,11 +68,11 @@ def creases_part(creases, drawn):
     if not creases:
         return ""
     corner = next(row for row in creases if row["crease"] == "corner")
+    ours = [float(row["shared clipped"]) for row in creases]
     parts = ["## Creases and leaks\n", f"""Irradiance in a room where it is 1 everywhere, and on a floor where it is 0 between walls
 where it is 1 (k = 50). At an edge the dissertation's estimate falls to
 {percent(float(creases[0]["shared thesis"]))}, in a corner to {percent(float(corner["shared thesis"]))}; over the visible
-area it stays at {percent(float(creases[0]["shared clipped"]))} and
-{percent(float(corner["shared clipped"]))}. One map shows {percent(float(creases[0]["dark global"]))} of the
+area it stays between {100 * min(ours):.2f} % and {100 * max(ours):.2f} % at every distance. One map shows {percent(float(creases[0]["dark global"]))} of the
 wall's light on the dark floor, shared maps {percent(float(creases[0]["dark shared"]))}.
 """]
     if "creases" in drawn:

@@ -15,7 +15,8 @@ TREES = ("balanced", "unbalanced", "wide")
 TESTS = {1: (2500, 25), 2: (5000, 50), 3: (15000, 150), 4: (30000, 300), 5: (60000, 600)}
 ANGLE_DEG = 90  # the dissertation's threshold
 LOCAL_MIN_PER_NEIGHBOUR = 10  # the dissertation's M / k
-ROUNDS = ((30_000, 3), (200_000, 2))  # below so many light paths, so many rounds
+MANY_PATHS = 200_000
+ROUNDS_OF_MANY = 2  # times to render so many light paths or more, if it may be more
 
 
 @dataclasses.dataclass(frozen=True)
@@ -89,9 +90,8 @@ def rounds(bench, scene, test):
     """Short runs are disturbed more, and repeated more often."""
     if bench.rounds_asked:
         return bench.rounds_asked
-    paths = light_paths(bench, scene, test)
-    wanted = next((count for below, count in ROUNDS if paths < below), 1)
-    return min(bench.most_rounds, wanted)
+    many = light_paths(bench, scene, test) >= MANY_PATHS
+    return min(bench.most_rounds, ROUNDS_OF_MANY) if many else bench.most_rounds
 
 
 def neighbours(bench, test):

@@ -113,7 +113,7 @@ def run_all(bench, options):
     main = list(itertools.starmap(main_batch, itertools.product(options.scenes, options.tests)))
     asked = questions.batches(options.scenes, options.tests)
     print("measuring creases and filter radii", file=sys.stderr)
-    singly = {"creases": questions.run_creases(bench, 50 // bench.divide),
+    singly = {"creases": questions.run_creases(bench, 10_000 // bench.divide),
               "filter": questions.run_filter(bench, options.scenes, options.tests)}
     progress = Progress(bench, main + [batch for batches in asked.values() for batch in batches])
     return {**singly,
