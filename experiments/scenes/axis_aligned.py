@@ -9,7 +9,7 @@ panels and a pendant lamp (a point light).  Metres; Blender's axes (z up).
 import os
 import sys
 
-sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../assets"))
 import modelling as m
 
 LEFT, RIGHT, NEAR, FAR, CEILING = -2.2, 2.2, -2.6, 2.4, 2.6

@@ -10,7 +10,7 @@ import math
 import os
 import sys
 
-sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../assets"))
 import modelling as m
 
 LEFT, RIGHT, NEAR, FAR, CEILING = -2.3, 2.3, -2.6, 2.3, 2.7

@@ -1,4 +1,4 @@
-"""What the scenes of the experiment are built of: materials, simple solids, lamps and a camera.
+"""What the bundled scenes are built of: materials, simple solids, lamps and a camera.
 
 Metres; Blender's axes (z up).  A solid is made without the faces that would lie in the plane of
 what it stands on or hangs on, so that no two faces of a scene cover each other.
@@ -146,6 +146,52 @@ def add_turned(name, centre, profile, segments, material):
     return add_rings(name, rings, material, *ends)
 
 
+def icosphere(radius, divisions):
+    """(vertices, triangles) of a geodesic sphere of 20 * 4^divisions triangles, fronts outside."""
+    golden = (1 + math.sqrt(5)) / 2
+    vertices = []
+    for a, b in itertools.product((-1, 1), (-golden, golden)):
+        vertices += [(0, a, b), (a, b, 0), (b, 0, a)]
+    vertices = [mathutils.Vector(v).normalized() for v in vertices]
+    edge = min((vertices[0] - v).length for v in vertices[1:]) * 1.1
+    triangles = []
+    for corners in itertools.combinations(range(12), 3):
+        a, b, c = (vertices[i] for i in corners)
+        if max((a - b).length, (b - c).length, (c - a).length) < edge:
+            front = (b - a).cross(c - a).dot(a) > 0
+            triangles.append(corners if front else corners[::-1])
+    for _ in range(divisions):
+        triangles = divided(vertices, triangles)
+    return [tuple(radius * v) for v in vertices], triangles
+
+
+def divided(vertices, triangles):
+    """Each triangle as four, the new corners pushed out to the unit sphere."""
+    middles = {}
+
+    def middle(a, b):
+        key = (min(a, b), max(a, b))
+        if key not in middles:
+            middles[key] = len(vertices)
+            vertices.append((vertices[a] + vertices[b]).normalized())
+        return middles[key]
+
+    out = []
+    for a, b, c in triangles:
+        ab, bc, ca = middle(a, b), middle(b, c), middle(c, a)
+        out += [(a, ab, ca), (ab, b, bc), (ca, bc, c), (ab, bc, ca)]
+    return out
+
+
+def add_icosphere(name, centre, radius, divisions, material, inward=False):
+    """Of flat triangles.  inward: fronts face the centre."""
+    vertices, triangles = icosphere(radius, divisions)
+    polygons = [(0, corners[::-1] if inward else corners) for corners in triangles]
+    sphere = add_mesh(name, vertices, polygons, [material])
+    sphere.location = centre
+    return sphere
+
+
 def add_point_lamp(name, location, watts, color):
     lamp = bpy.data.objects.new(name, bpy.data.lights.new(name, "POINT"))
     lamp.data.energy = watts
@@ -167,10 +213,12 @@ def add_camera(location, target, lens, aspect=4 / 3):
     scene.render.resolution_x, scene.render.resolution_y = round(768 * aspect), 768
 
 
-def build(add_scene):
-    """Runs add_scene in an empty Blender and exports to the file named after `--`."""
+def build(add_scene, normals=True):
+    """Runs add_scene in an empty Blender and exports to the file named after `--`.  normals: else
+    none are written, and all faces are flat."""
     output = sys.argv[sys.argv.index("--") + 1]
     bpy.ops.wm.read_factory_settings(use_empty=True)
     add_scene()
     bpy.ops.export_scene.gltf(
-        filepath=output, export_format="GLB", export_cameras=True, export_lights=True)
+        filepath=output, export_format="GLB", export_cameras=True, export_lights=True,
+        export_normals=normals)
