@@ -12,10 +12,21 @@ namespace {
 /// Most shadow rays towards punctual lights; more lights than that are taken in strata.
 constexpr std::size_t kMostPunctual = 16;
 
+constexpr float kBelowOne = 0x1.fffffep-1f;
+
 /// A light sample in both sets of lobes.
 struct InLobes {
     Scattered gathered, followed;
 };
+
+/// Of light found with density `own`, weighed against another way that finds it with `other`: the
+/// power heuristic.  The balance heuristic would let the odd ray of a matt lobe that runs into a
+/// small lamp count for as much as all samples of the lamp.  own > 0.
+float power_heuristic(float own, float other)
+{
+    const float ratio = other / own;
+    return 1 / (1 + ratio * ratio);
+}
 
 InLobes in_lobes(const Interaction& at, const glm::vec3& direction, const LobeRays& rays)
 {
@@ -51,6 +62,25 @@ Rgb from_punctual(const RenderScene& scene, const Interaction& at, const Punctua
     return sent;
 }
 
+/// Of few faces, one is picked by the first of the two numbers that give the point on it, so that
+/// samples that are stratified are so over all of them.
+EmissivePoint sample_light(const RenderScene& scene, RandomSequence& random)
+{
+    constexpr std::size_t kFew = 64;
+    const LightSet& lights = scene.lights;
+    if (lights.emissive_faces.size() > kFew) {
+        const float u_face = random.next();
+        return sample_emissive_point(lights, scene.mesh(), u_face, random.next2());
+    }
+    glm::vec2 u = random.next2();
+    const double u_face = u.x;
+    const auto face =
+        std::upper_bound(lights.cumulative.begin(), lights.cumulative.end() - 1, u_face);
+    const double first = face == lights.cumulative.begin() ? 0.0 : *(face - 1);
+    u.x = std::min(static_cast<float>((u_face - first) / (*face - first)), kBelowOne);
+    return sample_emissive_point(lights, scene.mesh(), u_face, u);
+}
+
 } // namespace
 
 float emissive_density(const RenderScene& scene, const SurfacePoint& on_light,
@@ -65,7 +95,7 @@ float hit_weight(const RenderScene& scene, const SurfacePoint& on_light, const g
 {
     if (density == 0 || scene.lights.density.empty())
         return 1;
-    return density / (density + emissive_density(scene, on_light, direction, distance));
+    return power_heuristic(density, emissive_density(scene, on_light, direction, distance));
 }
 
 Rgb punctual_light(const RenderScene& scene, const Interaction& at, const LobeRays& rays,
@@ -92,20 +122,20 @@ Rgb emissive_light(const RenderScene& scene, const Interaction& at, const LobeRa
 {
     if (scene.lights.emissive_faces.empty())
         return Rgb(0);
-    const float u_face = random.next();
-    const EmissivePoint light =
-        sample_emissive_point(scene.lights, scene.mesh(), u_face, random.next2());
+    const EmissivePoint light = sample_light(scene, random);
     const Ray shadow = ray_between(at.point, light.surface.position);
     const float distance = glm::length(light.surface.position - at.point.position);
     const Bsdf& bsdf = scene.bsdfs[scene.mesh().material_of_face[light.surface.face]];
     const float density = emissive_density(scene, light.surface, shadow.direction, distance);
     if (!(density > 0))
         return Rgb(0);
-    // Each set by the balance heuristic against its own ray.
     const InLobes lobes = in_lobes(at, shadow.direction, rays);
-    const Rgb sent = lobes.gathered.value / (density + rays.gathered * lobes.gathered.density) +
-                     lobes.followed.value / (density + rays.followed * lobes.followed.density);
-    const Rgb out = sent * emitted_radiance(bsdf, light.surface, -shadow.direction);
+    const auto weighed = [density](const Scattered& lobe, float chance) {
+        return lobe.value * power_heuristic(density, chance * lobe.density);
+    };
+    const Rgb sent =
+        weighed(lobes.gathered, rays.gathered) + weighed(lobes.followed, rays.followed);
+    const Rgb out = sent / density * emitted_radiance(bsdf, light.surface, -shadow.direction);
     if (is_black(out) || scene.rays.occluded(shadow))
         return Rgb(0);
     return out;

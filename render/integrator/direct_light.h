@@ -18,7 +18,7 @@ float emissive_density(const RenderScene& scene, const SurfacePoint& on_light,
                        const glm::vec3& direction, float distance);
 
 /// The part of the light from `on_light` that counts for a ray that ran into it, the rest being
-/// that of `emissive_light` (balance heuristic, Veach 1997).  density: chance per solid angle that
+/// that of `emissive_light` (power heuristic, Veach 1997).  density: chance per solid angle that
 /// the lobes at the ray's origin sent it; 0: nothing else could have found the light, and all
 /// counts.
 float hit_weight(const RenderScene& scene, const SurfacePoint& on_light, const glm::vec3& direction,
@@ -29,7 +29,7 @@ float hit_weight(const RenderScene& scene, const SurfacePoint& on_light, const g
 Rgb punctual_light(const RenderScene& scene, const Interaction& at, const LobeRays& rays,
                    RandomSequence& random);
 
-/// The same from the emissive faces by one point on them, weighed by the balance heuristic against
+/// The same from the emissive faces by one point on them, weighed by the power heuristic against
 /// the rays of the lobes.  Zero if there are none.
 Rgb emissive_light(const RenderScene& scene, const Interaction& at, const LobeRays& rays,
                    RandomSequence& random);
