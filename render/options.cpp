@@ -116,7 +116,7 @@ void add_method(CLI::App& app, RenderArguments& arguments)
     RenderOptions& render = arguments.render;
     render.maps.mode = MapMode::hierarchical;
     render.photons = 200'000;
-    render.samples = 2;
+    render.samples = 4;
     add_choice(
         app, "--maps", render.maps.mode, kMapModes,
         "Photon maps: none (direct light and reflections only), global (one map), shared (one "
@@ -148,7 +148,7 @@ void add_method(CLI::App& app, RenderArguments& arguments)
               "Photons in an estimate, k [50]");
     add_count(app, "--local-min", render.maps.local_min, 1, kMostPhotons,
               "Fewest photons of a local map, M [10 k]");
-    add_count(app, "--samples", render.samples, 1, 65536, "Samples of each pixel in a pass [2]");
+    add_count(app, "--samples", render.samples, 1, 65536, "Samples of each pixel in a pass [4]");
     app.add_option("--seed", render.seed, "Seed; the same seed gives the same image [0]")
         ->type_name("N");
 }

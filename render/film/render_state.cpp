@@ -10,7 +10,7 @@ namespace hipmap {
 
 namespace {
 
-constexpr std::uint32_t kVersion = 1;
+constexpr std::uint32_t kVersion = 2;
 constexpr std::uint64_t kMostSettings = 1000;
 constexpr int kMostSide = 65536;
 /// Of any float, the exponent of its mean.
@@ -21,6 +21,7 @@ void put_film(StateWriter& out, const Film& film)
     out.put(film.width);
     out.put(film.height);
     out.put(film.scale);
+    out.put(film.allotment);
     out.put(static_cast<std::uint32_t>(film.bias));
     out.put_array(film.passes.ranges);
     out.put_array(film.radiance);
@@ -90,6 +91,7 @@ Film get_film(StateReader& in)
                "picture size");
     film.scale = in.get<int>();
     in.require(film.scale >= -kMostScale && film.scale <= kMostScale, "scale");
+    film.allotment = in.get<std::uint64_t>();
     film.bias = get_bias(in);
     film.passes.ranges = in.get_array<PassRange>();
     in.require(is_valid(film.passes) && count(film.passes) <= kMostPasses, "set of passes");
@@ -186,9 +188,10 @@ void merge_state(RenderState& into, const RenderState& from, const std::filesyst
     check_settings(path, from.settings, into.settings);
     const Film& film = from.film;
     if (film.width != into.film.width || film.height != into.film.height ||
-        film.scale != into.film.scale || film.bias != into.film.bias)
-        throw InputError(path.string() +
-                         ": its picture is of another size or unit; render it again");
+        film.scale != into.film.scale || film.allotment != into.film.allotment ||
+        film.bias != into.film.bias)
+        throw InputError(path.string() + ": its picture is of another size or unit, or shares out "
+                                         "its samples in another way; render it again");
     if (const auto pass = common_pass(into.film.passes, film.passes))
         throw InputError(path.string() + ": pass " + std::to_string(*pass) +
                          " is in another of the states too; render others with --first-pass");

@@ -199,8 +199,7 @@ class GatherTracer {
         if (branch.gathers) {
             if (maps_.global.maps.empty())
                 return true; // no photon has come anywhere
-            const float first =
-                first_radius(maps_.pilot.global, maps_.surfaces, query, scratch_.pilot_global);
+            const float first = radius_at(maps_.first.global, maps_.surfaces, query);
             branch.weight *= gather_weight(first, branch.indirect_radius);
             const float radius = maps_.shrink * first;
             if (!(branch.straight && distance < radius)) {
@@ -209,8 +208,7 @@ class GatherTracer {
             }
         }
         if (!maps_.indirect.maps.empty()) {
-            branch.indirect_radius =
-                first_radius(maps_.pilot.indirect, maps_.surfaces, query, scratch_.pilot_indirect);
+            branch.indirect_radius = radius_at(maps_.first.indirect, maps_.surfaces, query);
             add_within(branch.weight * factor, maps_.indirect, query,
                        maps_.shrink * branch.indirect_radius, scratch_.indirect);
         }
@@ -221,8 +219,7 @@ class GatherTracer {
     {
         if (maps_.caustic.maps.empty())
             return;
-        const float first =
-            first_radius(maps_.pilot.caustic, maps_.surfaces, query, scratch_.pilot_caustic);
+        const float first = radius_at(maps_.first.caustic, maps_.surfaces, query);
         const float share = branch.gathers ? gather_weight(first, branch.indirect_radius) : 1.0f;
         add_within(branch.weight * factor * share, maps_.caustic, query, maps_.shrink * first,
                    scratch_.caustic);

@@ -14,14 +14,13 @@ struct GatherMaps {
     const PhotonMaps& caustic;  ///< of the pass
     const PhotonMaps& global;   ///< of the pass, direct photons too
     const PhotonMaps& indirect; ///< of the pass, weighed by weigh_bounces
-    const PilotMaps& pilot;     ///< whose k-th photons fix the first radii
-    float shrink = 1;           ///< radius of the pass over the first radius
+    const FirstRadii& first;
+    float shrink = 1; ///< radius of the pass over the first radius
 };
 
 /// What one thread needs for gather paths.
 struct GatherScratch {
     EstimateScratch caustic, global, indirect;
-    SearchScratch pilot_caustic, pilot_global, pilot_indirect;
 };
 
 /// Estimates of one radiance with the radius of the pass, and with narrower ones (kNarrowing,

@@ -36,9 +36,10 @@ RenderedPass render_pass(const RenderScene& scene, const MapSurfaces& surfaces,
 {
     const PassMapSet maps = make_maps(scene, options, pass, statistics);
     const PassMaps pass_maps{scene, surfaces, maps.caustic, maps.global, options.direct};
+    const SampleAllotment evenly;
     return render_tiles<1, EyeScratch>(
-        {scene.scene.cameras[scene.scene.camera], options, pass}, after(control, kPhotonShare),
-        statistics,
+        {scene.scene.cameras[scene.scene.camera], options, pass, evenly},
+        after(control, kPhotonShare), statistics,
         [&](const Ray& ray, RandomSequence& random, EyeScratch& scratch) -> Samples<1> {
             if (options.integrator == Integrator::path)
                 return {trace_path(scene, ray, random)};

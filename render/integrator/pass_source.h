@@ -26,6 +26,7 @@ struct PassSource {
     /// Mean of the channels of an image by the pilot: the unit of the film.  A function of scene
     /// and settings alone, or states of several runs could not be merged.
     double pilot_mean = 0;
+    std::uint64_t allotment = 0; ///< checksum of the samples of each pixel; 0: the same of all
     BiasKnowledge bias = BiasKnowledge::unknown;
     /// Makes pass `pass`: the same images whenever it is asked for, at any thread count.  Runs on
     /// all threads by itself and is called for one pass at a time.

@@ -4,6 +4,7 @@
 #include "common/rays/camera_ray.h"
 #include "common/stopwatch.h"
 #include "render/integrator/pass_source.h"
+#include "render/integrator/sample_allotment.h"
 
 #include <tbb/parallel_for.h>
 
@@ -18,6 +19,12 @@ struct PictureJob {
     const Camera& camera;
     const RenderOptions& options;
     std::uint64_t pass = 0;
+    const SampleAllotment& allotment;
+
+    std::uint32_t samples(std::uint64_t pixel) const
+    {
+        return allotment.samples.empty() ? options.samples : allotment.samples[pixel];
+    }
 };
 
 inline constexpr int kTile = 16;
@@ -41,10 +48,13 @@ Samples<images> sample_pixel(const PictureJob& job, int x, int y, const Trace& t
     const float width = static_cast<float>(options.width);
     const float height = static_cast<float>(options.height);
     const std::uint64_t pixel = static_cast<std::uint64_t>(y) * options.width + x;
+    const std::uint32_t samples = job.samples(pixel);
     Samples<images> sum{};
     kept = 0;
-    for (std::uint32_t s = 0; s < options.samples; ++s) {
-        RandomSequence random(options.seed, RandomStream::eye_paths, job.pass, pixel, s);
+    for (std::uint32_t s = 0; s < samples; ++s) {
+        // Passes of a batch share a sequence, and batches stay independent: docs/error.md (14).
+        RandomSequence random(options.seed, RandomStream::eye_paths, job.pass % kBatches, pixel,
+                              job.pass / kBatches * samples + s);
         const glm::vec2 at =
             (glm::vec2(static_cast<float>(x), static_cast<float>(y)) + random.next2()) /
             glm::vec2(width, height);
@@ -73,7 +83,8 @@ std::uint64_t render_tile(const PictureJob& job, int tile, PassImages& out, cons
         for (int x = x0; x < std::min(x0 + kTile, width); ++x) {
             std::uint32_t kept = 0;
             const Samples<images> mean = sample_pixel<images>(job, x, y, trace, kept);
-            dropped += job.options.samples - kept;
+            const std::size_t pixel = static_cast<std::size_t>(y) * width + x;
+            dropped += job.samples(pixel) - kept;
             if (kept == 0 || !std::all_of(mean.begin(), mean.end(), is_finite_rgb))
                 continue;
             out.radiance.at(x, y) = mean[0];
@@ -81,7 +92,7 @@ std::uint64_t render_tile(const PictureJob& job, int tile, PassImages& out, cons
                 out.narrow.at(x, y) = mean[1];
                 out.narrower.at(x, y) = mean[2];
             }
-            out.kept[static_cast<std::size_t>(y) * width + x] = 1;
+            out.kept[pixel] = 1;
         }
     return dropped;
 }

@@ -17,7 +17,13 @@ constexpr double kPhotonShare = 0.3;
 /// What all passes share.
 struct Progressive {
     MapSurfaces surfaces;
-    PilotMaps pilot;
+    FirstRadii first;
+    SampleAllotment allotment;
+};
+
+/// The maps of one pass.
+struct PassMapsByKind {
+    PhotonMaps caustic, global, indirect;
 };
 
 TracedPhotons trace_linked(const RenderScene& scene, const RenderOptions& options,
@@ -31,8 +37,8 @@ TracedPhotons trace_linked(const RenderScene& scene, const RenderOptions& option
     return trace_pass(scene, photons, statistics);
 }
 
-/// Photons of their own, as many as a pass has.
-PilotMaps make_pilot(const RenderScene& scene, const RenderOptions& options)
+/// By photons of their own, as many as a pass has.
+FirstRadii first_radii(const RenderScene& scene, const RenderOptions& options)
 {
     RenderStatistics ignored;
     const TracedPhotons traced = trace_linked(scene, options, kPilotPass, ignored);
@@ -40,55 +46,78 @@ PilotMaps make_pilot(const RenderScene& scene, const RenderOptions& options)
     indirect.reserve(traced.bounces.size());
     for (const BouncedPhoton& bounced : traced.bounces)
         indirect.push_back(bounced.photon);
-    return {build_maps(scene, traced.caustic, options.maps, ignored.caustic, ignored),
-            build_maps(scene, traced.global, options.maps, ignored.global, ignored),
-            build_maps(scene, indirect, options.maps, ignored.indirect, ignored)};
+    const auto field = [&](const std::vector<Photon>& photons) {
+        return build_radius_field(
+            build_photon_maps(photons, scene.mesh(), scene.partition, options.maps));
+    };
+    return {field(traced.caustic), field(traced.global), field(indirect)};
 }
 
-/// Of the pilot's maps and of the pass'.
 void count_searches(const GatherScratch& scratch, RenderStatistics& statistics)
 {
     statistics.caustic.searches += scratch.caustic.search.statistics;
-    statistics.caustic.searches += scratch.pilot_caustic.statistics;
     statistics.global.searches += scratch.global.search.statistics;
-    statistics.global.searches += scratch.pilot_global.statistics;
     statistics.indirect.searches += scratch.indirect.search.statistics;
-    statistics.indirect.searches += scratch.pilot_indirect.statistics;
 }
 
-RenderedPass render_pass(const RenderScene& scene, const Progressive& shared,
+PassMapsByKind make_maps(const RenderScene& scene, const Progressive& shared,
                          const RenderOptions& options, std::uint64_t pass,
+                         RenderStatistics& statistics)
+{
+    const TracedPhotons traced = trace_linked(scene, options, pass, statistics);
+    const Stopwatch weighing;
+    const std::vector<Photon> weighed = weigh_bounces(traced, shared.first, shared.surfaces);
+    statistics.seconds_maps += weighing.seconds();
+    const auto maps_of = [&](const std::vector<Photon>& photons, KindStatistics& kind) {
+        return build_maps(scene, photons, options.maps, kind, statistics);
+    };
+    return {maps_of(traced.caustic, statistics.caustic), maps_of(traced.global, statistics.global),
+            maps_of(weighed, statistics.indirect)};
+}
+
+/// shrink: radius over the first radius.
+RenderedPass gather_pass(const RenderScene& scene, const Progressive& shared,
+                         const PassMapsByKind& photons, const PictureJob& job, double shrink,
                          const PassControl& control, RenderStatistics& statistics)
 {
-    TracedPhotons traced = trace_linked(scene, options, pass, statistics);
-    const Stopwatch weighing;
-    const std::vector<Photon> weighed = weigh_bounces(traced, shared.pilot, shared.surfaces);
-    statistics.seconds_maps += weighing.seconds();
-    const PhotonMaps caustic =
-        build_maps(scene, traced.caustic, options.maps, statistics.caustic, statistics);
-    const PhotonMaps global =
-        build_maps(scene, traced.global, options.maps, statistics.global, statistics);
-    const PhotonMaps indirect =
-        build_maps(scene, weighed, options.maps, statistics.indirect, statistics);
-    traced = {};
-
-    const double shrink = pass == kPilotPass ? 1.0 : radius_of_pass(pass);
-    const GatherMaps maps{scene,        shared.surfaces,           caustic, global, indirect,
-                          shared.pilot, static_cast<float>(shrink)};
+    const GatherMaps maps{
+        scene,        shared.surfaces,           photons.caustic, photons.global, photons.indirect,
+        shared.first, static_cast<float>(shrink)};
     return render_tiles<3, GatherScratch>(
-        {scene.scene.cameras[scene.scene.camera], options, pass}, after(control, kPhotonShare),
-        statistics,
+        job, after(control, kPhotonShare), statistics,
         [&](const Ray& ray, RandomSequence& random, GatherScratch& scratch) {
             return trace_gather_path(maps, ray, random, scratch);
         },
         [&](const GatherScratch& scratch) { count_searches(scratch, statistics); });
 }
 
-double pilot_mean(const RenderScene& scene, const Progressive& shared, const RenderOptions& options)
+RenderedPass render_pass(const RenderScene& scene, const Progressive& shared,
+                         const RenderOptions& options, std::uint64_t pass,
+                         const PassControl& control, RenderStatistics& statistics)
+{
+    const PassMapsByKind photons = make_maps(scene, shared, options, pass, statistics);
+    return gather_pass(scene, shared, photons,
+                       {scene.scene.cameras[scene.scene.camera], options, pass, shared.allotment},
+                       radius_of_pass(pass), control, statistics);
+}
+
+/// Allots samples by two images from the same photons; returns the mean of their channels.
+double render_pilot(const RenderScene& scene, const RenderOptions& options, Progressive& shared)
 {
     RenderStatistics ignored;
-    const RenderOptions small = pilot_options(options);
-    return mean_of(render_pass(scene, shared, small, kPilotPass, {}, ignored).images.radiance);
+    RenderOptions small = pilot_options(options);
+    small.width = (options.width + 1) / 2;
+    small.height = (options.height + 1) / 2;
+    const PassMapsByKind photons = make_maps(scene, shared, small, kPilotPass, ignored);
+    const auto image_of = [&](std::uint64_t pass) {
+        return gather_pass(scene, shared, photons,
+                           {scene.scene.cameras[scene.scene.camera], small, pass, {}}, 1.0, {},
+                           ignored)
+            .images.radiance;
+    };
+    const Image first = image_of(kPilotPass), second = image_of(kPilotPass - 1);
+    shared.allotment = allot_samples(first, second, options.width, options.height, options.samples);
+    return (mean_of(first) + mean_of(second)) / 2;
 }
 
 } // namespace
@@ -96,12 +125,13 @@ double pilot_mean(const RenderScene& scene, const Progressive& shared, const Ren
 PassSource make_progressive_source(const RenderScene& scene, const RenderOptions& options,
                                    RenderStatistics& statistics)
 {
-    const std::shared_ptr<const Progressive> shared(
-        new Progressive{MapSurfaces(scene.mesh(), scene.partition), make_pilot(scene, options)});
+    const std::shared_ptr<Progressive> shared(new Progressive{
+        MapSurfaces(scene.mesh(), scene.partition), first_radii(scene, options), {}});
     PassSource source;
     source.width = options.width;
     source.height = options.height;
-    source.pilot_mean = pilot_mean(scene, *shared, options);
+    source.pilot_mean = render_pilot(scene, options, *shared);
+    source.allotment = checksum(shared->allotment);
     source.bias = BiasKnowledge::from_radii;
     source.render = [&scene, &options, &statistics, shared](std::uint64_t pass,
                                                             const PassControl& control) {

@@ -132,6 +132,7 @@ RenderState begin_state(const PassSource& source, std::vector<std::string> setti
     RenderState state;
     state.settings = std::move(settings);
     state.film = make_film(source.width, source.height, source.pilot_mean, source.bias);
+    state.film.allotment = source.allotment;
     return state;
 }
 

@@ -26,30 +26,25 @@ RadiusEstimates estimate_from_sums(const PhotonMaps& maps, const PhotonMap& map,
     return out;
 }
 
-} // namespace
-
-RadiusEstimates estimate_within(const PhotonMaps& maps, const MapSurfaces& surfaces,
-                                const PhotonQuery& query, const std::array<float, 3>& radii,
-                                EstimateScratch& scratch)
+/// For a query with a map, and a first radius above zero.
+RadiusEstimates estimate_in_map(const PhotonMaps& maps, const PhotonMap& map,
+                                const MapSurfaces& surfaces, const PhotonQuery& query,
+                                const std::array<float, 3>& radii, EstimateScratch& scratch)
 {
-    assert(radii[0] >= radii[1] && radii[1] >= radii[2] && radii[2] >= 0);
-    RadiusEstimates out{{Rgb(0), Rgb(0), Rgb(0)}, 0};
-    const PhotonMap* map = map_of_query(maps, surfaces.partition, query);
-    if (map == nullptr || !(radii[0] > 0))
-        return out;
     const bool facing_only = maps.options.estimate == EstimateForm::thesis; // (7)
     const bool bounded = !facing_only && maps.options.mode != MapMode::global;
     if (bounded)
         look_around(surfaces, query, radii[0], scratch);
     const bool tilted = bounded && !scratch.segments.empty(); // (4)
     if (!tilted && counts_whole(maps, query))
-        return estimate_from_sums(maps, *map, query, radii, scratch);
+        return estimate_from_sums(maps, map, query, radii, scratch);
 
     PhotonQuery within = query;
     within.radius = radii[0];
     constexpr std::size_t kAll = std::numeric_limits<std::uint32_t>::max();
     const FoundPhotons found =
         find_most_in_shared(maps, surfaces.partition, within, kAll, scratch.search.within);
+    RadiusEstimates out;
     std::array<glm::dvec3, 3> sums{};
     for (const std::uint32_t slot : found.slots) {
         const MetPhoton photon{*found.map, slot};
@@ -70,6 +65,23 @@ RadiusEstimates estimate_within(const PhotonMaps& maps, const MapSurfaces& surfa
         out.irradiance[r] = per_area(maps.power_scale, sums[r],
                                      cut ? scratch.disc.area(radii[r]) : disc_area(radii[r]));
     }
+    return out;
+}
+
+} // namespace
+
+RadiusEstimates estimate_within(const PhotonMaps& maps, const MapSurfaces& surfaces,
+                                const PhotonQuery& query, const std::array<float, 3>& radii,
+                                EstimateScratch& scratch)
+{
+    assert(radii[0] >= radii[1] && radii[1] >= radii[2] && radii[2] >= 0);
+    SearchStatistics& statistics = scratch.search.statistics;
+    statistics.queries += maps.size > 0 ? 1 : 0;
+    const PhotonMap* map = map_of_query(maps, surfaces.partition, query);
+    if (map == nullptr || !(radii[0] > 0))
+        return {};
+    const RadiusEstimates out = estimate_in_map(maps, *map, surfaces, query, radii, scratch);
+    statistics.photons_found += out.photons;
     return out;
 }
 

@@ -9,8 +9,8 @@ namespace hipmap {
 
 /// Density of photon power within three radii of a point.
 struct RadiusEstimates {
-    std::array<Rgb, 3> irradiance; ///< W/m2, by radius
-    std::uint32_t photons = 0;     ///< counted within the first radius
+    std::array<Rgb, 3> irradiance{Rgb(0), Rgb(0), Rgb(0)}; ///< W/m2, by radius
+    std::uint32_t photons = 0;                             ///< counted within the first radius
 };
 
 /// The irradiance at a point from all photons within each of the radii, docs/photon_maps.md (3):

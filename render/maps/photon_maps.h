@@ -135,11 +135,16 @@ struct PhotonMaps {
     {
         return std::size_t{sides()} * face_or_map + side % sides();
     }
+    /// In `maps`; kNone if there is no photon.
+    std::uint32_t place(MapId map, std::uint8_t side) const
+    {
+        return map_of.empty() ? kNone : map_of[map_index(map, side)];
+    }
     /// Null if there is no photon.
     const PhotonMap* map_at(MapId map, std::uint8_t side) const
     {
-        const std::uint32_t place = map_of.empty() ? kNone : map_of[map_index(map, side)];
-        return place == kNone ? nullptr : &maps[place];
+        const std::uint32_t found = place(map, side);
+        return found == kNone ? nullptr : &maps[found];
     }
     /// Bytes of the arrays of the first tier.
     std::size_t bytes() const;

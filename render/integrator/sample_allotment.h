@@ -1,0 +1,27 @@
+#pragma once
+
+#include "common/image/image.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace hipmap {
+
+/// Samples of each pixel in a pass, [height][width]; at least 1.  The same for all passes of an
+/// image: were they revised by what passes show, neither its mean nor its error would be right.
+struct SampleAllotment {
+    std::vector<std::uint16_t> samples; ///< empty: as many everywhere as the options say
+
+    bool operator==(const SampleAllotment&) const = default;
+};
+
+/// Shares out `mean` samples a pixel by docs/error.md (13).  first, second: images of the same view
+/// and size, not necessarily width x height, by one sample a pixel each; pixels that are not finite
+/// count as black.  Same images, same allotment.
+SampleAllotment allot_samples(const Image& first, const Image& second, int width, int height,
+                              std::uint32_t mean);
+
+/// Mixes all counts; zero of an empty allotment.
+std::uint64_t checksum(const SampleAllotment& allotment);
+
+} // namespace hipmap

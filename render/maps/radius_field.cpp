@@ -1,0 +1,80 @@
+#include "render/maps/radius_field.h"
+
+#include "render/maps/wide_descend.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace hipmap {
+
+namespace {
+
+/// One photon of so many gets a radius: those between share most of their k neighbours with it.
+constexpr std::uint32_t kPhotonsEach = 4;
+
+/// Of every n-th photon, in the order of the tree, so that they are spread as all photons are.
+std::vector<TreePoint> some_photons(const WideTree& tree)
+{
+    std::vector<TreePoint> points;
+    points.reserve(tree.size / kPhotonsEach + 1);
+    for (std::uint64_t slot = 0; slot < tree.size; slot += kPhotonsEach) {
+        const auto chosen = static_cast<std::uint32_t>(slot);
+        points.push_back({tree.position(chosen), chosen});
+    }
+    return points;
+}
+
+RadiusField::Map build_map(const PhotonMap& photons, std::uint32_t neighbours)
+{
+    RadiusField::Map out;
+    out.even_radius = filter_radius(photons.area, neighbours, photons.tree.size);
+    std::vector<TreePoint> points = some_photons(photons.tree);
+    out.tree = build_wide_tree(points);
+    out.radius.resize(points.size());
+    using Range = tbb::blocked_range<std::size_t>;
+    tbb::parallel_for(Range(0, points.size(), 256), [&](const Range& range) {
+        MapScratch scratch;
+        for (std::size_t i = range.begin(); i < range.end(); ++i) {
+            const float most2 = out.even_radius * out.even_radius;
+            const FoundSlots found =
+                find_in_map(photons, {points[i].position, neighbours, most2}, scratch);
+            out.radius[i] =
+                found.slots.size() == neighbours ? std::sqrt(found.farthest2) : out.even_radius;
+        }
+    });
+    return out;
+}
+
+} // namespace
+
+RadiusField build_radius_field(const PhotonMaps& photons)
+{
+    RadiusField out;
+    out.index.options = photons.options;
+    out.index.map_of = photons.map_of;
+    for (const PhotonMap& map : photons.maps)
+        out.maps.push_back(build_map(map, photons.options.neighbours));
+    return out;
+}
+
+float radius_at(const RadiusField& field, const MapSurfaces& surfaces, const PhotonQuery& query)
+{
+    const MapId id = surfaces.partition.map_of_face[query.face];
+    if (id == kNone)
+        return std::numeric_limits<float>::infinity();
+    const std::uint32_t place = field.index.place(id, query.side);
+    if (place == kNone) // as if there were one photon
+        return filter_radius(surfaces.map_area[id], field.index.options.neighbours, 1);
+    const RadiusField::Map& map = field.maps[place];
+    if (tree_search::is_nowhere(query.position))
+        return map.even_radius;
+    const NearPhoton near = near_photon(map.tree, query.position);
+    // Away from all photons it grows with the way to them.
+    const float radius = map.radius[near.slot];
+    return std::min(map.even_radius, std::sqrt(radius * radius + near.distance2));
+}
+
+} // namespace hipmap

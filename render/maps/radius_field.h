@@ -1,0 +1,33 @@
+#pragma once
+
+#include "render/maps/estimate.h"
+
+#include <vector>
+
+namespace hipmap {
+
+/// A radius at every point of the surfaces that follows the density of some photons, none of which
+/// has to be kept: where the k-th of them is, docs/photon_maps.md (10).  Read-only once built: any
+/// number of threads may use it.
+struct RadiusField {
+    /// Of one map.
+    struct Map {
+        WideTree tree;             ///< of some of its photons
+        std::vector<float> radius; ///< [n] by slot: where the k-th photon from there is
+        float even_radius = 0.0f;  ///< docs/photon_maps.md (5), of all its photons
+    };
+    PhotonMaps index; ///< of the photons, without them
+    std::vector<Map> maps;
+};
+
+/// In parallel.  Same maps, same field, at any thread count.  No photons: a field without maps.
+/// Cost: a search for every fourth photon.
+RadiusField build_radius_field(const PhotonMaps& photons);
+
+/// The radius at a point, scene units: at most that within which k photons would lie were those of
+/// the map spread evenly over it; where the map has no photon, that of one photon.  A function of
+/// the point alone.  Thread-safe.  Infinite for a face without a map.  query.radius and query.lobes
+/// do not count.
+float radius_at(const RadiusField& field, const MapSurfaces& surfaces, const PhotonQuery& query);
+
+} // namespace hipmap

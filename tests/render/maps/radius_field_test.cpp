@@ -1,0 +1,122 @@
+#include "common/math/sampling.h"
+#include "common/rays/surface_point.h"
+#include "render/maps/radius_field.h"
+#include "tests/support/brute_force.h"
+#include "tests/support/statistics.h"
+#include "tests/support/tiny_scenes.h"
+
+#include <catch2/catch.hpp>
+
+using namespace hipmap;
+
+namespace {
+
+constexpr std::uint32_t kNeighbours = 20;
+
+/// Side 0 of a unit square, more densely the smaller x is.
+std::vector<Photon> photons_on_square(const TriangleMesh& mesh, std::size_t count,
+                                      std::uint64_t seed, float exponent)
+{
+    std::vector<Photon> photons;
+    while (photons.size() < count) {
+        RandomSequence random(seed, RandomStream::photons, 0, photons.size());
+        const auto face = static_cast<FaceId>(random.next() < 0.5f ? 0 : 1);
+        glm::vec3 at = surface_point(mesh, face, sample_triangle(random.next2())).position;
+        at.x = std::pow(at.x, exponent);
+        photons.push_back({at, Rgb(1), {0, 0, 1}, face, 0});
+    }
+    return photons;
+}
+
+struct Field {
+    std::unique_ptr<tiny::ReadyScene> ready = tiny::ready(tiny::make_scene(tiny::quad()));
+    MapSurfaces surfaces{ready->scene.mesh, ready->partition};
+    RadiusField field;
+
+    explicit Field(const std::vector<Photon>& photons)
+        : field(build_radius_field(build_photon_maps(photons, ready->scene.mesh, ready->partition,
+                                                     {MapMode::shared, kNeighbours})))
+    {
+    }
+
+    float at(const glm::vec3& position, std::uint8_t side = 0) const
+    {
+        return radius_at(field, surfaces, {position, {0, 0, 1}, 0, side});
+    }
+};
+
+} // namespace
+
+TEST_CASE("radius field: where the k-th photon is, at most the even radius", "[maps]")
+{
+    const auto ready = tiny::ready(tiny::make_scene(tiny::quad()));
+    const std::vector<Photon> photons = photons_on_square(ready->scene.mesh, 3000, 1, 3);
+    const Field field(photons);
+    std::vector<glm::vec3> points;
+    for (const Photon& photon : photons)
+        points.push_back(photon.position);
+    const float even = filter_radius(1, kNeighbours, photons.size());
+    std::size_t exact = 0, even_ones = 0;
+    RunningMean ratio;
+    for (const glm::vec3& point : points) {
+        const auto nearest = brute_force::k_nearest(points, point, kNeighbours, 2,
+                                                    [](std::uint32_t) { return true; });
+        const float truth = std::min(even, std::sqrt(nearest.back().distance2));
+        const float found = field.at(point);
+        CHECK(found <= even * 1.00001f);
+        CHECK(found > 0.707f * truth); // the triangle's inequality
+        ratio.add(double{found / truth});
+        exact += std::abs(found - truth) <= 1e-6f * truth ? 1 : 0;
+        even_ones += found >= even * 0.99999f ? 1 : 0;
+    }
+    CHECK(ratio.mean() > 1);
+    CHECK(ratio.mean() < 1.1);
+    CHECK(exact >= points.size() / 4); // those that have a radius of their own, at least
+    CHECK(even_ones > 100);
+    CHECK(even_ones < points.size() / 2);
+}
+
+TEST_CASE("radius field: k photons are within it on average", "[maps]")
+{
+    const auto ready = tiny::ready(tiny::make_scene(tiny::quad()));
+    RunningMean photons_within;
+    for (std::uint64_t seed = 0; seed < 200; ++seed) {
+        const Field field(photons_on_square(ready->scene.mesh, 4000, seed, 1));
+        const std::vector<Photon> others =
+            photons_on_square(ready->scene.mesh, 4000, seed + 1000, 1);
+        const glm::vec3 at{0.3f, 0.4f, 0};
+        const float radius = field.at(at);
+        photons_within.add(static_cast<double>(
+            std::count_if(others.begin(), others.end(), [&](const Photon& photon) {
+                return glm::distance(photon.position, at) <= radius;
+            })));
+    }
+    CHECK(photons_within.mean() > 0.8 * kNeighbours); // cut at the even radius
+    CHECK(photons_within.mean() < 1.1 * kNeighbours);
+}
+
+TEST_CASE("radius field: the same by every instruction set, and never zero", "[maps]")
+{
+    const auto ready = tiny::ready(tiny::make_scene(tiny::quad()));
+    const Field field(photons_on_square(ready->scene.mesh, 500, 2, 3));
+    for (std::uint64_t i = 0; i < 500; ++i) {
+        RandomSequence random(3, RandomStream::eye_paths, 0, i);
+        const glm::vec3 point(random.next2(), 0);
+        const float radius = field.at(point);
+        for (const char* target : simd_targets()) {
+            REQUIRE(use_simd_target(target));
+            CHECK(radius == field.at(point));
+        }
+        CHECK(radius > 0);
+    }
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    CHECK(field.at(glm::vec3(nan)) == filter_radius(1, kNeighbours, 500));
+}
+
+TEST_CASE("radius field: without photons, as for one", "[maps]")
+{
+    const Field none({});
+    CHECK(none.at({0.5f, 0.5f, 0}) == filter_radius(1, kNeighbours, 1));
+    const Field front(photons_on_square(none.ready->scene.mesh, 100, 1, 1));
+    CHECK(front.at({0.5f, 0.5f, 0}, 1) == filter_radius(1, kNeighbours, 1));
+}
