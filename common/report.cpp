@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <iostream>
 #include <string>
+#include <vector>
 
 namespace hipmap {
 
@@ -28,17 +29,6 @@ double seconds_between(std::chrono::steady_clock::time_point from,
     return std::chrono::duration<double>(to - from).count();
 }
 
-std::string progress_text(const std::string& stage, double done, std::string_view note,
-                          double elapsed)
-{
-    std::string text = stage + ": " + std::to_string(static_cast<int>(done * 100)) + " %";
-    if (!note.empty())
-        text += ", " + std::string(note);
-    if (done > 0)
-        text += ", " + format_seconds(elapsed * (1 - done) / done) + " left";
-    return text;
-}
-
 } // namespace
 
 std::string format_seconds(double seconds)
@@ -51,6 +41,23 @@ std::string format_seconds(double seconds)
         std::snprintf(text, sizeof text, "%lld:%02lld:%02lld", whole / 3600, whole / 60 % 60,
                       whole % 60);
     }
+    return text;
+}
+
+std::string progress_text(std::string_view stage, std::optional<double> done, std::string_view note,
+                          double elapsed)
+{
+    std::vector<std::string> parts;
+    const double share = done && *done > 0 ? std::min(*done, 1.0) : 0.0;
+    if (done)
+        parts.push_back(std::to_string(static_cast<int>(share * 100)) + " %");
+    if (!note.empty())
+        parts.emplace_back(note);
+    if (share > 0)
+        parts.push_back(format_seconds(elapsed * (1 - share) / share) + " left");
+    std::string text(stage);
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        text += (i == 0 ? ": " : ", ") + parts[i];
     return text;
 }
 
@@ -77,16 +84,14 @@ void Report::begin(std::string_view stage)
     begun_ = shown_ = Clock::now();
 }
 
-void Report::progress(double done, std::string_view note)
+void Report::progress(std::optional<double> done, std::string_view note)
 {
     const std::lock_guard lock(mutex_);
     const auto now = Clock::now();
     if (seconds_between(shown_, now) < (on_terminal() ? kTerminalInterval : kPlainInterval))
         return;
     shown_ = now;
-    // A NaN counts as nothing done.
-    const double clamped = done > 0 ? std::min(done, 1.0) : 0.0;
-    const std::string text = progress_text(stage_, clamped, note, seconds_between(begun_, now));
+    const std::string text = progress_text(stage_, done, note, seconds_between(begun_, now));
     if (on_terminal())
         std::cerr << kEraseLine << text << std::flush;
     else

@@ -70,7 +70,6 @@ RenderState begin_or_go_on(const RenderArguments& arguments, const PassSource& s
     if (!found)
         return state;
     merge_state(state, *found, arguments.state);
-    state.checks = found->checks;
     report.line("going on with " + std::to_string(count(state.film.passes)) + " passes of " +
                 arguments.state.string());
     return state;
@@ -95,7 +94,8 @@ RunResult render_with_progress(const RenderArguments& arguments, const PassSourc
     std::signal(SIGTERM, ask_to_stop);
     RunControl control;
     control.progress = [&report](const RunProgress& progress) {
-        std::string note = std::to_string(progress.passes) + " passes";
+        std::string note =
+            std::to_string(progress.passes) + (progress.passes == 1 ? " pass" : " passes");
         if (progress.error)
             note += ", error " + percent(progress.error->error);
         report.progress(progress.done, note);

@@ -24,11 +24,13 @@ double square_after(const ErrorLaw& law, double passes)
 ErrorLaw fit_shape(std::span<const ErrorCheck> checks)
 {
     double aa = 0, ab = 0, bb = 0, a1 = 0, b1 = 0;
+    int used = 0;
     for (const ErrorCheck& check : checks) {
         const auto passes = static_cast<double>(check.passes);
         const double square = square_of(check.error.error);
-        if (!(square > 0))
+        if (check.passes < kBatches || !(square > 0))
             continue;
+        ++used;
         const double a = 1 / (passes * square), b = 1 / (std::pow(passes, 2.0 / 3) * square);
         aa += passes * a * a;
         ab += passes * a * b;
@@ -39,20 +41,25 @@ ErrorLaw fit_shape(std::span<const ErrorCheck> checks)
     const double determinant = aa * bb - ab * ab;
     // Checks at one number of passes do not tell the parts apart.
     const ErrorLaw both{(a1 * bb - b1 * ab) / determinant, (b1 * aa - a1 * ab) / determinant};
-    if (checks.size() < 2 || !(both.by_pass > 0) || !std::isfinite(both.by_pass))
+    if (used < 2 || !(both.by_pass > 0) || !std::isfinite(both.by_pass))
         return {0, 1};
     return both.by_photon > 0 ? both : ErrorLaw{1, 0};
 }
 
 } // namespace
 
-std::uint64_t next_check(std::uint64_t passes)
+std::uint64_t next_look(std::uint64_t passes)
 {
     constexpr double kSpacing = 1.4142135623730951;
-    double check = kBatches;
-    while (std::round(check) <= static_cast<double>(passes))
-        check *= kSpacing;
-    return static_cast<std::uint64_t>(std::round(check));
+    double look = 2;
+    while (std::round(look) <= static_cast<double>(passes))
+        look *= kSpacing;
+    return static_cast<std::uint64_t>(std::round(look));
+}
+
+std::uint64_t next_check(std::uint64_t passes)
+{
+    return next_look(std::max(passes, kBatches - 1));
 }
 
 ErrorLaw fit_law(std::span<const ErrorCheck> checks)

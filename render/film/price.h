@@ -28,12 +28,16 @@ struct Price {
     double photons = 0; ///< light paths
 };
 
-/// The first number of passes above `passes` at which the error is looked at: 8 and then some 1.4
-/// times as many each time, since stopping at the first of many looks would stop at luck.
+/// The first number of passes above `passes` at which the error is told: 2 and then some 1.4 times
+/// as many each time.
+std::uint64_t next_look(std::uint64_t passes);
+
+/// The first of them at which a render may end for its error: from 8 on, since stopping at the
+/// first of many looks would stop at luck.
 std::uint64_t next_check(std::uint64_t passes);
 
-/// Fits the law to checks of one film, in order of their passes; exact at the last one.  None:
-/// zero.
+/// Fits the law to checks of one film from 8 passes on, in order of their passes; exact at the last
+/// one.  None: zero.
 ErrorLaw fit_law(std::span<const ErrorCheck> checks);
 
 /// The error after so many passes.

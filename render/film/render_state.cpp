@@ -148,7 +148,31 @@ RenderState unpack(StateReader& in)
     return state;
 }
 
+/// Those checks of two films of disjoint passes that are of the first passes of both together.
+std::vector<ErrorCheck> common_checks(const RenderState& a, const RenderState& b)
+{
+    const auto& of_a = a.film.passes.ranges;
+    const auto& of_b = b.film.passes.ranges;
+    if (of_a.empty() || of_b.empty())
+        return of_a.empty() ? b.checks : a.checks;
+    const bool begins = of_a[0].first < of_b[0].first;
+    const PassRange first = begins ? of_a[0] : of_b[0];
+    std::vector<ErrorCheck> kept = begins ? a.checks : b.checks;
+    std::erase_if(
+        kept, [first](const ErrorCheck& check) { return check.passes > first.end - first.first; });
+    return kept;
+}
+
 } // namespace
+
+void look_at_error(RenderState& state)
+{
+    const std::uint64_t passes = count(state.film.passes);
+    if (!state.checks.empty() && state.checks.back().passes >= passes)
+        return;
+    if (const std::optional<ImageError> error = estimate_error(state.film))
+        state.checks.push_back({passes, state.seconds, *error});
+}
 
 void write_state(const std::filesystem::path& path, const RenderState& state)
 {
@@ -198,8 +222,8 @@ void merge_state(RenderState& into, const RenderState& from, const std::filesyst
     if (count(into.film.passes) + count(film.passes) > kMostPasses)
         throw InputError(path.string() + ": more than " + std::to_string(kMostPasses) +
                          " passes in all; merge fewer states");
+    into.checks = common_checks(into, from);
     merge_film(into.film, film);
-    into.checks.clear();
     into.seconds += from.seconds;
 }
 

@@ -13,10 +13,13 @@ struct RenderState {
     /// in one hold passes of different images.
     std::vector<std::string> settings;
     Film film;
-    std::vector<ErrorCheck> checks; ///< by passes, of this film; none of a merged one
+    std::vector<ErrorCheck> checks; ///< by passes, each of so many of the film's first
     double seconds = 0;             ///< spent on its passes
     bool operator==(const RenderState&) const = default;
 };
+
+/// Notes what the error is now, unless that was done at this number of passes.
+void look_at_error(RenderState& state);
 
 /// Writes to a temporary name, synced, renamed: killed at any moment, there is the old state or the
 /// new one.  Throws InputError if the file cannot be written.
@@ -31,7 +34,8 @@ void check_settings(const std::filesystem::path& path, const std::vector<std::st
                     const std::vector<std::string>& wanted);
 
 /// Adds the passes of `from`, read from `path`, to those of `into`: the same bits in any order of
-/// merging.  Throws InputError, naming `path`: other settings, or a pass that both have.
+/// merging.  Of their checks those stay that are of the merged film's first passes.  Throws
+/// InputError, naming `path`: other settings, or a pass that both have.
 void merge_state(RenderState& into, const RenderState& from, const std::filesystem::path& path);
 
 } // namespace hipmap

@@ -12,15 +12,8 @@ namespace {
 constexpr double kSavingShare = 0.02;
 constexpr double kSecondsBetweenSaves = 1;
 
-/// Notes what the error is now, unless that was done at this number of passes.
-void look_at_error(RenderState& state)
-{
-    const std::uint64_t passes = count(state.film.passes);
-    if (!state.checks.empty() && state.checks.back().passes >= passes)
-        return;
-    if (const std::optional<ImageError> error = estimate_error(state.film))
-        state.checks.push_back({passes, state.seconds, *error});
-}
+/// Looks at the error before it is said how long it takes to meet one.
+constexpr std::size_t kLooksToForetell = 2;
 
 /// Share of the way from `begun` to `end` passes that `now` is.
 double share_of(double begun, double now, double end)
@@ -64,9 +57,9 @@ class Run {
         state_.seconds += seconds;
         slowest_ = std::max(slowest_, seconds);
         ++done_;
-        if (passes() >= next_check_) {
+        if (passes() >= next_look_) {
             look_at_error(state_);
-            next_check_ = next_check(passes());
+            next_look_ = next_look(passes());
         }
     }
 
@@ -91,13 +84,37 @@ class Run {
                state_.checks.back().error.error <= rules_.error;
     }
 
-    /// By the rules for passes and error.
-    double passes_needed() const
+    /// After which the error is met at a check; none: not known yet, docs/error.md (12).
+    std::optional<double> passes_to_error() const
     {
-        auto needed = static_cast<double>(rules_.passes);
-        if (rules_.error > 0 && !state_.checks.empty())
-            needed = std::min(needed, passes_for(fit_law(state_.checks), rules_.error));
-        return needed;
+        if (!(rules_.error > 0) || state_.checks.size() < kLooksToForetell)
+            return std::nullopt;
+        const double needed = std::min(passes_for(fit_law(state_.checks), rules_.error),
+                                       static_cast<double>(kMostPasses));
+        const auto before = static_cast<std::uint64_t>(needed) - 1;
+        return static_cast<double>(next_check(std::max(before, passes())));
+    }
+
+    /// By the rules for passes and error; none: not known.
+    std::optional<double> passes_needed() const
+    {
+        const std::optional<double> to_error = passes_to_error();
+        if (rules_.passes == kMostPasses)
+            return to_error;
+        const auto asked = static_cast<double>(rules_.passes);
+        return std::min(asked, to_error.value_or(asked));
+    }
+
+    /// By the rule that will end it first, of those whose end is known.
+    std::optional<double> share_done(double part) const
+    {
+        std::optional<double> share;
+        if (needed_)
+            share = share_of(static_cast<double>(begun_), static_cast<double>(passes()) + part,
+                             *needed_);
+        if (std::isfinite(rules_.seconds))
+            share = std::max(share.value_or(0), watch_.seconds() / rules_.seconds);
+        return share;
     }
 
     void tell(double part) const
@@ -106,9 +123,7 @@ class Run {
             return;
         RunProgress progress;
         progress.passes = passes();
-        progress.done = std::max(
-            share_of(static_cast<double>(begun_), static_cast<double>(passes()) + part, needed_),
-            watch_.seconds() / rules_.seconds);
+        progress.done = share_done(part);
         if (!state_.checks.empty())
             progress.error = state_.checks.back().error;
         control_.progress(progress);
@@ -120,8 +135,8 @@ class Run {
     const Stopwatch watch_;
     const std::uint64_t begun_;
     std::uint64_t done_ = 0;
-    std::uint64_t next_check_ = next_check(begun_);
-    double needed_ = 0;
+    std::uint64_t next_look_ = next_look(begun_);
+    std::optional<double> needed_;
     double slowest_ = 0, saved_ = 0, saving_ = 0; ///< s
 };
 

@@ -20,7 +20,9 @@ enum class StopReason : std::uint8_t { passes, time, error, caller };
 
 /// How far a render is.
 struct RunProgress {
-    double done = 0; ///< of what is still to do when this run began, 0 to 1
+    /// Of what was to do when this run began, 0 to 1, by the rule that ends it first; none: not
+    /// known before the error was looked at twice.
+    std::optional<double> done;
     std::uint64_t passes = 0;
     std::optional<ImageError> error; ///< when last looked at
 };
@@ -45,7 +47,8 @@ RenderState begin_state(const PassSource& source, std::vector<std::string> setti
 
 /// Adds passes to the state, in order of their number, those it holds already left out, until a
 /// rule or the caller says stop.  The same state is reached by one run or by many.  The last look
-/// at the error, at whatever number of passes, is at the end of `checks`.
+/// at the error, at whatever number of passes, is at the end of `checks`; the others are at those
+/// of next_look.
 RunResult run_passes(const PassSource& source, const StopRules& rules, const RunControl& control,
                      RenderState& state);
 

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <cmath>
 #include <iostream>
 #include <limits>
 #include <sstream>
@@ -67,6 +68,16 @@ TEST_CASE("report: progress called often, with any number, prints next to nothin
     report.progress(2);
     report.end();
     CHECK(errors.text().size() < 1'000);
+}
+
+TEST_CASE("report: a share has the time left, what is not known is not told", "[report]")
+{
+    CHECK(progress_text("render", 0.25, "5 passes", 6) == "render: 25 %, 5 passes, 18.00 s left");
+    CHECK(progress_text("render", 0.0, "", 6) == "render: 0 %");
+    CHECK(progress_text("render", std::nan(""), "", 6) == "render: 0 %");
+    CHECK(progress_text("render", 2.0, "", 6) == "render: 100 %, 0.00 s left");
+    CHECK(progress_text("render", std::nullopt, "5 passes", 6) == "render: 5 passes");
+    CHECK(progress_text("render", std::nullopt, "", 6) == "render");
 }
 
 TEST_CASE("report: lines of several threads are not mixed", "[report]")

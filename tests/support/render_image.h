@@ -34,7 +34,7 @@ inline RenderedImage render_image(const RenderScene& scene, const ImageOptions& 
     run.stop = control.stop;
     run.progress = [&control](const RunProgress& progress) {
         if (control.progress)
-            control.progress(progress.done);
+            control.progress(progress.done.value_or(0));
     };
     RunResult result = run_passes(source, rules, run, state);
     out.image = std::move(result.image);

@@ -28,6 +28,10 @@ TEST_CASE("price: checks are spaced geometrically and never repeat", "[film]")
         found.push_back(passes);
     CHECK(found == std::vector<std::uint64_t>{0, 8, 11, 16, 23, 32, 45, 64, 91, 128, 181});
     CHECK(next_check(12) == 16);
+    std::vector<std::uint64_t> looks;
+    for (std::uint64_t passes = 0; passes < 23; passes = next_look(passes))
+        looks.push_back(passes);
+    CHECK(looks == std::vector<std::uint64_t>{0, 2, 3, 4, 6, 8, 11, 16});
     CHECK(next_check(16) == 23);
 }
 
@@ -45,6 +49,18 @@ TEST_CASE("price: a law of both parts is found again, and halving costs what it 
         CHECK(price.seconds == Approx(0.5 * price.passes));
         CHECK(price.photons == 1000 * price.passes);
     }
+}
+
+TEST_CASE("price: looks before every batch holds a pass do not bend the law", "[film]")
+{
+    auto checks = checks_of({0.3, 0.2}, BiasKnowledge::from_radii, 128);
+    const ErrorLaw law = fit_law(checks);
+    ImageError early;
+    early.bias = BiasKnowledge::from_radii;
+    early.error = 50;
+    checks.insert(checks.begin(), {{2, 1.0, early}, {6, 3.0, early}});
+    CHECK(fit_law(checks).by_pass == law.by_pass);
+    CHECK(fit_law(checks).by_photon == law.by_photon);
 }
 
 TEST_CASE("price: to halve noise costs four times the passes, noise and bias of photons eight",

@@ -121,6 +121,7 @@ TEST_CASE("render state: states merge in any order into the bits of one run", "[
     const RenderState one = state_of(0, 20);
     for (const bool reverse : {false, true}) {
         std::vector<RenderState> parts = {state_of(0, 5), state_of(11, 20), state_of(5, 11)};
+        const std::vector<ErrorCheck> first = parts[0].checks;
         if (reverse)
             std::reverse(parts.begin(), parts.end());
         RenderState merged = parts[0];
@@ -128,8 +129,28 @@ TEST_CASE("render state: states merge in any order into the bits of one run", "[
         merge_state(merged, parts[2], "c");
         CHECK(merged.film == one.film);
         CHECK(merged.seconds == 7.5);
-        CHECK(merged.checks.empty());
+        CHECK(merged.checks == first);
+        look_at_error(merged);
+        look_at_error(merged);
+        REQUIRE(merged.checks.size() == 2);
+        CHECK(merged.checks[1] == ErrorCheck{20, 7.5, estimate_error(one.film).value()});
     }
+}
+
+TEST_CASE("render state: of merged checks those of the first passes stay", "[film]")
+{
+    RenderState apart = state_of(0, 5);
+    merge_state(apart, state_of(11, 20), "b"); // passes 5 to 10 are missing
+    look_at_error(apart);
+    REQUIRE(apart.checks.size() == 2);
+    merge_state(apart, state_of(5, 11), "c");
+    REQUIRE(apart.checks.size() == 1); // what held of 14 passes holds of the first 14 no more
+    CHECK(apart.checks[0].passes == 5);
+    RenderState empty = apart;
+    empty.film = make_film(6, 6, 1, BiasKnowledge::from_radii);
+    empty.checks.clear();
+    merge_state(empty, apart, "d");
+    CHECK(empty.checks == apart.checks);
 }
 
 TEST_CASE("render state: overlapping passes and other settings do not merge", "[film]")

@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <map>
+
 using namespace hipmap;
 
 namespace {
@@ -79,13 +81,14 @@ TEST_CASE("run: an error ends it at a check, where it is met and was not before"
     rules.error = 0.05;
     CHECK(run(source, rules, state).reason == StopReason::error);
     const auto& checks = state.checks;
-    REQUIRE(checks.size() > 2);
+    REQUIRE(checks.size() > 6);
     CHECK(checks.back().error.error <= 0.05);
     std::uint64_t passes_at = 0;
     for (std::size_t i = 0; i < checks.size(); ++i) {
         CHECK((checks[i].error.error <= 0.05) == (i + 1 == checks.size()));
-        CHECK(checks[i].passes == (passes_at = next_check(passes_at)));
+        CHECK(checks[i].passes == (passes_at = next_look(passes_at)));
     }
+    CHECK(next_check(passes_at - 1) == passes_at);
     CHECK(count(state.film.passes) == passes_at);
     CHECK(run(source, rules, state).reason == StopReason::error); // met already
     CHECK(count(state.film.passes) == passes_at);
@@ -121,8 +124,8 @@ TEST_CASE("run: what the caller hears goes from nothing to all, and a stop ends 
     RunControl control;
     control.stop = &stop;
     control.progress = [&](const RunProgress& progress) {
-        heard.push_back(progress.done);
-        CHECK(progress.error.has_value() == (progress.passes >= 8));
+        heard.push_back(progress.done.value());
+        CHECK(progress.error.has_value() == (progress.passes >= 2));
     };
     RenderState state = begin_state(source, {});
     StopRules rules;
@@ -139,4 +142,40 @@ TEST_CASE("run: what the caller hears goes from nothing to all, and a stop ends 
     CHECK(state.film.passes == PassSet{{{0, 12}}});
     CHECK(stopped.image.pixels == film_image(state.film).pixels);
     CHECK(state.checks.back().passes == 12);
+}
+
+TEST_CASE("run: no share is told of an error until it was looked at twice, then one to the check "
+          "that will meet it",
+          "[integrator]")
+{
+    SyntheticPasses passes = small_passes();
+    passes.radii = false; // the error falls as 1 / sqrt(N), so that the law is right
+    const PassSource source = source_of(passes);
+    PassSource talking = source;
+    talking.render = [&source](std::uint64_t pass, const PassControl& control) {
+        control.progress(0);
+        return source.render(pass, control);
+    };
+    StopRules rules;
+    rules.error = 0.05;
+    std::map<std::uint64_t, std::optional<double>> told;
+    RunControl control;
+    control.progress = [&](const RunProgress& progress) { told[progress.passes] = progress.done; };
+    RenderState state = begin_state(source, {});
+    run_passes(talking, rules, control, state);
+    const auto end = static_cast<double>(count(state.film.passes));
+    for (const auto& [at, share] : told) {
+        CHECK(share.has_value() == (at >= 3));
+        if (share && 2 * at > end) // a step of the checks is a factor of 1.4
+            CHECK(*share == Approx(static_cast<double>(at) / end).epsilon(0.45));
+        if (share)
+            CHECK(*share <= 1);
+    }
+
+    // Another rule is known from the beginning.
+    rules.passes = 4;
+    told.clear();
+    RenderState short_state = begin_state(source, {});
+    run_passes(talking, rules, control, short_state);
+    CHECK(told[1].value() == Approx(0.25));
 }
