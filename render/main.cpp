@@ -3,15 +3,14 @@
 #include "common/partition/partition_file.h"
 #include "common/scene/print_audit.h"
 #include "common/stopwatch.h"
-#include "render/maps/hierarchical.h"
 #include "render/merge.h"
 #include "render/outputs.h"
+#include "render/print_results.h"
 #include "render/settings.h"
 #include "render/shading/describe_reflections.h"
 #include "render/statistics.h"
 
 #include <csignal>
-#include <sstream>
 
 namespace hipmap {
 
@@ -110,75 +109,6 @@ RunResult render_with_progress(const RenderArguments& arguments, const PassSourc
     if (!arguments.state.empty())
         write_state(arguments.state, state);
     return out;
-}
-
-void print_photons(const RenderStatistics& statistics, Report& report)
-{
-    std::ostringstream line;
-    line << "photons: " << statistics.emitted << " light paths";
-    if (statistics.aimed > 0)
-        line << " and " << statistics.aimed << " aimed at specular surfaces";
-    line << " left " << statistics.global.stored << " global and " << statistics.caustic.stored
-         << " caustic photons; last pass: " << statistics.global.shared_maps << " global and "
-         << statistics.caustic.shared_maps << " caustic maps with photons";
-    if (const std::uint64_t maps = statistics.global.local_maps + statistics.caustic.local_maps)
-        line << ", " << maps << " local maps";
-    if (const std::uint64_t maps = statistics.global.group_maps + statistics.caustic.group_maps)
-        line << ", " << maps << " group maps";
-    report.line(line.str());
-}
-
-void print_tiers(const RenderStatistics& statistics, Report& report)
-{
-    for (const auto& [name, kind] :
-         {std::pair("global", &statistics.global), std::pair("caustic", &statistics.caustic)})
-        if (kind->stored > 0)
-            report.line(std::string(name) + " photons: local maps " +
-                        describe_plan(kind->local_plan) + "; group maps " +
-                        describe_plan(kind->group_plan));
-}
-
-void warn_of_dropped(const RenderStatistics& statistics, const Film& film, Report& report)
-{
-    if (film.saturated > 0)
-        report.warn(std::to_string(film.saturated) +
-                    " values were too large for the film and count as the largest it takes");
-    const std::uint64_t dropped = statistics.dropped_photons + statistics.dropped_samples;
-    if (dropped > 0)
-        report.warn(std::to_string(dropped) +
-                    " photons or samples were not finite and were left out");
-}
-
-void print_error(const RenderArguments& arguments, const RenderState& state, Report& report)
-{
-    if (state.checks.empty())
-        return;
-    report.line(describe_error(state.checks.back()));
-    report.line(describe_price(state.checks, arguments.render.photons));
-    if (!arguments.quote)
-        return;
-    for (const Price& price :
-         price_list(state.checks, arguments.render.photons, arguments.stops.error)) {
-        std::ostringstream line;
-        line << "an error of " << percent(price.error) << " takes " << price.passes << " passes, "
-             << format_seconds(price.seconds);
-        if (arguments.render.integrator != Integrator::path)
-            line << ", " << price.photons << " light paths";
-        report.line(line.str());
-    }
-    report.line("memory, for any of them: " + std::to_string(peak_memory() >> 20) + " MiB");
-}
-
-void print_statistics(const RenderArguments& arguments, const RenderStatistics& statistics,
-                      const Film& film, Report& report)
-{
-    if (arguments.render.integrator != Integrator::path) {
-        print_photons(statistics, report);
-        if (arguments.render.maps.mode == MapMode::hierarchical &&
-            arguments.render.maps.tree == TreeKind::wide)
-            print_tiers(statistics, report);
-    }
-    warn_of_dropped(statistics, film, report);
 }
 
 /// Reads the scene and completes the options by it.
