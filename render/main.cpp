@@ -157,6 +157,8 @@ int render(RenderArguments& arguments)
                                    arguments.exposure_ev, report);
     run.seconds_write = writing.seconds();
     run.warnings = report.warnings();
+    run.audit = loaded.audit;
+    run.ended_by = rendered.reason;
     if (!arguments.statistics.empty()) {
         write_file(arguments.statistics,
                    statistics_json(arguments, loaded.scene, partition, statistics, state, run));
@@ -187,6 +189,8 @@ int render_main(int argc, char** argv)
     if (const std::optional<int> code = hipmap::parse_arguments(app, argc, argv))
         return *code;
     hipmap::complete_arguments(app, arguments);
+    arguments.command = {"render"};
+    arguments.command.insert(arguments.command.end(), argv + 1, argv + argc);
     return hipmap::render(arguments);
 }
 

@@ -3,38 +3,66 @@
 #include "common/file/output_file.h"
 #include "common/image/image_format.h"
 #include "common/input_error.h"
+#include "common/stopwatch.h"
 #include "render/outputs.h"
+#include "render/statistics.h"
 
 namespace hipmap {
 
-int merge_states(const MergeArguments& arguments)
+namespace {
+
+void check_outputs(const MergeArguments& arguments)
 {
-    Report report;
     for (const std::filesystem::path& image : arguments.images) {
         image_format(image); // refuses an unknown suffix
         check_writable(image);
     }
-    if (!arguments.state.empty())
-        check_writable(arguments.state);
-    RenderState state = read_state(arguments.states[0]);
-    for (std::size_t i = 1; i < arguments.states.size(); ++i)
-        merge_state(state, read_state(arguments.states[i]), arguments.states[i]);
-    const std::uint64_t passes = count(state.film.passes);
-    if (passes == 0)
-        throw InputError(arguments.states[0].string() + ": holds no pass yet; render some first");
-    report.line(std::to_string(passes) + " passes of " + std::to_string(arguments.states.size()) +
-                (arguments.states.size() == 1 ? " state" : " states"));
+    for (const std::filesystem::path& file : {arguments.statistics, arguments.state})
+        if (!file.empty())
+            check_writable(file);
+}
 
-    if (const std::optional<ImageError> error = estimate_error(state.film)) {
-        state.checks = {{passes, state.seconds, *error}};
-        report.line(describe_error(state.checks[0]));
+/// All passes of the states, at least one, with a look at the error that they have together.
+RenderState read_states(const std::vector<std::filesystem::path>& paths)
+{
+    RenderState state = read_state(paths[0]);
+    for (std::size_t i = 1; i < paths.size(); ++i)
+        merge_state(state, read_state(paths[i]), paths[i]);
+    if (count(state.film.passes) == 0)
+        throw InputError(paths[0].string() + ": holds no pass yet; render some first");
+    look_at_error(state);
+    return state;
+}
+
+} // namespace
+
+int merge_states(const MergeArguments& arguments)
+{
+    Report report;
+    RunStatistics run;
+    check_outputs(arguments);
+    const RenderState state = read_states(arguments.states);
+    report.line(std::to_string(count(state.film.passes)) + " passes of " +
+                std::to_string(arguments.states.size()) +
+                (arguments.states.size() == 1 ? " state" : " states"));
+    if (!state.checks.empty()) {
+        report.line(describe_error(state.checks.back()));
+        report.line(describe_price(state.checks));
     }
+
+    const Stopwatch writing;
     if (!arguments.state.empty()) {
         write_state(arguments.state, state);
         report.line("wrote " + arguments.state.string());
     }
-    write_images(arguments.images, film_image(state.film), state.film, state.checks,
-                 arguments.exposure_ev, report);
+    run.exposure_ev = write_images(arguments.images, film_image(state.film), state.film,
+                                   state.checks, arguments.exposure_ev, report);
+    run.seconds_write = writing.seconds();
+    run.warnings = report.warnings();
+    if (!arguments.statistics.empty()) {
+        write_file(arguments.statistics, merged_statistics_json(arguments, state, run));
+        report.line("wrote " + arguments.statistics.string());
+    }
     return kExitDone;
 }
 

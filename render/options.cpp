@@ -86,6 +86,11 @@ void add_images(CLI::App& app, std::vector<std::filesystem::path>& images)
         ->type_name("FILE");
 }
 
+void add_statistics(CLI::App& app, std::filesystem::path& statistics)
+{
+    app.add_option("--stats", statistics, "Write statistics as JSON")->type_name("FILE");
+}
+
 void add_exposure(CLI::App& app, std::optional<float>& exposure_ev)
 {
     app.add_option_function<std::string>(
@@ -108,7 +113,7 @@ void add_files(CLI::App& app, RenderArguments& arguments)
                    "Partition of that scene (.hpm), by preprocess")
         ->required();
     add_images(app, arguments.images);
-    app.add_option("--stats", arguments.statistics, "Write statistics as JSON")->type_name("FILE");
+    add_statistics(app, arguments.statistics);
 }
 
 void add_method(CLI::App& app, RenderArguments& arguments)
@@ -203,6 +208,7 @@ void add_merge_arguments(CLI::App& app, MergeArguments& arguments)
     add_images(app, arguments.images);
     app.get_option("--output")->required();
     add_exposure(app, arguments.exposure_ev);
+    add_statistics(app, arguments.statistics);
     app.add_option("--state", arguments.state, "Write all passes as one state")->type_name("FILE");
 }
 

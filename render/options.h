@@ -12,6 +12,7 @@ namespace hipmap {
 
 /// What the user asked of `render`.
 struct RenderArguments {
+    std::vector<std::string> command; ///< as typed, of the name of the tool and its arguments
     std::filesystem::path scene;
     std::filesystem::path partition;
     std::vector<std::filesystem::path> images;
@@ -35,7 +36,8 @@ void add_render_arguments(CLI::App& app, RenderArguments& arguments);
 struct MergeArguments {
     std::vector<std::filesystem::path> states;
     std::vector<std::filesystem::path> images;
-    std::filesystem::path state; ///< to write; empty: none
+    std::filesystem::path statistics; ///< empty: none
+    std::filesystem::path state;      ///< to write; empty: none
     std::optional<float> exposure_ev;
 };
 

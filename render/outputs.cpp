@@ -85,10 +85,10 @@ std::string describe_error(const ErrorCheck& check)
     return text;
 }
 
-std::string describe_price(std::span<const ErrorCheck> checks, std::uint64_t photons)
+std::string describe_price(std::span<const ErrorCheck> checks)
 {
     const ErrorCheck& last = checks.back();
-    const Price half = price_of(checks, last.error.error / 2, photons);
+    const Price half = price_of(checks, last.error.error / 2, 0);
     const double before = error_after(fit_law(checks), static_cast<double>(last.passes) / 2);
     std::string text = "price: " + percent(last.error.error) + " took " +
                        std::to_string(last.passes) + " passes and " + format_seconds(last.seconds);

@@ -22,8 +22,8 @@ std::string percent(double share);
 /// What is known of an image's error, in words.
 std::string describe_error(const ErrorCheck& check);
 
-/// What half the error would cost.  photons: light paths a pass.
-std::string describe_price(std::span<const ErrorCheck> checks, std::uint64_t photons);
+/// What half the error would cost.
+std::string describe_price(std::span<const ErrorCheck> checks);
 
 /// The errors of a price list: half of what there is now, and round ones.  target: 0 for none.
 std::vector<Price> price_list(std::span<const ErrorCheck> checks, std::uint64_t photons,

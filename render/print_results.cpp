@@ -65,7 +65,7 @@ void print_error(const RenderArguments& arguments, const RenderState& state, Rep
     if (state.checks.empty())
         return;
     report.line(describe_error(state.checks.back()));
-    report.line(describe_price(state.checks, arguments.render.photons));
+    report.line(describe_price(state.checks));
     if (!arguments.quote)
         return;
     for (const Price& price :

@@ -3,7 +3,9 @@
 #include "common/partition/partition_file.h"
 #include "common/scene/fingerprint.h"
 
+#include <charconv>
 #include <cstdio>
+#include <string_view>
 
 namespace hipmap {
 
@@ -56,6 +58,19 @@ std::vector<std::string> settings_of(const RenderOptions& options, const Scene& 
             "local-min=" + std::to_string(local_min),
             "samples=" + std::to_string(samples),
             "seed=" + std::to_string(seed)};
+}
+
+std::uint64_t photons_of(const std::vector<std::string>& settings)
+{
+    constexpr std::string_view kName = "photons=";
+    for (const std::string& setting : settings) {
+        std::uint64_t photons = 0;
+        if (setting.starts_with(kName) &&
+            std::from_chars(setting.data() + kName.size(), setting.data() + setting.size(), photons)
+                    .ec == std::errc())
+            return photons;
+    }
+    return 0;
 }
 
 } // namespace hipmap

@@ -14,6 +14,9 @@ namespace hipmap {
 std::vector<std::string> settings_of(const RenderOptions& options, const Scene& scene,
                                      const Partition& partition);
 
+/// Light paths a pass, by such settings; 0: they do not say.
+std::uint64_t photons_of(const std::vector<std::string>& settings);
+
 /// Names of choices, as on the command line.
 const char* name_of(MapMode mode);
 const char* name_of(TreeKind tree);

@@ -105,22 +105,63 @@ Json check_json(const ErrorCheck& check)
     return json;
 }
 
-Json error_json(const RenderArguments& arguments, const RenderState& state)
+/// target: of the error; 0 for none.
+Json error_json(const RenderState& state, std::uint64_t photons, double target)
 {
     static const char* const kBias[] = {"none", "unknown", "from radii"};
     Json checks = Json::array(), prices = Json::array();
     for (const ErrorCheck& check : state.checks)
         checks.push_back(check_json(check));
-    for (const Price& price :
-         price_list(state.checks, arguments.render.photons, arguments.stops.error))
+    for (const Price& price : price_list(state.checks, photons, target))
         prices.push_back({{"error", price.error},
                           {"passes", price.passes},
                           {"seconds", price.seconds},
                           {"photons", price.photons}});
+    const ErrorLaw law = fit_law(state.checks);
     return {{"bias", kBias[static_cast<int>(state.film.bias)]},
             {"checks", checks},
+            {"law", {{"by_pass", law.by_pass}, {"by_photon", law.by_photon}}},
             {"prices", prices},
             {"memory", peak_memory()}};
+}
+
+Json audit_json(const SceneAudit& audit)
+{
+    return {{"found", audit.found}, {"assumed", audit.assumed}, {"lost", audit.warnings}};
+}
+
+Json photons_json(const RenderStatistics& render, const RenderOptions& options)
+{
+    Json json = {{"emitted", render.emitted},
+                 {"aimed", render.aimed},
+                 {"stored", render.caustic.stored + render.global.stored},
+                 {"dropped", render.dropped_photons},
+                 {"paths_cut", render.cut_paths},
+                 {"caustic", kind_json(render.caustic, options.maps)},
+                 {"global", kind_json(render.global, options.maps)}};
+    if (options.integrator == Integrator::progressive)
+        json["indirect"] = kind_json(render.indirect, options.maps);
+    return json;
+}
+
+const char* ended_by(StopReason reason)
+{
+    static const char* const kNames[] = {"passes", "time", "error", "signal"};
+    return kNames[static_cast<int>(reason)];
+}
+
+Json image_json(int width, int height, const std::vector<std::filesystem::path>& files,
+                float exposure_ev)
+{
+    Json names = Json::array();
+    for (const std::filesystem::path& file : files)
+        names.push_back(file.string());
+    return {{"width", width}, {"height", height}, {"exposure_ev", exposure_ev}, {"files", names}};
+}
+
+std::string text_of(const Json& json)
+{
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 } // namespace
@@ -132,6 +173,8 @@ std::string statistics_json(const RenderArguments& arguments, const Scene& scene
     const double unit2 = scene.frame.metres_per_unit * scene.frame.metres_per_unit;
     const RenderOptions& options = arguments.render;
     Json json;
+    json["command"] = arguments.command;
+    json["version"] = HIPMAP_VERSION;
     json["scene"] = {{"file", arguments.scene.string()},
                      {"faces", scene.mesh.face_count()},
                      {"materials", scene.materials.size()},
@@ -140,30 +183,44 @@ std::string statistics_json(const RenderArguments& arguments, const Scene& scene
                      {"metres_per_unit", scene.frame.metres_per_unit}};
     json["partition"] = {{"file", arguments.partition.string()},
                          {"shared_maps", partition.map_count}};
-    json["image"] = {
-        {"width", options.width}, {"height", options.height}, {"exposure_ev", run.exposure_ev}};
+    json["audit"] = audit_json(run.audit);
+    json["image"] = image_json(options.width, options.height, arguments.images, run.exposure_ev);
     json["options"] = options_json(arguments, scene);
     json["passes_done"] = count(state.film.passes);
-    json["error"] = error_json(arguments, state);
+    json["ended_by"] = ended_by(run.ended_by);
+    json["error"] = error_json(state, options.photons, arguments.stops.error);
     json["saturated"] = state.film.saturated;
     json["seconds"] = seconds_json(render, run);
     json["processor_seconds"] = {{"maps", render.processor_maps},
                                  {"image", render.processor_image}};
-    json["photons"] = {{"emitted", render.emitted},
-                       {"aimed", render.aimed},
-                       {"stored", render.caustic.stored + render.global.stored},
-                       {"dropped", render.dropped_photons},
-                       {"paths_cut", render.cut_paths},
-                       {"caustic", kind_json(render.caustic, options.maps)},
-                       {"global", kind_json(render.global, options.maps)}};
-    if (options.integrator == Integrator::progressive)
-        json["photons"]["indirect"] = kind_json(render.indirect, options.maps);
+    json["photons"] = photons_json(render, options);
     json["power_W"] = {{"emitted", rgb_json(render.power.emitted * unit2)},
                        {"absorbed", rgb_json(render.power.absorbed * unit2)},
                        {"escaped", rgb_json(render.power.escaped * unit2)}};
     json["dropped_samples"] = render.dropped_samples;
     json["warnings"] = run.warnings;
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return text_of(json);
+}
+
+std::string merged_statistics_json(const MergeArguments& arguments, const RenderState& state,
+                                   const RunStatistics& run)
+{
+    Json json;
+    for (const std::filesystem::path& file : arguments.states)
+        json["states"].push_back(file.string());
+    for (const std::string& setting : state.settings) {
+        const std::size_t sign = setting.find('=');
+        const bool has_value = sign != std::string::npos;
+        json["settings"][setting.substr(0, sign)] = has_value ? setting.substr(sign + 1) : "";
+    }
+    json["image"] =
+        image_json(state.film.width, state.film.height, arguments.images, run.exposure_ev);
+    json["passes_done"] = count(state.film.passes);
+    json["error"] = error_json(state, photons_of(state.settings), 0);
+    json["saturated"] = state.film.saturated;
+    json["seconds"] = {{"passes", state.seconds}, {"write", run.seconds_write}};
+    json["warnings"] = run.warnings;
+    return text_of(json);
 }
 
 } // namespace hipmap

@@ -109,6 +109,15 @@ class Pipeline(ToolsTestCase):
         self.assertEqual(stats["scene"]["faces"], FACES)
         self.assertEqual(stats["partition"]["shared_maps"], SHARED_MAPS)
         self.assertEqual(stats["image"]["width"], SIZE)
+        self.assertEqual(stats["image"]["files"],
+                         [self.path("cornell" + suffix) for suffix in (".png", ".exr", ".pfm")])
+        self.assertEqual(stats["command"][:2], ["render", Tools.scene])
+        self.assertEqual(stats["ended_by"], "passes")
+        self.assertTrue(any("Lamp" in sentence for sentence in stats["audit"]["found"]))
+        self.assertEqual([check["passes"] for check in stats["error"]["checks"]], [2, 3, 4])
+        law, last = stats["error"]["law"], stats["error"]["checks"][-1]
+        square = law["by_pass"] / 4 + law["by_photon"] / 4 ** (2 / 3)
+        self.assertAlmostEqual(math.sqrt(square), last["error"], delta=1e-6)
         photons = stats["photons"]
         self.assertEqual(photons["emitted"], 4 * 20000)
         self.assertGreater(photons["caustic"]["stored"], 0)

@@ -33,6 +33,10 @@ class State(ToolsTestCase):
     def refuse_render(self, *options, naming):
         self.refuse("render", *self.command("refused.pfm", *options)[1:], naming=naming)
 
+    def read_json(self, name):
+        with open(self.path(name), encoding="utf-8") as file:
+            return json.load(file)
+
     def same(self, *images):
         contents = []
         for image in images:
@@ -77,8 +81,10 @@ class State(ToolsTestCase):
                         "--state", self.path(f"{part}.state"))
         states = [self.path(f"{part}.state") for part in (2, 0, 1)]
         said = self.succeed("render", "merge", *states, "-o", self.path("merged.pfm"), "--state",
-                            self.path("merged.state"))
+                            self.path("merged.state"), "--stats", self.path("merged.json"))
         self.assertIn("accuracy: error ", said)
+        self.assertRegex(said, "price: .* took 12 passes and .*; half that error takes ")
+        self.look_into_merged_statistics(self.read_json("merged.json"))
         self.render("again.pfm", "--passes", 12, "--state", self.path("merged.state"))
         self.same("whole.pfm", "merged.pfm", "again.pfm")
 
@@ -92,12 +98,22 @@ class State(ToolsTestCase):
         self.refuse_render("--state", states[0], "--exclude", "Block", naming="")
         self.refuse_render("--state", states[0], "--environment", "1", naming="scene=")
 
+    def look_into_merged_statistics(self, stats):
+        self.assertEqual(stats["passes_done"], 12)
+        self.assertEqual(stats["settings"]["photons"], "3000")
+        self.assertEqual((stats["image"]["width"], len(stats["states"])), (16, 3))
+        checks = stats["error"]["checks"]
+        self.assertEqual([check["passes"] for check in checks], [2, 3, 4, 12])
+        self.assertGreater(stats["seconds"]["passes"], checks[2]["seconds"])
+        price = stats["error"]["prices"][-1]
+        self.assertEqual(price["photons"], 3000 * price["passes"])
+
     def test_it_ends_at_an_error_and_after_a_time_and_says_the_price(self):
         said = self.render("a.pfm", "--integrator", "path", "--error", "20%", "--stats",
                            self.path("a.json"))
         self.assertIn("half that error takes", said)
-        with open(self.path("a.json"), encoding="utf-8") as file:
-            stats = json.load(file)
+        stats = self.read_json("a.json")
+        self.assertEqual(stats["ended_by"], "error")
         checks = stats["error"]["checks"]
         self.assertLessEqual(checks[-1]["error"], 0.2)
         self.assertEqual([check["passes"] for check in checks[:4]], [2, 3, 4, 6])
@@ -110,8 +126,9 @@ class State(ToolsTestCase):
         self.assertEqual(sorted((price["passes"] for price in prices)),
                          [price["passes"] for price in prices])
         self.render("a.pfm", "--time", "0.2", "--stats", self.path("a.json"))
-        with open(self.path("a.json"), encoding="utf-8") as file:
-            self.assertGreater(json.load(file)["passes_done"], 0)
+        stats = self.read_json("a.json")
+        self.assertEqual(stats["ended_by"], "time")
+        self.assertGreater(stats["passes_done"], 0)
 
     def test_a_quote_writes_nothing(self):
         before = sorted(os.listdir(self.folder))
