@@ -1,5 +1,6 @@
 #include "preprocess/colouring/painters.h"
 
+#include "common/image/colour_scale.h"
 #include "common/partition/limiting_radius.h"
 #include "preprocess/colouring/map_colours.h"
 

@@ -1,10 +1,10 @@
 #include "preprocess/colouring/partition_pictures.h"
 
+#include "common/image/colour_scale.h"
+#include "common/image/legend.h"
 #include "common/image/write_image.h"
 #include "common/input_error.h"
-#include "preprocess/colouring/legend.h"
 #include "preprocess/colouring/painters.h"
-#include "preprocess/colouring/palette.h"
 
 #include <algorithm>
 #include <iomanip>

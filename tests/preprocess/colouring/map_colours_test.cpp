@@ -56,9 +56,3 @@ TEST_CASE("palette_colour: the distinct colours are, and all can be shown", "[co
             REQUIRE(glm::length(a - palette_colour(j)) > (i < kDistinctColours ? 0.03f : 0.0f));
     }
 }
-
-TEST_CASE("scale_colour: lightness rises all the way", "[colouring]")
-{
-    for (int i = 0; i < 100; ++i)
-        REQUIRE(luminance(scale_colour((i + 1) / 100.0)) > luminance(scale_colour(i / 100.0)));
-}

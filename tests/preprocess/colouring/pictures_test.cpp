@@ -1,10 +1,9 @@
 #include "common/file/output_file.h"
+#include "common/image/colour_scale.h"
 #include "common/image/srgb.h"
 #include "common/partition/limiting_radius.h"
-#include "preprocess/colouring/legend.h"
 #include "preprocess/colouring/map_colours.h"
 #include "preprocess/colouring/painters.h"
-#include "preprocess/colouring/palette.h"
 #include "preprocess/colouring/partition_pictures.h"
 #include "preprocess/partition/build_partition.h"
 #include "tests/support/hard_surfaces.h"
@@ -137,21 +136,4 @@ TEST_CASE("write_partition_pictures: four pictures of the size asked for, legend
         CHECK(std::to_integer<int>(png[23]) > 80);
     }
     std::filesystem::remove_all(folder);
-}
-
-TEST_CASE("add_legend: rows are added until every entry has its place", "[colouring]")
-{
-    const Image picture(100, 10);
-    const LegendEntry entry{{Rgb(1, 0, 0)}, "connected"};
-    const Image one = add_legend(picture, {entry});
-    const Image three = add_legend(picture, {entry, entry, entry});
-    CHECK(one.width == 100);
-    CHECK(three.height > one.height);
-    const auto red = [](const Image& image) {
-        return std::ranges::count_if(image.pixels,
-                                     [](const Rgb& c) { return near(c, Rgb(1, 0, 0)); });
-    };
-    CHECK(red(one) > 50);
-    CHECK(red(three) == 3 * red(one));
-    CHECK(add_legend(Image(1, 1), {entry}).width == 1); // too narrow for any of it
 }

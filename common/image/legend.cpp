@@ -1,4 +1,4 @@
-#include "preprocess/colouring/legend.h"
+#include "common/image/legend.h"
 
 #include "common/image/srgb.h"
 
