@@ -42,12 +42,14 @@ int preprocess(const PreprocessArguments& arguments)
     write_partition(arguments.output, result.partition);
     report.line("wrote " + arguments.output.string());
 
+    std::vector<LegendedPicture> pictures;
     if (!arguments.images.empty()) {
         const Stopwatch painting;
         const auto size = complete_size(arguments.size, scene.cameras[scene.camera].aspect);
-        for (const std::filesystem::path& path : write_partition_pictures(
-                 arguments.images, scene, result.partition, size.width, size.height))
-            report.line("wrote " + path.string());
+        pictures = write_partition_pictures(arguments.images, scene, result.partition, size.width,
+                                            size.height);
+        for (const LegendedPicture& picture : pictures)
+            report.line("wrote " + picture.path.string());
         result.summary.passes.push_back({"paint pictures", painting.seconds()});
     }
     if (!arguments.coloured.empty()) {
@@ -58,7 +60,7 @@ int preprocess(const PreprocessArguments& arguments)
     }
     if (!arguments.json.empty()) {
         write_file(arguments.json,
-                   summary_json(arguments, scene, result.partition, result.summary));
+                   summary_json(arguments, scene, result.partition, result.summary, pictures));
         report.line("wrote " + arguments.json.string());
     }
     return kExitDone;
@@ -77,6 +79,8 @@ int main(int argc, char** argv)
         hipmap::add_preprocess_arguments(app, arguments);
         if (const std::optional<int> code = hipmap::parse_arguments(app, argc, argv))
             return *code;
+        arguments.command = {"preprocess"};
+        arguments.command.insert(arguments.command.end(), argv + 1, argv + argc);
         return hipmap::preprocess(arguments);
     });
 }

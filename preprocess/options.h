@@ -10,6 +10,7 @@ namespace hipmap {
 
 /// What the user asked of `preprocess`.
 struct PreprocessArguments {
+    std::vector<std::string> command; ///< as typed, of the name of the tool and its arguments
     std::filesystem::path scene;
     std::filesystem::path output;
     std::filesystem::path images;   ///< folder; empty: none

@@ -1,5 +1,7 @@
 #include "preprocess/summary.h"
 
+#include "common/image/picture_json.h"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -139,9 +141,11 @@ nlohmann::ordered_json maps_json(const Scene& scene, const Partition& partition,
 } // namespace
 
 std::string summary_json(const PreprocessArguments& arguments, const Scene& scene,
-                         const Partition& partition, const PartitionSummary& summary)
+                         const Partition& partition, const PartitionSummary& summary,
+                         const std::vector<LegendedPicture>& pictures)
 {
     nlohmann::ordered_json json;
+    json["command"] = arguments.command;
     json["scene"] = arguments.scene.string();
     json["partition"] = arguments.output.string();
     json["angle_deg"] = arguments.angle_deg;
@@ -168,6 +172,9 @@ std::string summary_json(const PreprocessArguments& arguments, const Scene& scen
     json["grouped_faces"] = summary.grouped_faces;
     json["shared_maps"] = summary.maps.size();
     json["maps"] = maps_json(scene, partition, summary);
+    json["pictures"] = nlohmann::ordered_json::array();
+    for (const LegendedPicture& picture : pictures)
+        json["pictures"].push_back(picture_json(picture));
     for (const PartitionPass& pass : summary.passes)
         json["seconds"][std::string(pass.name)] = pass.seconds;
     return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "common/image/legend.h"
 #include "common/scene/scene.h"
 #include "preprocess/options.h"
 #include "preprocess/partition/build_partition.h"
@@ -16,8 +17,9 @@ std::vector<std::string> describe(const PartitionSummary& summary, double angle_
 std::vector<std::string> describe_defects(const PartitionSummary& summary);
 
 /// The same and more as JSON text; docs/partition_file.md.  Lengths in metres, areas in m2.
-/// partition: of the scene.  O(n log n) in faces.
+/// partition: of the scene.  pictures: written of it.  O(n log n) in faces.
 std::string summary_json(const PreprocessArguments& arguments, const Scene& scene,
-                         const Partition& partition, const PartitionSummary& summary);
+                         const Partition& partition, const PartitionSummary& summary,
+                         const std::vector<LegendedPicture>& pictures);
 
 } // namespace hipmap

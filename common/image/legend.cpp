@@ -1,10 +1,12 @@
 #include "common/image/legend.h"
 
 #include "common/image/srgb.h"
+#include "common/image/write_image.h"
 
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cstdio>
 #include <map>
 
 namespace hipmap {
@@ -132,6 +134,21 @@ Image add_legend(const Image& picture, const std::vector<LegendEntry>& entries)
         draw_text(out, left, top + (kSwatchHeight - kGlyphHeight) / 2, entries[i].text);
     }
     return out;
+}
+
+std::string hex_colour(const Rgb& linear)
+{
+    char text[8];
+    std::snprintf(text, sizeof text, "#%02x%02x%02x", level_of(srgb_from_linear(linear.x)),
+                  level_of(srgb_from_linear(linear.y)), level_of(srgb_from_linear(linear.z)));
+    return text;
+}
+
+LegendedPicture write_with_legend(const std::filesystem::path& path, const Image& picture,
+                                  std::vector<LegendEntry> legend)
+{
+    write_display_png(path, add_legend(picture, legend));
+    return {path, picture.width, picture.height, std::move(legend)};
 }
 
 } // namespace hipmap

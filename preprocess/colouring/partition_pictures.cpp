@@ -1,8 +1,6 @@
 #include "preprocess/colouring/partition_pictures.h"
 
 #include "common/image/colour_scale.h"
-#include "common/image/legend.h"
-#include "common/image/write_image.h"
 #include "common/input_error.h"
 #include "preprocess/colouring/painters.h"
 
@@ -68,10 +66,10 @@ Legend legend_of_groups(const Partition& partition)
 
 } // namespace
 
-std::vector<std::filesystem::path> write_partition_pictures(const std::filesystem::path& folder,
-                                                            const Scene& scene,
-                                                            const Partition& partition, int width,
-                                                            int height)
+std::vector<LegendedPicture> write_partition_pictures(const std::filesystem::path& folder,
+                                                      const Scene& scene,
+                                                      const Partition& partition, int width,
+                                                      int height)
 {
     std::error_code problem;
     std::filesystem::create_directory(folder, problem);
@@ -86,12 +84,12 @@ std::vector<std::filesystem::path> write_partition_pictures(const std::filesyste
     const std::vector<Legend> legends{legend_of_maps(partition), legend_of_edges(partition),
                                       legend_of_candidates(partition, scene.frame.metres_per_unit),
                                       legend_of_groups(partition)};
-    const std::vector<std::filesystem::path> paths{folder / "shared_maps.png", folder / "edges.png",
-                                                   folder / "candidates.png",
-                                                   folder / "groups.png"};
-    for (std::size_t i = 0; i < paths.size(); ++i)
-        write_display_png(paths[i], add_legend(images[i], legends[i]));
-    return paths;
+    static constexpr std::array kNames{"shared_maps.png", "edges.png", "candidates.png",
+                                       "groups.png"};
+    std::vector<LegendedPicture> written;
+    for (std::size_t i = 0; i < kNames.size(); ++i)
+        written.push_back(write_with_legend(folder / kNames[i], images[i], legends[i]));
+    return written;
 }
 
 } // namespace hipmap

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "common/image/legend.h"
 #include "common/partition/partition.h"
 #include "common/scene/scene.h"
 
@@ -12,10 +13,10 @@ namespace hipmap {
 /// shared_maps.png, edges.png, candidates.png and groups.png, each with a legend below.
 /// width, height: of the picture without its legend, pixels, at least one.  The folder is made if
 /// it is missing.  Throws InputError if a file cannot be written.
-/// Returns the paths.  Parallel; the same at any thread count.
-std::vector<std::filesystem::path> write_partition_pictures(const std::filesystem::path& folder,
-                                                            const Scene& scene,
-                                                            const Partition& partition, int width,
-                                                            int height);
+/// Returns them in this order.  Parallel; the same at any thread count.
+std::vector<LegendedPicture> write_partition_pictures(const std::filesystem::path& folder,
+                                                      const Scene& scene,
+                                                      const Partition& partition, int width,
+                                                      int height);
 
 } // namespace hipmap

@@ -105,7 +105,19 @@ TEST_CASE("summary: areas in square metres, a sentence for every defect", "[prep
     PreprocessArguments arguments = parse("desk.glb -o desk.hpm");
     arguments.scene = "bad utf-8 \xff";
 
-    const auto json = nlohmann::json::parse(summary_json(arguments, scene, partition, summary));
+    LegendEntry scale{std::vector<Rgb>(96), "reach"};
+    scale.colours.back() = Rgb(1);
+    const std::vector<LegendedPicture> pictures{{"a.png", 12, 8, {scale, {{}, "words"}}}};
+    const auto json =
+        nlohmann::json::parse(summary_json(arguments, scene, partition, summary, pictures));
+    REQUIRE(json["pictures"].size() == 1);
+    CHECK(json["pictures"][0]["height"] == 8);
+    const auto colours = json["pictures"][0]["legend"][0]["colours"];
+    REQUIRE(colours.size() == 16);
+    CHECK(colours[0] == "#000000");
+    CHECK(colours[14] == "#000000");
+    CHECK(colours[15] == "#ffffff");
+    CHECK(json["pictures"][0]["legend"][1]["colours"].empty());
     CHECK(json["faces"] == 6);
     CHECK(json["shared_maps"] == 2);
     CHECK(json["groups"] == 0);

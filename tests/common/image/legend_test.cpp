@@ -30,3 +30,9 @@ TEST_CASE("add_legend: rows are added until every entry has its place", "[image]
     CHECK(red(three) == 3 * red(one));
     CHECK(add_legend(Image(1, 1), {entry}).width == 1); // too narrow for any of it
 }
+
+TEST_CASE("hex_colour: what an 8-bit picture would show", "[image]")
+{
+    CHECK(hex_colour(Rgb(0, 1, 2)) == "#00ffff");
+    CHECK(hex_colour(Rgb(0.216f, -1, std::nanf(""))) == "#800000"); // the middle of sRGB
+}

@@ -126,11 +126,14 @@ TEST_CASE("write_partition_pictures: four pictures of the size asked for, legend
                         ("hipmap_pictures_test_" + std::to_string(::getpid()));
     const Scene scene = quad_scene();
     const Partition partition = build_partition(scene, {}).partition;
-    const auto paths = write_partition_pictures(folder, scene, partition, 120, 80);
-    REQUIRE(paths.size() == 4);
-    for (const std::filesystem::path& path : paths) {
+    const auto pictures = write_partition_pictures(folder, scene, partition, 120, 80);
+    REQUIRE(pictures.size() == 4);
+    for (const LegendedPicture& picture : pictures) {
+        CHECK(picture.width == 120);
+        CHECK(picture.height == 80);
+        CHECK(!picture.legend.empty());
         // Width and height are the first words of a PNG's header, big-endian.
-        const std::vector<std::byte> png = read_file(path);
+        const std::vector<std::byte> png = read_file(picture.path);
         REQUIRE(png.size() > 24);
         CHECK(std::to_integer<int>(png[19]) == 120);
         CHECK(std::to_integer<int>(png[23]) > 80);
