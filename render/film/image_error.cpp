@@ -79,7 +79,7 @@ ErrorLayers error_layers(const Film& film, double order)
     const bool biased = film.bias == BiasKnowledge::from_radii;
     if (biased)
         out.bias = Image(film.width, film.height);
-    const double factor = 1 / (1 - std::pow(kNarrowing, order));
+    const double factor = biased ? 1 / (1 - std::pow(kNarrowing, order)) : 0;
     const Batches& batches = reader.narrow();
     for (std::size_t i = 0; i < film.pixel_count(); ++i)
         for (std::size_t channel = 0; channel < 3; ++channel) {

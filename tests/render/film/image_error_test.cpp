@@ -232,3 +232,12 @@ TEST_CASE("image error: layers have the size of what is in them", "[film]")
     CHECK(noise > sum * 0.02 * 0.02 / 32);
     CHECK(noise < sum * 5 * 0.02 * 0.02 / 32);
 }
+
+TEST_CASE("image error: where no bias is known, the error of pixels is their noise", "[film]")
+{
+    const Film film = film_of(plain_noise(4, 0.3, 0.3), 0, 12);
+    const ErrorLayers layers = error_layers(film, estimate_error(film)->order);
+    CHECK(layers.bias.pixels.empty());
+    CHECK(layers.error.pixels == layers.noise.pixels);
+    CHECK(layers.error.pixels[0].x > 0);
+}
