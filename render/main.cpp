@@ -27,10 +27,10 @@ void check_outputs(const RenderArguments& arguments)
 {
     for (const std::filesystem::path& image : arguments.images)
         check_writable(image);
-    if (!arguments.statistics.empty())
-        check_writable(arguments.statistics);
-    if (!arguments.state.empty())
-        check_writable(arguments.state);
+    for (const std::filesystem::path& file :
+         {arguments.error_image, arguments.statistics, arguments.state})
+        if (!file.empty())
+            check_writable(file);
 }
 
 void choose_diffuse_model(const RenderArguments& arguments, LoadedScene& loaded)
@@ -155,6 +155,9 @@ int render(RenderArguments& arguments)
     const Stopwatch writing;
     run.exposure_ev = write_images(arguments.images, rendered.image, state.film, state.checks,
                                    arguments.exposure_ev, report);
+    if (!arguments.error_image.empty())
+        run.error_image =
+            write_error_image(arguments.error_image, state.film, state.checks, report);
     run.seconds_write = writing.seconds();
     run.warnings = report.warnings();
     run.audit = loaded.audit;

@@ -17,7 +17,8 @@ void check_outputs(const MergeArguments& arguments)
         image_format(image); // refuses an unknown suffix
         check_writable(image);
     }
-    for (const std::filesystem::path& file : {arguments.statistics, arguments.state})
+    for (const std::filesystem::path& file :
+         {arguments.error_image, arguments.statistics, arguments.state})
         if (!file.empty())
             check_writable(file);
 }
@@ -57,6 +58,9 @@ int merge_states(const MergeArguments& arguments)
     }
     run.exposure_ev = write_images(arguments.images, film_image(state.film), state.film,
                                    state.checks, arguments.exposure_ev, report);
+    if (!arguments.error_image.empty())
+        run.error_image =
+            write_error_image(arguments.error_image, state.film, state.checks, report);
     run.seconds_write = writing.seconds();
     run.warnings = report.warnings();
     if (!arguments.statistics.empty()) {

@@ -86,8 +86,19 @@ void add_images(CLI::App& app, std::vector<std::filesystem::path>& images)
         ->type_name("FILE");
 }
 
-void add_statistics(CLI::App& app, std::filesystem::path& statistics)
+void add_statistics(CLI::App& app, std::filesystem::path& error_image,
+                    std::filesystem::path& statistics)
 {
+    app.add_option_function<std::string>(
+           "--error-image",
+           [&error_image](const std::string& text) {
+               error_image = text;
+               if (image_format(error_image) != ImageFormat::png)
+                   throw InputError(text + ": the picture of the error is .png; -o FILE.exr holds "
+                                           "the error by pixel in numbers");
+           },
+           "Write a picture of the relative error of each pixel in false colour, .png")
+        ->type_name("FILE");
     app.add_option("--stats", statistics, "Write statistics as JSON")->type_name("FILE");
 }
 
@@ -113,7 +124,7 @@ void add_files(CLI::App& app, RenderArguments& arguments)
                    "Partition of that scene (.hpm), by preprocess")
         ->required();
     add_images(app, arguments.images);
-    add_statistics(app, arguments.statistics);
+    add_statistics(app, arguments.error_image, arguments.statistics);
 }
 
 void add_method(CLI::App& app, RenderArguments& arguments)
@@ -208,7 +219,7 @@ void add_merge_arguments(CLI::App& app, MergeArguments& arguments)
     add_images(app, arguments.images);
     app.get_option("--output")->required();
     add_exposure(app, arguments.exposure_ev);
-    add_statistics(app, arguments.statistics);
+    add_statistics(app, arguments.error_image, arguments.statistics);
     app.add_option("--state", arguments.state, "Write all passes as one state")->type_name("FILE");
 }
 

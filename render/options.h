@@ -16,8 +16,9 @@ struct RenderArguments {
     std::filesystem::path scene;
     std::filesystem::path partition;
     std::vector<std::filesystem::path> images;
-    std::filesystem::path statistics; ///< empty: none
-    std::filesystem::path state;      ///< to go on with and to keep; empty: none
+    std::filesystem::path error_image; ///< empty: none
+    std::filesystem::path statistics;  ///< empty: none
+    std::filesystem::path state;       ///< to go on with and to keep; empty: none
     StopRules stops;
     bool quote = false; ///< only say what errors cost
     SceneOptions scene_options;
@@ -36,8 +37,9 @@ void add_render_arguments(CLI::App& app, RenderArguments& arguments);
 struct MergeArguments {
     std::vector<std::filesystem::path> states;
     std::vector<std::filesystem::path> images;
-    std::filesystem::path statistics; ///< empty: none
-    std::filesystem::path state;      ///< to write; empty: none
+    std::filesystem::path error_image; ///< empty: none
+    std::filesystem::path statistics;  ///< empty: none
+    std::filesystem::path state;       ///< to write; empty: none
     std::optional<float> exposure_ev;
 };
 

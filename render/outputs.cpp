@@ -3,6 +3,7 @@
 #include "common/image/exposure.h"
 #include "common/image/exr_file.h"
 #include "common/image/write_image.h"
+#include "render/film/error_picture.h"
 
 #include <sys/resource.h>
 
@@ -57,6 +58,22 @@ float write_images(const std::vector<std::filesystem::path>& paths, const Image&
         report.line(line.str());
     }
     return ev;
+}
+
+std::optional<LegendedPicture> write_error_image(const std::filesystem::path& path,
+                                                 const Film& film,
+                                                 const std::vector<ErrorCheck>& checks,
+                                                 Report& report)
+{
+    if (checks.empty()) {
+        report.warn(path.string() + ": not written; the error is known from two passes on");
+        return std::nullopt;
+    }
+    const std::vector<double> errors = relative_errors(film, checks.back().error.order);
+    const LegendedPicture written =
+        write_with_legend(path, error_picture(film.width, film.height, errors), legend_of_errors());
+    report.line("wrote " + path.string());
+    return written;
 }
 
 std::string percent(double share)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "common/image/legend.h"
 #include "common/report.h"
 #include "render/film/price.h"
 
@@ -15,6 +16,13 @@ namespace hipmap {
 float write_images(const std::vector<std::filesystem::path>& paths, const Image& image,
                    const Film& film, const std::vector<ErrorCheck>& checks,
                    std::optional<float> exposure_ev, Report& report);
+
+/// Writes the picture of errors, with its legend, and says so; warns instead if the film has less
+/// than two passes, of which no error is known.  Throws InputError if it cannot be written.
+std::optional<LegendedPicture> write_error_image(const std::filesystem::path& path,
+                                                 const Film& film,
+                                                 const std::vector<ErrorCheck>& checks,
+                                                 Report& report);
 
 /// "3.2 %", of 0.032.
 std::string percent(double share);

@@ -1,10 +1,9 @@
 #include "render/statistics.h"
 
+#include "common/image/picture_json.h"
 #include "render/maps/hierarchical.h"
 #include "render/outputs.h"
 #include "render/settings.h"
-
-#include <nlohmann/json.hpp>
 
 namespace hipmap {
 
@@ -159,6 +158,11 @@ Json image_json(int width, int height, const std::vector<std::filesystem::path>&
     return {{"width", width}, {"height", height}, {"exposure_ev", exposure_ev}, {"files", names}};
 }
 
+Json pictures_json(const RunStatistics& run)
+{
+    return run.error_image ? Json::array({picture_json(*run.error_image)}) : Json::array();
+}
+
 std::string text_of(const Json& json)
 {
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
@@ -185,6 +189,7 @@ std::string statistics_json(const RenderArguments& arguments, const Scene& scene
                          {"shared_maps", partition.map_count}};
     json["audit"] = audit_json(run.audit);
     json["image"] = image_json(options.width, options.height, arguments.images, run.exposure_ev);
+    json["pictures"] = pictures_json(run);
     json["options"] = options_json(arguments, scene);
     json["passes_done"] = count(state.film.passes);
     json["ended_by"] = ended_by(run.ended_by);
@@ -215,6 +220,7 @@ std::string merged_statistics_json(const MergeArguments& arguments, const Render
     }
     json["image"] =
         image_json(state.film.width, state.film.height, arguments.images, run.exposure_ev);
+    json["pictures"] = pictures_json(run);
     json["passes_done"] = count(state.film.passes);
     json["error"] = error_json(state, photons_of(state.settings), 0);
     json["saturated"] = state.film.saturated;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "common/image/legend.h"
 #include "render/options.h"
 
 #include <string>
@@ -14,6 +15,7 @@ struct RunStatistics {
     double seconds_rays = 0;  ///< building the ray tracing structure
     double seconds_write = 0; ///< writing images
     float exposure_ev = 0;
+    std::optional<LegendedPicture> error_image;
     std::size_t warnings = 0;
 };
 
@@ -22,8 +24,8 @@ std::string statistics_json(const RenderArguments& arguments, const Scene& scene
                             const Partition& partition, const RenderStatistics& render,
                             const RenderState& state, const RunStatistics& run);
 
-/// The same of merged states, as far as states know.  seconds_write, exposure_ev, warnings of `run`
-/// alone count.
+/// The same of merged states, as far as states know.  Of `run` what was written and warned of
+/// counts.
 std::string merged_statistics_json(const MergeArguments& arguments, const RenderState& state,
                                    const RunStatistics& run);
 

@@ -76,6 +76,10 @@ class Errors(ToolsTestCase):
         self.refuse("render", Tools.scene, partition, "-o", self.path("a.jpg"), naming=".exr")
         self.refuse("render", Tools.scene, partition, "-o", self.path("a.png"), "-o",
                     self.path("b.tif"), naming="b.tif")
+        self.refuse("render", Tools.scene, partition, "-o", self.path("a.png"), "--error-image",
+                    self.path("a.exr"), naming="a.exr")
+        self.refuse("render", Tools.scene, partition, "-o", self.path("a.png"), "--error-image",
+                    self.path("none/e.png"), naming="none/e.png")
         self.refuse("render", Tools.scene, partition, "-o", self.path("a.png"), "--stats",
                     self.path("none/a.json"), naming="none/a.json")
 

@@ -47,13 +47,15 @@ class Pipeline(ToolsTestCase):
         self.assertIn(f"group maps: {GROUPS} candidates over {2 * 3968} faces\n", said)
         self.succeed("render", Tools.scene, name + ".hpm", "-o", name + ".png", "-o",
                      name + ".exr", "-o", name + ".pfm", "--size", f"{SIZE}x{SIZE}", "--photons",
-                     20000, "--passes", 4, "--stats", self.path("stats.json"))
-        expected = ["cornell.exr", "cornell.hpm", "cornell.pfm", "cornell.png", "partition.json",
-                    "stats.json", *PICTURES]
+                     20000, "--passes", 4, "--error-image", self.path("error.png"), "--stats",
+                     self.path("stats.json"))
+        expected = ["cornell.exr", "cornell.hpm", "cornell.pfm", "cornell.png", "error.png",
+                    "partition.json", "stats.json", *PICTURES]
         self.assertEqual(sorted(os.listdir(self.folder)), sorted(expected))
         self.look_into_image(read_pfm(name + ".pfm"))
         self.look_into_display(read_png(name + ".png"))
         self.look_into_exr()
+        self.look_into_error_picture(self.read_json("stats.json")["pictures"])
         self.look_into_partition_pictures()
         self.look_into_partition(self.read_json("partition.json"))
         self.look_into_statistics(self.read_json("stats.json"))
@@ -86,6 +88,18 @@ class Pipeline(ToolsTestCase):
         printed = run("compare_images", self.path("cornell.exr"), self.path("cornell.pfm"))
         self.assertEqual(printed.returncode, 0, printed.stderr)
         self.assertEqual(printed.stdout.split()[-1], "0", printed.stdout)
+
+    def look_into_error_picture(self, listed):
+        self.assertEqual([(entry["file"], entry["width"], entry["height"]) for entry in listed],
+                         [(self.path("error.png"), SIZE, SIZE)])
+        self.assertIn("100 %", listed[0]["legend"][0]["text"])
+        shown = read_png(self.path("error.png"))
+        self.assertEqual(shown.width, SIZE)
+        self.assertGreater(shown.height, SIZE)
+        self.assertGreater(len(set(shown.pixels())), SIZE)
+        # The lamp's middle is seen without noise, the floor is not.
+        lightness = [sum(row[SIZE // 2]) for row in shown.rows]
+        self.assertLess(lightness[8], lightness[SIZE - 4])
 
     def look_into_partition_pictures(self):
         shown = [read_png(self.path(name)) for name in PICTURES]

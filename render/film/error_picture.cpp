@@ -1,0 +1,68 @@
+#include "render/film/error_picture.h"
+
+#include "common/image/colour_scale.h"
+#include "common/image/srgb.h"
+#include "render/film/image_error.h"
+
+namespace hipmap {
+
+namespace {
+
+constexpr double kLeastShown = 1e-3;
+
+double square_of(double x)
+{
+    return x * x;
+}
+
+/// c of docs/error.md (3)
+double dark_square(const Image& image)
+{
+    double sum = 0;
+    for (const Rgb& pixel : image.pixels)
+        for (int c = 0; c < 3; ++c)
+            sum += pixel[c];
+    return square_of(0.1 * sum / (3 * static_cast<double>(image.pixels.size())));
+}
+
+} // namespace
+
+std::vector<double> relative_errors(const Film& film, double order)
+{
+    const Image image = film_image(film);
+    const Image error = error_layers(film, order).error;
+    const double dark = dark_square(image);
+    std::vector<double> out(image.pixels.size());
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        double sum = 0;
+        for (int c = 0; c < 3; ++c)
+            if (error.pixels[i][c] > 0)
+                sum += square_of(error.pixels[i][c]) / (square_of(image.pixels[i][c]) + dark);
+        out[i] = std::sqrt(sum / 3);
+    }
+    return out;
+}
+
+Image error_picture(int width, int height, const std::vector<double>& errors)
+{
+    Image out(width, height);
+    for (std::size_t i = 0; i < out.pixels.size(); ++i) {
+        const double shown = std::max(errors[i], kLeastShown);
+        const Rgb linear = scale_colour(1 - std::log(shown) / std::log(kLeastShown));
+        for (int c = 0; c < 3; ++c)
+            out.pixels[i][c] = srgb_from_linear(linear[c]);
+    }
+    return out;
+}
+
+std::vector<LegendEntry> legend_of_errors()
+{
+    constexpr int kSteps = 96;
+    LegendEntry scale;
+    for (int i = 0; i < kSteps; ++i)
+        scale.colours.push_back(scale_colour(i / (kSteps - 1.0)));
+    scale.text = "error by pixel: 0.1 % to 100 %, logarithmic";
+    return {scale};
+}
+
+} // namespace hipmap
