@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# From a scene to a picture: installs what is missing, builds, partitions, renders.
+# From a scene to a picture and a report: installs what is missing, builds, partitions, renders.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -9,7 +9,7 @@ usage() {
 usage: ./pipeline.sh [SCENE [OUTDIR]]
 
 Installs the packages that are missing (as root or with sudo), builds both tools, and runs them on
-SCENE (.glb, .gltf or .obj).  The results go to OUTDIR.
+SCENE (.glb, .gltf or .obj).  The results go to OUTDIR; report.html there shows them all on one page.
 
   SCENE    default: the bundled scene, assets/cornell.glb
   OUTDIR   default: out/NAME, NAME being the name of SCENE without its suffix
@@ -43,13 +43,16 @@ bin=$root/build/release/bin
 partition=$out/$name.hpm
 "$bin/preprocess" "$scene" -o "$partition" --images "$out" --json "$out/partition.json"
 "$bin/render" "$scene" "$partition" -o "$out/$name.png" -o "$out/$name.exr" \
-    --stats "$out/stats.json"
+    --error-image "$out/error.png" --stats "$out/stats.json"
+python3 -B "$root/report/make_report.py" "$out"
 
 describe() { printf '  %-20s %s\n' "$1" "$2"; }
 
 printf '\n%s/\n' "$out"
+describe report.html "all of this on one page, to open in a browser"
 describe "$name.png" "the picture, exposed for a screen"
 describe "$name.exr" "the same in absolute radiance, linear"
+describe error.png "how far each pixel may be off"
 describe shared_maps.png "which faces share photons, a colour for each map"
 describe edges.png "edges by class"
 describe candidates.png "faces that may get a map of their own"

@@ -35,17 +35,22 @@ install_packages() {
     "${apt[@]}" install --no-install-recommends "$@"
 }
 
+# The packages without a mark, and those with the mark given.
+packages() {
+    sed -nE "s/^([a-z0-9][^ ]*)( # $1)?\$/\1/p" "$root/.ci/packages.txt"
+}
+
 install_missing() {
     if ! command -v dpkg-query >/dev/null; then
         echo "not Debian: the libraries of .ci/packages.txt are expected to be there"
         return
     fi
-    local preset=$1 wanted missing
-    mapfile -t wanted < <(grep -v "# fuzz$" "$root/.ci/packages.txt" | grep -o '^[a-z0-9][^ ]*')
-    if [[ $preset == fuzz ]]; then
-        mapfile -t -O "${#wanted[@]}" wanted \
-            < <(sed -n 's/ *# fuzz$//p' "$root/.ci/packages.txt")
-    fi
+    local mark=none wanted missing
+    case " $* " in
+    *" all "*) mark=test ;;
+    " fuzz "*) mark=fuzz ;;
+    esac
+    mapfile -t wanted < <(packages $mark)
     mapfile -t missing < <(missing_packages "${wanted[@]}")
     if [[ ${#missing[@]} -gt 0 ]]; then
         install_packages "${missing[@]}"
@@ -64,5 +69,5 @@ build() {
     cmake --build "build/$preset" --parallel "$(nproc)" --target "$@"
 }
 
-install_missing "$1"
+install_missing "$@"
 build "$@"

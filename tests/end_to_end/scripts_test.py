@@ -19,6 +19,7 @@ STAND_INS = {
     "cmake": LOG,
     "ctest": LOG + 'echo "50% tests passed, 1 tests failed out of 2"; exit "${CTEST_RESULT:-0}"\n',
     "dpkg-query": 'for p in "$@"; do [[ " $LACKING " == *" $p "* ]] || echo "installed $p"; done\n',
+    "python3": LOG,
     "sudo": 'exec "$@"\n',
 }
 
@@ -57,13 +58,18 @@ class Scripts(unittest.TestCase):
             return done.returncode, done.stdout, done.stderr, file.read().splitlines()
 
     def test_what_is_missing_is_installed_and_nothing_else(self):
-        lacking = "libembree-dev catch2"
+        lacking = "libembree-dev catch2 chromium"
         code, _, errors, log = self.run_script("test.sh", LACKING=lacking)
         self.assertEqual(code, 0, errors)
         installs = [line for line in log if line.startswith("apt-get") and " install " in line]
         self.assertEqual(len(installs), 1)
         self.assertIn("--no-install-recommends", installs[0])
-        self.assertEqual(sorted(installs[0].split()[-2:]), sorted(lacking.split()))
+        self.assertEqual(sorted(installs[0].split()[-3:]), sorted(lacking.split()))
+
+    def test_who_only_renders_needs_no_browser(self):
+        code, _, errors, log = self.run_script("pipeline.sh", LACKING="chromium clang")
+        self.assertEqual(code, 0, errors)
+        self.assertEqual([line for line in log if line.startswith("apt-get")], [])
 
     def test_nothing_is_installed_where_nothing_is_missing(self):
         code, _, errors, log = self.run_script("test.sh")
@@ -97,12 +103,14 @@ class Scripts(unittest.TestCase):
         code, output, errors, log = self.run_script("pipeline.sh")
         self.assertEqual(code, 0, errors)
         self.assertTrue(os.path.isdir(os.path.join(self.folder, "out/cornell")))
-        self.assertTrue(log[-2].startswith("preprocess "))
-        self.assertTrue(log[-1].startswith("render "))
-        for line in log[-2:]:
+        self.assertTrue(log[-3].startswith("preprocess "))
+        self.assertTrue(log[-2].startswith("render "))
+        for line in log[-3:-1]:
             self.assertIn("assets/cornell.glb", line)
             self.assertIn("out/cornell/cornell.hpm", line)
+        self.assertTrue(log[-1].endswith("report/make_report.py out/cornell"), log[-1])
         self.assertIn("cornell.png", output)
+        self.assertIn("report.html", output)
 
     def test_pipeline_takes_names_with_spaces_and_ends_with_the_code_of_what_failed(self):
         scene = os.path.join(self.folder, "my desk.v2.glb")

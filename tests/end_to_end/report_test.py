@@ -1,0 +1,191 @@
+"""report.html: that it needs no other file, tells what it was given, and works in a browser.
+
+    report_test.py FOLDER_OF_TOOLS SCENE ROOT
+"""
+
+import html.parser
+import json
+import math
+import os
+import re
+import shutil
+import subprocess
+import sys
+
+import tools
+from tools import Tools, ToolsTestCase
+
+ROOT = sys.argv[3]
+SCENE_NAME = 'a "room" <script>alert(1)</script> & more.glb'
+VOID = {"meta", "img", "input", "link", "br"}
+
+
+class Page(html.parser.HTMLParser):
+    """What a page holds: elements in order, text outside of scripts, and whether tags match."""
+
+    def __init__(self, text):
+        super().__init__()
+        self.elements, self.open, self.words, self.balanced = [], [], [], True
+        self.feed(text)
+
+    def handle_starttag(self, tag, attrs):
+        self.elements.append((tag, dict(attrs)))
+        if tag not in VOID:
+            self.open.append(tag)
+
+    def handle_endtag(self, tag):
+        self.balanced &= bool(self.open) and self.open.pop() == tag
+
+    def handle_data(self, data):
+        if not {"script", "style"} & set(self.open):
+            self.words.append(data)
+
+    def all(self, tag):
+        return [attributes for name, attributes in self.elements if name == tag]
+
+    def text(self):
+        return re.sub(r"\s+", " ", " ".join(self.words))
+
+
+class Report(ToolsTestCase):
+    def setUp(self):
+        super().setUp()
+        self.out = self.path("out")
+        os.mkdir(self.out)
+
+    def in_out(self, name):
+        return os.path.join(self.out, name)
+
+    def make_results(self, *options):
+        """As pipeline.sh calls the tools, at a small size."""
+        scene = self.path(SCENE_NAME.replace("/", "_"))
+        shutil.copy(Tools.scene, scene)
+        self.succeed("preprocess", scene, "-o", self.in_out("a.hpm"), "--size", "96x72",
+                     "--images", self.out, "--json", self.in_out("partition.json"))
+        self.succeed("render", scene, self.in_out("a.hpm"), "-o", self.in_out("a.png"), "--size",
+                     "48x36", "--photons", 3000, "--error-image", self.in_out("error.png"),
+                     "--stats", self.in_out("stats.json"), *options)
+
+    def make_report(self):
+        command = [sys.executable, "-B", os.path.join(ROOT, "report/make_report.py"), self.out]
+        return subprocess.run(command, capture_output=True, text=True, check=False)
+
+    def page(self):
+        done = self.make_report()
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        with open(self.in_out("report.html"), encoding="utf-8") as file:
+            return Page(file.read())
+
+    def change_statistics(self, change):
+        with open(self.in_out("stats.json"), encoding="utf-8") as file:
+            stats = json.load(file)
+        change(stats)
+        with open(self.in_out("stats.json"), "w", encoding="utf-8") as file:
+            json.dump(stats, file)
+        return stats
+
+    def needs_no_other_file(self, page):
+        for tag, attributes in page.elements:
+            self.assertNotIn(tag, ("link", "iframe", "object", "embed", "base"))
+            for name in ("src", "href", "srcset", "action", "data", "poster"):
+                self.assertTrue(attributes.get(name, "data:").startswith("data:"), attributes)
+        with open(self.in_out("report.html"), encoding="utf-8") as file:
+            text = file.read()
+        self.assertNotRegex(text, r"(?i)https?:|@import|url\(|fetch\(|XMLHttpRequest")
+
+    def test_it_tells_what_it_was_given_and_needs_no_other_file(self):
+        self.make_results("--error", "90%")
+        page = self.page()
+        self.assertTrue(page.balanced and not page.open, page.open)
+        self.needs_no_other_file(page)
+        text = page.text()
+        stats = self.change_statistics(lambda stats: None)
+        for sentence in stats["audit"]["found"] + stats["audit"]["assumed"]:
+            self.assertIn(sentence, text)
+        for kind in ("global", "caustic"):
+            self.assertIn(stats["photons"][kind]["local"]["decision"], text)
+        for title in ("Accuracy and its price", "Time by stage", "Photons and their maps",
+                      "Partition", "Options", "To make it again", "asked for: 90 %"):
+            self.assertIn(title, text)
+        self.assertNotIn("Effects", text, "no plan is in the statistics")
+        self.assertEqual(len(page.all("script")), 1, "names of files are no scripts")
+        self.assertEqual(len(page.all("img")), 6)
+        self.assertTrue(all(picture["alt"] for picture in page.all("img")))
+        self.curve_is_right(page, stats["error"]["checks"])
+
+    def curve_is_right(self, page, checks):
+        """A dot for each check, by the logarithms of time and error."""
+        dots = [(float(circle["cx"]), float(circle["cy"])) for circle in page.all("circle")
+                if circle["class"] == "dot"]
+        self.assertEqual(len(dots), len(checks))
+        (x0, y0), (x1, y1) = dots[0], dots[-1]
+        first, last = checks[0], checks[-1]
+        for (x, y), check in zip(dots, checks):
+            along = math.log(check["seconds"] / first["seconds"]) / math.log(
+                last["seconds"] / first["seconds"])
+            down = math.log(check["error"] / first["error"]) / math.log(
+                last["error"] / first["error"])
+            self.assertAlmostEqual(x, x0 + along * (x1 - x0), delta=0.2)
+            self.assertAlmostEqual(y, y0 + down * (y1 - y0), delta=0.2)
+        law = [line for line in page.all("polyline") if line["class"] == "law"][0]
+        end = law["points"].split()[-1].split(",")
+        self.assertAlmostEqual(float(end[0]), x1, delta=0.2)
+        self.assertAlmostEqual(float(end[1]), y1, delta=0.2)
+
+    def test_a_plan_of_effects_is_shown_and_what_is_missing_left_out(self):
+        self.make_results("--integrator", "path", "--passes", 2)
+        reason = "no <specular> surface is lit"
+        self.change_statistics(lambda stats: stats.update(effects=[
+            {"name": "caustics", "on": False, "reason": reason, "cost": "none"}]))
+        text = self.page().text()
+        self.assertIn(reason, text)
+        self.assertNotIn("Photons and their maps", text)
+
+        os.remove(self.in_out("partition.json"))
+        os.remove(self.in_out("error.png"))
+
+        def forget(stats):
+            for name in [name for name in stats if name not in ("error", "passes_done", "image")]:
+                del stats[name]
+            stats["error"]["checks"] = []
+        self.change_statistics(forget)
+        page = self.page()
+        self.assertTrue(page.balanced)
+        self.assertEqual(len(page.all("img")), 1)
+        self.assertNotIn("Accuracy", page.text())
+
+    def test_what_cannot_be_read_is_named_in_one_line(self):
+        for name, content, naming in (("stats.json", None, "stats.json"),
+                                      ("stats.json", "{", "stats.json"),
+                                      ("stats.json", "[]", "stats.json"),
+                                      ("stats.json", '{"error": {}, "passes_done": 1}', ".png"),
+                                      ("stats.json", '{"error": {}, "passes_done": 1, "image": '
+                                       '{"files": ["x/a.png"]}}', "a.png"),
+                                      ("a.png", "not a picture", "a.png")):
+            if content is not None:
+                with open(self.in_out(name), "w", encoding="utf-8") as file:
+                    file.write(content)
+            with self.subTest(name=name, content=content):
+                done = self.make_report()
+                self.assertEqual(done.returncode, 2, done.stderr)
+                self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
+                self.assertTrue(done.stderr.startswith("error: "), done.stderr)
+                self.assertIn(naming, done.stderr)
+                self.assertFalse(os.path.exists(self.in_out("report.html")))
+
+    def test_in_a_browser_pictures_slider_and_choice_work(self):
+        browser = shutil.which("chromium")
+        if browser is None:
+            self.skipTest("no chromium")
+        self.make_results("--passes", 3)
+        self.page()
+        command = [browser, "--headless", "--no-sandbox", "--disable-gpu",
+                   "--user-data-dir=" + self.path("profile"), "--virtual-time-budget=10000",
+                   "--dump-dom", "file://" + self.in_out("report.html") + "#self-check"]
+        shown = subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
+        self.assertEqual(shown.returncode, 0, shown.stderr)
+        self.assertIn('data-check="6 pictures, slider, choice"', shown.stdout[:2000])
+
+
+if __name__ == "__main__":
+    tools.main(sys.argv)
