@@ -15,6 +15,7 @@ class RunningMean {
         mean_ += off / static_cast<double>(count_);
         squares_ += off * (value - mean_);
     }
+    std::size_t count() const { return count_; }
     double mean() const { return mean_; }
     double standard_error() const
     {

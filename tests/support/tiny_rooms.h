@@ -26,23 +26,45 @@ inline Scene furnace()
     return scene;
 }
 
-/// A matt box, inside, with a glass ball, a mirror ball and a lamp.
-inline Scene room()
+/// The inside of a cube, seen from one wall.
+inline Scene box(const Material& walls)
 {
-    TriangleMesh walls = cube();
-    turn_inside_out(walls);
-    Scene scene = make_scene(walls);
-    scene.materials[0] = matt({0.7f, 0.6f, 0.5f});
+    TriangleMesh mesh = cube();
+    turn_inside_out(mesh);
+    Scene scene = make_scene(mesh);
+    scene.materials[0] = walls;
+    scene.cameras[0].position = {0, 0, 0.48f};
+    scene.cameras[0].tan_half_height = 0.8f;
+    return scene;
+}
+
+/// With a ball of glass and one of mirror on the left and right.
+inline Scene with_glass_and_mirror(Scene scene, const Rgb& reflectance)
+{
     TriangleMesh ball = uv_sphere(16, 8);
     scale(ball, 0.15f);
     move(ball, {-0.2f, -0.3f, 0});
     add(scene, ball, glass(1.5f));
     move(ball, {0.4f, 0, 0});
-    add(scene, ball, mirror(Rgb(0.9f)));
-    add(scene, floor_at(0.45f, -0.3f), lamp(Rgb(5)));
-    scene.cameras[0].position = {0, 0, 0.48f};
-    scene.cameras[0].tan_half_height = 0.8f;
+    add(scene, ball, mirror(reflectance));
     return scene;
+}
+
+/// A matt box, inside, with a glass ball, a mirror ball and a lamp.
+inline Scene room()
+{
+    Scene scene = with_glass_and_mirror(box(matt({0.7f, 0.6f, 0.5f})), Rgb(0.9f));
+    add(scene, floor_at(0.45f, -0.3f), lamp(Rgb(5)));
+    return scene;
+}
+
+/// A matt box, inside, that sends out what it absorbs: radiance one everywhere, whatever absorbs
+/// nothing is put in.
+inline Scene glowing_box(const Rgb& albedo)
+{
+    Material walls = matt(albedo);
+    walls.emission = 1.0f - albedo;
+    return box(walls);
 }
 
 } // namespace hipmap::tiny

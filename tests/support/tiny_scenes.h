@@ -96,4 +96,39 @@ inline TriangleMesh floor_at(float y, float side)
     return make_mesh({{-w, y, h}, {w, y, h}, {w, y, -h}, {-w, y, -h}}, {{0, 1, 2}, {0, 2, 3}});
 }
 
+/// A sphere about the origin of 16,000 facets, with the volume of one of the radius.
+inline TriangleMesh fine_ball(double radius)
+{
+    TriangleMesh mesh = uv_sphere(128, 64);
+    double volume = 0;
+    for (const glm::uvec3& c : mesh.corners)
+        volume +=
+            glm::dot(glm::dvec3(mesh.positions[c.x]),
+                     glm::cross(glm::dvec3(mesh.positions[c.y]), glm::dvec3(mesh.positions[c.z]))) /
+            6;
+    scale(mesh, static_cast<float>(radius * std::cbrt(4 * M_PI / 3 / volume)));
+    return mesh;
+}
+
+/// The parallelogram from `corner` along two sides, facing along u x v: 2 faces.
+inline TriangleMesh parallelogram(const glm::vec3& corner, const glm::vec3& u, const glm::vec3& v)
+{
+    return make_mesh({corner, corner + u, corner + u + v, corner + v}, {{0, 1, 2}, {0, 2, 3}});
+}
+
+/// Looks along `forward` (unit, not along z) at a square of side `side` about `middle` and across
+/// it, by parallel rays that start `distance` before it.
+inline Camera square_view(const glm::vec3& middle, const glm::vec3& forward, float side,
+                          float distance)
+{
+    Camera camera;
+    camera.projection = Projection::orthographic;
+    camera.position = middle - distance * forward;
+    camera.forward = forward;
+    camera.right = glm::normalize(glm::cross(forward, glm::vec3(0, 0, 1)));
+    camera.up = glm::cross(camera.right, forward);
+    camera.half_height = 0.5f * side;
+    return camera;
+}
+
 } // namespace hipmap::tiny

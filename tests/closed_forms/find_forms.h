@@ -1,0 +1,49 @@
+#pragma once
+
+#include "render/integrator/render_options.h"
+#include "tests/closed_forms/closed_forms.h"
+#include "tests/support/statistics.h"
+
+#include <array>
+
+namespace hipmap {
+
+/// A way to render.
+struct Method {
+    const char* name;
+    Integrator integrator;
+    DirectLight direct;
+};
+
+inline constexpr std::array<Method, 4> kMethods{{
+    {"progressive", Integrator::progressive, DirectLight::shadow_rays},
+    {"direct, shadow rays", Integrator::direct, DirectLight::shadow_rays},
+    {"direct, photons", Integrator::direct, DirectLight::photons},
+    {"path", Integrator::path, DirectLight::shadow_rays},
+}};
+
+inline constexpr std::uint64_t kPassesOfForms = 48;
+
+/// What was found for a closed form.
+struct FoundForm {
+    std::string form, formula, method;
+    double expected = 0;
+    double least = 0;      ///< what k nearest photons that lie evenly make of it, photon_maps.md
+                           ///< (2); else `expected`
+    RunningMean found;     ///< of passes, each independent of the others
+    std::string why_not{}; ///< nothing was sought: why
+};
+
+/// By one method, from as many passes; integrator progressive by all of its radii.
+std::vector<FoundForm> find_form(const ClosedForm& form, const Method& method,
+                                 std::uint64_t passes);
+
+/// Power that leaves a glass ball, of photons that a lamp beside it sends out, plain and aimed.
+std::vector<FoundForm> find_power_from_glass(std::uint64_t passes);
+
+/// What is found less what is expected (the nearest from `least` on), in standard errors; brought
+/// from Student's distribution to the normal one (Wallace 1959).  Where all passes agree the
+/// rounding of floats is the error.
+double z_score(const FoundForm& found);
+
+} // namespace hipmap

@@ -1,0 +1,116 @@
+/// Writes docs/closed_forms.md: what each integrator finds where the answer is known.
+
+#include "common/command_line/command_line.h"
+#include "common/file/output_file.h"
+#include "common/report.h"
+#include "tests/closed_forms/find_forms.h"
+
+#include <ctime>
+#include <iomanip>
+#include <sstream>
+
+namespace {
+
+using namespace hipmap;
+
+std::string today()
+{
+    const std::time_t now = std::time(nullptr);
+    char text[16] = "";
+    std::strftime(text, sizeof text, "%Y-%m-%d", std::gmtime(&now));
+    return text;
+}
+
+std::vector<FoundForm> find_all(std::uint64_t passes, Report& report)
+{
+    std::vector<FoundForm> rows = find_power_from_glass(passes);
+    const std::vector<ClosedForm> forms = closed_forms();
+    report.begin("closed forms");
+    std::vector<FoundForm> out;
+    for (std::size_t i = 0; i < forms.size(); ++i)
+        for (std::size_t m = 0; m < kMethods.size(); ++m) {
+            report.progress(static_cast<double>(i * kMethods.size() + m) /
+                                static_cast<double>(forms.size() * kMethods.size()),
+                            forms[i].name);
+            for (const FoundForm& row : find_form(forms[i], kMethods[m], passes))
+                out.push_back(row);
+        }
+    report.end();
+    out.insert(out.end(), rows.begin(), rows.end());
+    return out;
+}
+
+std::string introduction(std::uint64_t passes, const std::vector<FoundForm>& rows)
+{
+    std::ostringstream out;
+    double sought = 0, squares = 0, largest = 0;
+    for (const FoundForm& row : rows)
+        if (row.why_not.empty()) {
+            ++sought;
+            squares += z_score(row) * z_score(row);
+            largest = std::max(largest, std::abs(z_score(row)));
+        }
+    out << std::fixed << std::setprecision(2) << "# Closed forms\n\n"
+        << "Written by `build/release/bin/closed_forms --to docs/closed_forms.md`; do not edit. "
+           "Run "
+           "on "
+        << today() << ".\n\nEach line is a scene of which the mean radiance of the picture "
+        << "is known exactly (of `photons`: the power that\nleaves a ball), and what was found in "
+        << passes
+        << " independent passes of 16x16 pixels. z is what was found less what is\nexpected, in "
+           "standard errors, brought from Student's distribution to the normal one. A right "
+           "estimator stays below\n"
+        << kMostZ << " but for 7 of a million figures. Of the " << std::setprecision(0) << sought
+        << " here the largest is " << std::setprecision(2) << largest
+        << ", and the mean of their squares " << squares / sought
+        << ".\nThe tests `closed_forms` check the same with " << kPassesOfForms
+        << " passes.\n\nρ albedo, e radiance of a wall, L of a lamp or sky, I intensity, E "
+           "irradiance across the light, R reflectance, T what a\nslab lets through, a what the "
+           "inside of glass leaves of light on one way through, F form factor, Ω solid angle.\n\n";
+    return out.str();
+}
+
+std::string table(const std::vector<FoundForm>& rows)
+{
+    std::ostringstream out;
+    out << "| scene | expected | integrator | expected | found | standard error | z |\n"
+        << "|---|---|---|---|---|---|---|\n";
+    for (const FoundForm& row : rows) {
+        out << "| " << row.form << " | " << row.formula << " | " << row.method << " | "
+            << std::setprecision(6) << row.expected << " | ";
+        if (row.why_not.empty())
+            out << row.found.mean() << " | " << std::setprecision(2) << row.found.standard_error()
+                << " | " << std::fixed << z_score(row) << std::defaultfloat << " |\n";
+        else
+            out << row.why_not << " | | |\n";
+    }
+    return out.str();
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    return hipmap::run_tool([&] {
+        CLI::App app("Renders scenes of which the picture is known exactly by every integrator, "
+                     "and says in Markdown how far off each is.",
+                     "closed_forms");
+        std::uint64_t passes = 4 * hipmap::kPassesOfForms;
+        std::string file;
+        app.add_option("--passes", passes, "Independent passes of each [192]")
+            ->check(CLI::Range(4, 1'000'000));
+        app.add_option("--to", file, "Write there, not to standard output")->type_name("FILE");
+        if (const std::optional<int> code = hipmap::parse_arguments(app, argc, argv))
+            return *code;
+        if (!file.empty())
+            hipmap::check_writable(file);
+        hipmap::Report report;
+        const std::vector<hipmap::FoundForm> rows = find_all(passes, report);
+        const std::string text = introduction(passes, rows) + table(rows);
+        if (file.empty())
+            std::printf("%s", text.c_str());
+        else
+            hipmap::write_file(file, text);
+        return hipmap::kExitDone;
+    });
+}
