@@ -10,7 +10,7 @@ namespace {
 
 /// Of the time, what saving may take.
 constexpr double kSavingShare = 0.02;
-constexpr double kSecondsBetweenSaves = 1;
+constexpr double kSecondsBetweenSaves = 0.2;
 
 /// Looks at the error before it is said how long it takes to meet one.
 constexpr std::size_t kLooksToForetell = 2;

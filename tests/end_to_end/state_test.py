@@ -15,7 +15,8 @@ import tools
 from tools import Tools, ToolsTestCase
 
 PASSES = 150
-KILLS = 4
+KILLS = 10
+SEED = 7
 
 
 class State(ToolsTestCase):
@@ -44,21 +45,38 @@ class State(ToolsTestCase):
                 contents.append(file.read())
         self.assertEqual(contents.count(contents[0]), len(contents), images)
 
-    def test_killed_at_any_moment_and_gone_on_with(self):
+    def kill(self, command, seconds):
+        """Whether the render had gone on with a state when it was killed, if it was in time."""
+        with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as render:
+            time.sleep(seconds)
+            render.kill()
+            return "going on with" in render.communicate(timeout=120)[1]
+
+    def test_killed_at_random_moments_and_gone_on_with(self):
+        """The whole and two halves of it, killed in turn, by 1, 2 and 7 threads."""
         began = time.monotonic()
         self.render("whole.pfm", "--passes", PASSES)
         seconds = time.monotonic() - began
+        half = PASSES // 2
+        print(f"not killed: {seconds:.3f} s", flush=True)
+        parts = [["--passes", PASSES], ["--passes", half],
+                 ["--passes", PASSES - half, "--first-pass", half]]
+        for number, part in enumerate(parts):
+            part += ["--state", self.path(f"{number}.state")]
         gone_on = 0
-        chance = random.Random(7)
-        for _ in range(KILLS):
-            command = self.command("killed.pfm", "--passes", PASSES, "--state", self.path("a.state"))
-            with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as render:
-                time.sleep(chance.uniform(0.2, 0.9) * seconds)
-                render.kill()
-                gone_on += "going on with" in render.communicate(timeout=120)[1]
-        said = self.render("killed.pfm", "--passes", PASSES, "--state", self.path("a.state"))
-        self.assertGreater(gone_on + ("going on with" in said), 0, "no state was kept in time")
-        self.same("whole.pfm", "killed.pfm")
+        chance = random.Random(SEED)
+        for i in range(KILLS):
+            number, threads = i % len(parts), (1, 2, 7)[i // len(parts) % 3]
+            moment = chance.uniform(0.1, 1) * seconds / (2 if number else 1)
+            print(f"part {number} by {threads} threads, killed after {moment:.3f} s", flush=True)
+            gone_on += self.kill(self.command("killed.pfm", *parts[number], "--threads", threads),
+                                 moment)
+        for number, part in enumerate(parts):
+            gone_on += "going on with" in self.render(f"{number}.pfm", *part)
+        self.assertGreaterEqual(gone_on, len(parts), "states were not kept in time")
+        self.succeed("render", "merge", self.path("2.state"), self.path("1.state"), "-o",
+                     self.path("merged.pfm"))
+        self.same("whole.pfm", "0.pfm", "merged.pfm")
 
     def test_stopped_by_a_signal_and_gone_on_with(self):
         options = ["--passes", PASSES, "--state", self.path("a.state")]
