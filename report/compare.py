@@ -1,6 +1,6 @@
 """The picture with others laid over it, divided by a line that can be dragged."""
 
-from markup import element, escape, section
+from markup import element, escape, img, section
 
 # Name of a picture's file: what it is called, and what it shows.
 KNOWN = {
@@ -22,9 +22,8 @@ def described(picture):
 
 def comparison(results):
     image, overlays = results.image, results.overlays
-    under = element("img", class_="under", src=image.uri(), width=image.width,
-                    height=image.height, alt=f"The picture rendered from {results.title()}")
-    under = under.removesuffix("</img>")
+    under = img(class_="under", src=image.uri(), width=image.width, height=image.height,
+                alt=f"The picture rendered from {results.title()}")
     if not overlays:
         return section("The picture", element("div", under, class_="view", style=ratio(image)))
     over = "".join(overlay(picture, i) for i, picture in enumerate(overlays))
@@ -46,9 +45,17 @@ def ratio(image):
 
 def overlay(picture, index):
     """Its legend lies below the view and is cut off; `legend` has it in words."""
-    written = element("img", class_="over", src=picture.uri(), hidden="" if index else None,
-                      alt=f"The same view: {described(picture)}")
-    return written.removesuffix("</img>")
+    return img(class_="over", src=picture.uri(), hidden="" if index else None,
+               alt=f"The same view: {described(picture)}")
+
+
+def gallery(pictures):
+    """Pictures that cannot be laid over the rendered one, each with its legend below it."""
+    figures = "".join(element("figure", img(src=picture.uri(), alt=described(picture)) +
+                              element("figcaption", escape(title_of(picture) + ": " +
+                                                           described(picture)) + "."))
+                      for picture in pictures)
+    return element("div", figures, class_="columns gallery") if figures else ""
 
 
 def chooser(overlays):

@@ -2,6 +2,7 @@
 
 import shlex
 
+from compare import gallery
 from markup import duration, element, escape, listing, memory, number, percent, section, table
 
 KINDS = ("global", "caustic", "indirect")
@@ -97,7 +98,8 @@ def found_by_each(kind):
     return f"{kind['photons_found'] / kind['queries']:.1f}" if kind.get("queries") else "\u2013"
 
 
-def partition(found):
+def partition(results):
+    found = results.partition
     if not found:
         return ""
     edges = [f"{number(count)} {name.replace('_', '-')}" for name, count in found["edges"].items()
@@ -115,8 +117,8 @@ def partition(found):
     rows = [[number(part["id"]), escape(names(part["objects"])), escape(names(part["materials"])),
              number(part["faces"]), f"{part['area_m2']:.3g}"] for part in largest]
     head = ["Map", "Objects", "Materials", "Faces", "Area, m\u00b2"]
-    return section("Partition", listing(sentences) + element("details", element(
-        "summary", f"The {len(rows)} largest maps") + table(head, rows)))
+    return section("Partition", listing(sentences) + gallery(results.others) + element(
+        "details", element("summary", f"The {len(rows)} largest maps") + table(head, rows)))
 
 
 def names(found, most=3):

@@ -17,6 +17,10 @@ def element(name, content="", **attributes):
     return f"<{name}{written}>{content}</{name}>"
 
 
+def img(**attributes):
+    return element("img", **attributes).removesuffix("</img>")
+
+
 def listing(sentences):
     return element("ul", "".join(element("li", escape(sentence)) for sentence in sentences))
 

@@ -21,7 +21,7 @@ def make_page(results):
     stats = results.stats
     parts = [header(results), comparison(results), price(stats),
              element("div", stages(results) + audit(stats), class_="columns"), effects(stats),
-             photons(stats), partition(results.partition),
+             photons(stats), partition(results),
              element("div", options(stats) + how_to_repeat(results), class_="columns")]
     head = ('<meta charset="utf-8"><meta name="viewport" content="width=device-width, '
             'initial-scale=1"><meta name="color-scheme" content="light dark">' +

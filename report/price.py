@@ -15,9 +15,11 @@ FARTHEST = 100  # times the time spent: prices beyond are in the list alone
 
 def price(stats):
     error = stats["error"]
-    checks = [check for check in error.get("checks", []) if check["error"] > 0]
-    if not checks or not checks[-1]["seconds"] > 0:
-        return ""
+    found = error.get("checks", [])
+    checks = [check for check in found if check["error"] > 0 and check["seconds"] > 0]
+    if not checks:
+        said = "No error was found." if found else "Not known: it takes two passes at least."
+        return section("Accuracy and its price", element("p", said))
     target = stats.get("options", {}).get("error")
     sentences = listing(sentences_of(error, checks[-1]))
     curve = element("figure", chart(error, checks, target) + element("figcaption", CAPTION))
@@ -72,22 +74,22 @@ def foretold(error, last, target):
 
 def chart(error, checks, target):
     last = checks[-1]
-    dots = [check for check in checks if check["seconds"] > 0]
     ahead = foretold(error, last, target)
-    times = [entry["seconds"] for entry in dots + ahead]
-    with_interval = [check for check in dots if check.get("high") is not None and check["low"] > 0]
-    errors = [entry["error"] for entry in dots + ahead] + ([target] if target else [])
+    times = [entry["seconds"] for entry in checks + ahead]
+    with_interval = [check for check in checks
+                     if check.get("high") is not None and check["low"] > 0]
+    errors = [entry["error"] for entry in checks + ahead] + ([target] if target else [])
     errors += [check[end] for check in with_interval for end in ("low", "high")]
     axes = Axes(padded(times, 1.15), padded(errors, 1.15))
-    parts = [grid(axes), band(axes, with_interval), lines(axes, error, dots, ahead),
-             target_line(axes, target), "".join(dot(axes, check) for check in dots),
+    parts = [grid(axes), band(axes, with_interval), lines(axes, error, checks, ahead),
+             target_line(axes, target), "".join(dot(axes, check) for check in checks),
              "".join(ahead_dot(axes, entry) for entry in ahead)]
-    return element("div", element("svg", element("title", "Error against time") + "".join(parts),
-                                  viewBox=f"0 0 {WIDTH} {HEIGHT}", role="img",
-                                  aria_label=f"Error against time: {percent(dots[0]['error'])} "
-                                  f"after {duration(dots[0]['seconds'])}, {percent(last['error'])} "
-                                  f"after {duration(last['seconds'])}"),
-                   class_="scroll", tabindex="0")
+    first = checks[0]
+    said = (f"Error against time: {percent(first['error'])} after {duration(first['seconds'])}, "
+            f"{percent(last['error'])} after {duration(last['seconds'])}")
+    drawn = element("svg", element("title", "Error against time") + "".join(parts),
+                    viewBox=f"0 0 {WIDTH} {HEIGHT}", role="img", aria_label=said)
+    return element("div", drawn, class_="scroll", tabindex="0")
 
 
 def grid(axes):
@@ -113,13 +115,13 @@ def band(axes, checks):
     return element("polygon", points=axes.points(around), class_="band")
 
 
-def lines(axes, error, dots, ahead):
+def lines(axes, error, checks, ahead):
     """The law is fitted to as many passes as an interval needs, docs/error.md (12)."""
-    law = law_of(error, dots[-1])
+    law = law_of(error, checks[-1])
     if law is None:
         return ""
-    spent = dots[-1]["seconds"]
-    fitted = [check["seconds"] for check in dots if check.get("high") is not None]
+    spent = checks[-1]["seconds"]
+    fitted = [check["seconds"] for check in checks if check.get("high") is not None]
     begin = min(fitted, default=spent)
     end = max([spent] + [entry["seconds"] for entry in ahead])
     drawn = axes.line(curve_of(law, begin, spent), "law")

@@ -33,7 +33,8 @@ class Picture:
 
 class Results:
     """stats, partition: what render --stats and preprocess --json wrote; the latter may be {}.
-    image: the picture.  overlays: pictures of the same view, to lay over it."""
+    image: the picture.  overlays: pictures of the same view, to lay over it.  others: of another
+    shape, as where render was given a --size that preprocess was not."""
 
     def __init__(self, folder):
         self.stats = read_json(os.path.join(folder, "stats.json"), "error", "passes_done")
@@ -41,8 +42,15 @@ class Results:
         self.partition = read_json(path, "maps") if os.path.exists(path) else {}
         self.image = Picture(find_image(folder, self.stats))
         listed = self.stats.get("pictures", []) + self.partition.get("pictures", [])
-        self.overlays = [Picture(path, entry) for entry in listed
-                         if os.path.exists(path := beside(folder, entry["file"]))]
+        pictures = [Picture(path, entry) for entry in listed
+                    if os.path.exists(path := beside(folder, entry["file"]))]
+        self.overlays = [picture for picture in pictures if self.is_same_view(picture)]
+        self.others = [picture for picture in pictures if not self.is_same_view(picture)]
+
+    def is_same_view(self, picture):
+        """Heights are whole, so shapes agree to a pixel."""
+        across = picture.width * self.image.height - picture.height * self.image.width
+        return abs(across) <= max(self.image.width, picture.width)
 
     def title(self):
         scene = self.stats.get("scene", {}).get("file") or self.image.name

@@ -152,7 +152,14 @@ class Report(ToolsTestCase):
         page = self.page()
         self.assertTrue(page.balanced)
         self.assertEqual(len(page.all("img")), 1)
-        self.assertNotIn("Accuracy", page.text())
+        self.assertIn("Not known", page.text())
+
+    def test_pictures_of_another_shape_are_shown_beside(self):
+        self.make_results("--passes", 2)
+        self.change_statistics(lambda stats: stats["pictures"][0].update(width=48, height=40))
+        over = [picture for picture in self.page().all("img") if picture.get("class") == "over"]
+        self.assertEqual([picture["alt"].split(":")[0] for picture in over], 4 * ["The same view"])
+        self.assertEqual(len(self.page().all("img")), 6)
 
     def test_what_cannot_be_read_is_named_in_one_line(self):
         for name, content, naming in (("stats.json", None, "stats.json"),
