@@ -1,0 +1,135 @@
+"""Renders images that stop at an error, and what they are compared with."""
+
+import dataclasses
+import functools
+import json
+import math
+import pathlib
+import struct
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+SCENES = {path.stem: path for folder in ("assets", "experiments/scenes")
+          for path in sorted((ROOT / folder).glob("*.glb"))}
+# Where all light comes through glass, so that paths hardly ever find it.
+LIT_THROUGH_GLASS = {"glass_globe"}
+REFERENCE_SEED = 1_000_000
+# A reference is as much better than the images.
+BETTER = 5
+# A run is to go on for some passes: it ends at this part of the error that the first check shows.
+PART_OF_FIRST = 0.7
+FIRST_CHECK = 8
+
+
+@dataclasses.dataclass(frozen=True)
+class Method:
+    """How an image is rendered."""
+
+    name: str
+    options: tuple
+
+
+# Options such that a pass takes some hundredths of a second.
+INTEGRATORS = {
+    "progressive": Method("progressive", ("--integrator", "progressive", "--photons", 5_000,
+                                          "--samples", 1)),
+    "path": Method("path", ("--integrator", "path", "--samples", 8)),
+    "direct": Method("direct", ("--integrator", "direct", "--photons", 5_000, "--samples", 1)),
+}
+LONG_PATH = Method("path", ("--integrator", "path", "--samples", 64))
+LONG_PROGRESSIVE = Method("progressive, photons x 30",
+                          ("--integrator", "progressive", "--photons", 150_000, "--samples", 8))
+
+
+@functools.lru_cache
+def has_lamps_without_size(scene):
+    """A path cannot find such a lamp by way of glass and mirrors."""
+    data = SCENES[scene].read_bytes()
+    document = json.loads(data[20:20 + struct.unpack_from("<I", data, 12)[0]])
+    return any("KHR_lights_punctual" in node.get("extensions", {}) for node in document["nodes"])
+
+
+def integrators_for(scene, wanted):
+    return [name for name in wanted if name != "path" or scene not in LIT_THROUGH_GLASS]
+
+
+def reference_method(scene, integrator):
+    """By what the truth about images of the integrator is found.  What integrator direct says of
+    its error is of noise alone: its truth is its own mean."""
+    if integrator == "direct":
+        return INTEGRATORS["direct"]
+    hidden = has_lamps_without_size(scene) or scene in LIT_THROUGH_GLASS
+    if integrator == "progressive" and hidden:
+        return LONG_PROGRESSIVE
+    return LONG_PATH
+
+
+@dataclasses.dataclass(frozen=True)
+class Reference:
+    """error: as stated.  noise2: the part of its square that is noise."""
+
+    path: pathlib.Path
+    error: float
+    noise2: float
+
+
+@dataclasses.dataclass(frozen=True)
+class Lab:
+    """tools: folder of the programs.  folder: for their files.  size: pixels across an image."""
+
+    tools: pathlib.Path
+    folder: pathlib.Path
+    size: int
+    threads: int
+
+    def run(self, tool, *arguments):
+        command = [str(self.tools / tool), *map(str, arguments)]
+        try:
+            done = subprocess.run(command, capture_output=True, text=True, check=False)
+        except OSError:
+            sys.exit(f"error: {command[0]} is missing; build it: cmake --build build/release "
+                     "--target preprocess render compare_images")
+        if done.returncode != 0:
+            lines = done.stderr.splitlines() or ["no message"]
+            sys.exit(f"error: {tool} ended with code {done.returncode}: {lines[-1]}")
+        return done.stdout
+
+    def partition(self, scene):
+        return self.folder / f"{scene}.hpm"
+
+    def make_partition(self, scene):
+        self.run("preprocess", SCENES[scene], "-o", self.partition(scene))
+
+    def render(self, scene, method, image, *options):
+        """The last check of the image's error, and the number of its passes."""
+        stats = self.folder / "stats.json"
+        self.run("render", SCENES[scene], self.partition(scene), "-o", image, "--stats", stats,
+                 "--size", self.size, "--threads", self.threads, *method.options, *options)
+        return json.loads(stats.read_text())["error"]["checks"][-1]
+
+    def find_target(self, scene, integrator):
+        """An error, in percent with two digits, that takes the integrator a few checks."""
+        check = self.render(scene, INTEGRATORS[integrator], self.folder / "image.pfm",
+                            "--passes", FIRST_CHECK, "--seed", REFERENCE_SEED + 1)
+        return float(f"{100 * PART_OF_FIRST * check['error']:.2g}")
+
+    def make_reference(self, scene, method, target):
+        """By passes until its stated error is a part of the target."""
+        path = self.folder / f"{scene}_{method.name}.pfm"
+        check = self.render(scene, method, path, "--error", target / BETTER, "--seed",
+                            REFERENCE_SEED)
+        return Reference(path, check["error"], check["noise"] ** 2)
+
+    def try_image(self, scene, integrator, target, seed, reference):
+        """What an image that stopped at the target says of its error, and what that is."""
+        image = self.folder / "image.pfm"
+        check = self.render(scene, INTEGRATORS[integrator], image, "--error", target, "--seed",
+                            seed)
+        said = self.run("compare_images", image, reference.path)
+        # The reference's noise is not the image's.
+        square = float(said.split()[-1]) - reference.noise2
+        high = math.inf if check["high"] is None else check["high"]
+        return {"seed": seed, "passes": check["passes"], "seconds": check["seconds"],
+                "error": check["error"], "low": check["low"], "high": high,
+                "true": math.sqrt(max(square, 0))}
