@@ -94,9 +94,7 @@ ChannelStatistics ChannelReader::read(std::size_t pixel, std::size_t channel) co
         if (kept[i] == 0)
             continue;
         const double square = out.deviation[i] * out.deviation[i];
-        const double without = weight_without(out, squares, i, sums[i], kept[i]);
-        out.noise += std::sqrt(out.weight * without) * square;
-        out.most_noise += without * square;
+        out.noise += weight_without(out, squares, i, sums[i], kept[i]) * square;
     }
     if (film_.bias == BiasKnowledge::from_radii)
         read_narrow(pixel, channel, out);
@@ -150,7 +148,6 @@ BatchProducts batch_products(const Film& film)
         for (std::size_t channel = 0; channel < 3; ++channel) {
             const ChannelStatistics found = reader.read(pixel, channel);
             out.noise += found.noise;
-            out.most_noise += found.most_noise;
             add_products(out.deviations, found.weight, found.deviation, found.deviation);
             add_products(out.first, found.weight, found.first, found.first);
             add_products(out.both, found.weight, found.first, found.second);

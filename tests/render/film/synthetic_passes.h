@@ -13,6 +13,7 @@ struct SyntheticPasses {
     double photon_noise =
         0.3; ///< of pass 0, relative, within the block; grows as the radius shrinks
     double pixel_noise = 0.3; ///< relative, of each pixel alone
+    double rare = 0;          ///< chance of the bright samples that make all of that; 0: not rare
     double bias = 0;          ///< of pass 0, relative, order by order of `order`
     double order = 2;
     std::uint64_t seed = 0;
@@ -54,7 +55,7 @@ struct SyntheticPasses {
                                        static_cast<std::uint64_t>(y / block) * side + x / block);
                 RandomSequence paths(seed, RandomStream::eye_paths, number,
                                      static_cast<std::uint64_t>(y) * side + x);
-                const double own = pixel_noise * skew(paths);
+                const double own = pixel_noise * (rare > 0 ? bright(paths) : skew(paths));
                 // Each disc is halved into an inner disc and a ring, of as many photons each.
                 const double noise = photon_noise / radius;
                 const double narrower = 2 * noise * skew(photons);
@@ -76,6 +77,13 @@ struct SyntheticPasses {
   private:
     /// Mean 0, variance 1, skewed as light is.
     static double skew(RandomSequence& random) { return -std::log(1.0 - random.next()) - 1; }
+
+    /// The same by rare samples.
+    double bright(RandomSequence& random) const
+    {
+        const double value = random.next() < rare ? 1 / rare : 0;
+        return (value - 1) / std::sqrt((1 - rare) / rare);
+    }
 };
 
 /// The root of relMSE, docs/error.md (3).
