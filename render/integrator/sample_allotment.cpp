@@ -90,10 +90,10 @@ SampleAllotment allot_samples(const Image& first, const Image& second, int width
         for (int x = 0; x < width; ++x) {
             // Rounded by chance, so that the mean stays.
             const double u = static_cast<double>(mix_bits(out.samples.size() + 1) >> 40) * 0x1p-24;
-            const double most = std::min(65534.0, kMostSamplesShare * double{mean});
+            const double most = std::min(65534.0, kMostSamplesShare * mean);
             const double least = std::max(1.0, kLeastSamplesShare * mean);
-            const double wanted =
-                sum > 0 ? std::clamp(scale * deviation_at(x, y), least, most) : double{mean};
+            const double wanted = sum > 0 ? std::clamp(scale * deviation_at(x, y), least, most)
+                                          : static_cast<double>(mean);
             out.samples.push_back(static_cast<std::uint16_t>(wanted + u));
         }
     return out;
