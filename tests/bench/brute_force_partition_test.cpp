@@ -82,7 +82,7 @@ TEST_CASE("brute force: the partitions of surfaces are equal to its own", "[part
         }
 }
 
-TEST_CASE("brute force: the partitions of the bundled scenes are equal to its own", "[partition]")
+TEST_CASE("brute force: the partitions of the smaller bundled scenes are equal to its own", "[partition]")
 {
     const std::filesystem::path assets = std::filesystem::path(HIPMAP_SOURCE_DIR) / "assets";
     std::size_t compared = 0;
@@ -91,6 +91,9 @@ TEST_CASE("brute force: the partitions of the bundled scenes are equal to its ow
             continue;
         INFO(entry.path().string());
         const Scene scene = load_scene(entry.path(), {}).scene;
+        constexpr std::size_t kMostFaces = 10'000; // it is quadratic
+        if (scene.mesh.face_count() > kMostFaces)
+            continue;
         CHECK(difference_from_brute_force(scene.mesh, build_partition(scene, {}).partition) == "");
         ++compared;
     }
