@@ -31,13 +31,23 @@ double mean_of_channels(const Image& image)
     return image.pixels.empty() ? 0 : sum / (3 * static_cast<double>(image.pixels.size()));
 }
 
+/// How many times w the weight of a batch may be, unless 1/D is more.
+constexpr double kMostWeight = 3;
+
 /// docs/error.md (5)
-double relative_weight(double mean, double variance, double dark)
+struct RelativeWeight {
+    double value = 0; ///< w
+    double plain = 0; ///< 1/D
+};
+
+RelativeWeight relative_weight(double mean, double variance, double dark)
 {
     const double seen = mean * mean;
     const double square = seen > 0 ? seen * seen / (seen + variance) : 0;
     const double plain = square + dark;
-    return plain > 0 ? 1 / (plain + 4 * variance * square / plain) : 0;
+    if (!(plain > 0))
+        return {};
+    return {1 / (plain + 4 * variance * square / plain), 1 / plain};
 }
 
 template <typename A, typename B>
@@ -89,12 +99,16 @@ ChannelStatistics ChannelReader::read(std::size_t pixel, std::size_t channel) co
     }
     if (out.batches > 1)
         out.variance = squares / ((out.batches - 1) * out.passes);
-    out.weight = relative_weight(out.mean, out.variance, dark_);
+    const RelativeWeight weight = relative_weight(out.mean, out.variance, dark_);
+    const double most = std::max(kMostWeight * weight.value, weight.plain);
+    out.weight = weight.value;
     for (std::size_t i = 0; i < wide_.batch.size() && out.batches > 1; ++i) {
         if (kept[i] == 0)
             continue;
         const double square = out.deviation[i] * out.deviation[i];
-        out.noise += weight_without(out, squares, i, sums[i], kept[i]) * square;
+        const double without = weight_without(out, squares, i, sums[i], kept[i]);
+        out.noise += std::min(without, most) * square;
+        out.most_noise += without * square;
     }
     if (film_.bias == BiasKnowledge::from_radii)
         read_narrow(pixel, channel, out);
@@ -110,7 +124,7 @@ double ChannelReader::weight_without(const ChannelStatistics& all, double square
     const double own = all.deviation[i] * all.deviation[i] * all.passes / others;
     const double variance =
         all.batches > 2 ? std::max(squares - own, 0.0) / ((all.batches - 2) * others) : 0;
-    return relative_weight(mean, variance, dark_);
+    return relative_weight(mean, variance, dark_).value;
 }
 
 void ChannelReader::read_narrow(std::size_t pixel, std::size_t channel,
@@ -148,6 +162,7 @@ BatchProducts batch_products(const Film& film)
         for (std::size_t channel = 0; channel < 3; ++channel) {
             const ChannelStatistics found = reader.read(pixel, channel);
             out.noise += found.noise;
+            out.most_noise += found.most_noise;
             add_products(out.deviations, found.weight, found.deviation, found.deviation);
             add_products(out.first, found.weight, found.first, found.first);
             add_products(out.both, found.weight, found.first, found.second);

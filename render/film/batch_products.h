@@ -32,9 +32,10 @@ struct ChannelStatistics {
     double passes = 0;  ///< that kept a sample
     double batches = 0; ///< with such passes
     double mean = 0;
-    double variance = 0; ///< of the mean, docs/error.md (4)
-    double weight = 0;   ///< docs/error.md (5)
-    double noise = 0;    ///< sum of squares of `deviation`, each weighed by the other batches
+    double variance = 0;   ///< of the mean, docs/error.md (4)
+    double weight = 0;     ///< docs/error.md (5)
+    double noise = 0;      ///< sum of squares of `deviation`, weighed as docs/error.md (5) says
+    double most_noise = 0; ///< the same, each weighed by the other batches alone
     /// [K] sqrt(passes) times what a batch's mean differs from the mean.
     std::array<double, kBatches> deviation{};
     /// By narrow batch: mean of radiance less that of narrow; of narrow less that of narrower.
@@ -47,6 +48,7 @@ struct BatchProducts {
     Batches narrow;               ///< of the images by narrower radii
     double channels = 0;          ///< 3 * pixels
     double noise = 0;             ///< of ChannelStatistics::noise
+    double most_noise = 0;        ///< of ChannelStatistics::most_noise
     Products deviations;          ///< of ChannelStatistics::deviation
     Products first, both, second; ///< first x first, first x second, second x second
 };

@@ -12,8 +12,8 @@ namespace {
 /// Sum of squares of the noise over the channels.
 struct NoiseSquare {
     double value = 0;
-    double least = 0;  ///< by weights that lean the other way
-    Interval interval; ///< for what is in this image, besides
+    double least = 0, most = 0; ///< by weights that lean one way and the other
+    Interval interval;          ///< for what is in this image, besides
 };
 
 /// docs/error.md (4) to (7).  At least two batches.
@@ -23,6 +23,7 @@ NoiseSquare noise_square(const BatchProducts& products, const Spread& spread)
     NoiseSquare out;
     out.value = products.noise / (others * products.wide.all);
     out.least = std::min(spread.energy / products.wide.all, out.value);
+    out.most = std::max(products.most_noise / (others * products.wide.all), out.value);
     const double freedom = spread.freedom();
     if (out.value > 0)
         out.interval = {out.value * f_quantile(-kZ, freedom, freedom * others),
@@ -67,7 +68,7 @@ std::optional<ImageError> estimate_error(const Film& film)
     const double above = std::sqrt(square_of(noise.interval.high - noise.value) +
                                    square_of(bias.interval.high - bias.value) + both2);
     out.low = std::sqrt(std::max(noise.least + known - below, 0.0) / products.channels);
-    out.high = std::sqrt(std::max(noise.value + bias.value + above, sum) / products.channels);
+    out.high = std::sqrt(std::max(noise.most + bias.value + above, sum) / products.channels);
     return out;
 }
 
