@@ -6,8 +6,8 @@
 #include "render/merge.h"
 #include "render/outputs.h"
 #include "render/print_results.h"
+#include "render/run_plan.h"
 #include "render/settings.h"
-#include "render/shading/describe_reflections.h"
 #include "render/statistics.h"
 
 #include <csignal>
@@ -131,14 +131,19 @@ int render(RenderArguments& arguments)
     const ThreadLimit threads(arguments.threads);
 
     const Stopwatch reading;
-    const LoadedScene loaded = load(arguments);
+    LoadedScene loaded = load(arguments);
     const Partition partition = load_partition(arguments, loaded.scene);
+    run.effects = plan_run(arguments, loaded.scene, partition);
+    if (arguments.explain) {
+        print_audit(report, loaded.audit);
+        explain(run.effects, report);
+        return kExitDone;
+    }
     const std::vector<std::string> settings =
         settings_of(arguments.render, loaded.scene, partition);
     const std::optional<RenderState> found = find_state(arguments, settings);
     print_audit(report, loaded.audit);
-    for (const std::string& sentence : describe_reflections(loaded.scene))
-        report.line(sentence);
+    report.line("effects: " + list_effects(run.effects) + " (--explain says why)");
     run.seconds_scene = reading.seconds();
 
     const Stopwatch building;

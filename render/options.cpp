@@ -165,6 +165,15 @@ void add_method(CLI::App& app, RenderArguments& arguments)
     add_count(app, "--local-min", render.maps.local_min, 1, kMostPhotons,
               "Fewest photons of a local map, M [10 k]");
     add_count(app, "--samples", render.samples, 1, 65536, "Samples of each pixel in a pass [4]");
+    app.add_option_function<std::string>(
+           "--effects",
+           [&arguments](const std::string& text) {
+               arguments.effects = parse_effect_switches(text);
+           },
+           "Effects to leave out, as -caustics,-textures; +NAME takes back an earlier -NAME")
+        ->type_name("LIST");
+    app.add_flag("--explain", arguments.explain,
+                 "Only say which effects the scene calls for, why, and what they cost");
     app.add_option("--seed", render.seed, "Seed; the same seed gives the same image [0]")
         ->type_name("N");
 }
@@ -227,8 +236,9 @@ void complete_arguments(const CLI::App& app, RenderArguments& arguments)
 {
     for (const std::filesystem::path& image : arguments.images)
         image_format(image); // refuses an unknown suffix
-    if (arguments.images.empty() && !arguments.quote)
-        throw InputError("--output is required; give an image to write with -o, or --quote");
+    if (arguments.images.empty() && !arguments.quote && !arguments.explain)
+        throw InputError(
+            "--output is required; give an image to write with -o, --quote or --explain");
     if (arguments.quote && !arguments.state.empty())
         throw InputError("--quote keeps no passes; leave out --state");
     if (app.count("--passes") + app.count("--time") + app.count("--error") == 0)

@@ -2,6 +2,7 @@
 
 #include "common/command_line/command_line.h"
 #include "common/scene/load_scene.h"
+#include "render/effects/effect_plan.h"
 #include "render/integrator/run_passes.h"
 
 #include <filesystem>
@@ -20,7 +21,9 @@ struct RenderArguments {
     std::filesystem::path statistics;  ///< empty: none
     std::filesystem::path state;       ///< to go on with and to keep; empty: none
     StopRules stops;
-    bool quote = false; ///< only say what errors cost
+    bool quote = false;   ///< only say what errors cost
+    bool explain = false; ///< only say what is rendered and why
+    std::vector<EffectSwitch> effects;
     SceneOptions scene_options;
     RenderOptions render;                ///< its size is still to be completed
     std::optional<DiffuseModel> diffuse; ///< none: the scene's own

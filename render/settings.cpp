@@ -41,7 +41,7 @@ const char* name_of(Integrator integrator)
 std::vector<std::string> settings_of(const RenderOptions& options, const Scene& scene,
                                      const Partition& partition)
 {
-    const auto& [integrator, width, height, maps, direct, photons, samples, seed] = options;
+    const auto& [integrator, width, height, maps, direct, photons, samples, seed, light] = options;
     const auto& [mode, neighbours, local_min, estimate, tiers, directions, tree] = maps;
     const Fingerprint content = content_fingerprint(scene);
     return {"scene=" + hex(content.words[0]) + hex(content.words[1]),
@@ -57,7 +57,9 @@ std::vector<std::string> settings_of(const RenderOptions& options, const Scene& 
             "neighbours=" + std::to_string(neighbours),
             "local-min=" + std::to_string(local_min),
             "samples=" + std::to_string(samples),
-            "seed=" + std::to_string(seed)};
+            "seed=" + std::to_string(seed),
+            std::string("caustics=") + (light.caustic ? "on" : "off"),
+            std::string("indirect=") + (light.indirect ? "on" : "off")};
 }
 
 std::uint64_t photons_of(const std::vector<std::string>& settings)

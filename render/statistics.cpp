@@ -88,6 +88,17 @@ Json seconds_json(const RenderStatistics& render, const RunStatistics& run)
             {"image", render.seconds_image},     {"write", run.seconds_write}};
 }
 
+Json effects_json(const EffectPlan& plan)
+{
+    Json out = Json::array();
+    for (const PlannedEffect& effect : plan.effects)
+        out.push_back({{"name", name_of(effect.effect)},
+                       {"on", effect.on},
+                       {"reason", effect.reason},
+                       {"cost", effect.cost}});
+    return out;
+}
+
 Json check_json(const ErrorCheck& check)
 {
     const ImageError& error = check.error;
@@ -191,6 +202,7 @@ std::string statistics_json(const RenderArguments& arguments, const Scene& scene
     json["image"] = image_json(options.width, options.height, arguments.images, run.exposure_ev);
     json["pictures"] = pictures_json(run);
     json["options"] = options_json(arguments, scene);
+    json["effects"] = effects_json(run.effects);
     json["passes_done"] = count(state.film.passes);
     json["ended_by"] = ended_by(run.ended_by);
     json["error"] = error_json(state, options.photons, arguments.stops.error);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "common/image/legend.h"
+#include "render/effects/effect_plan.h"
 #include "render/options.h"
 
 #include <string>
@@ -17,6 +18,7 @@ struct RunStatistics {
     float exposure_ev = 0;
     std::optional<LegendedPicture> error_image;
     std::size_t warnings = 0;
+    EffectPlan effects;
 };
 
 /// The statistics of a render as JSON text (docs/statistics.md); powers in W.

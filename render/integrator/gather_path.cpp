@@ -181,9 +181,11 @@ class GatherTracer {
         const bool onward = at.bsdf.gathers() && !add_photons(gathering, at, hit->distance);
         if (onward)
             add(gathering.weight * sampled_light(scene, at, {.gathered = 1}, random_));
+        if (onward && !maps_.bounces)
+            add(gathering.weight * found_light(scene, at, random_));
         if (at.bsdf.follows() && !branch.gathers)
             add(branch.weight * sampled_light(scene, at, {.followed = 1}, random_));
-        send_on(onward ? &gathering : nullptr, branch, at);
+        send_on(onward && maps_.bounces ? &gathering : nullptr, branch, at);
     }
 
     /// Adds what the gathered lobes send back of light from the maps.  True: that is all; false:

@@ -15,7 +15,8 @@ struct GatherMaps {
     const PhotonMaps& global;   ///< of the pass, direct photons too
     const PhotonMaps& indirect; ///< of the pass, weighed by weigh_bounces
     const FirstRadii& first;
-    float shrink = 1; ///< radius of the pass over the first radius
+    float shrink = 1;    ///< radius of the pass over the first radius
+    bool bounces = true; ///< false: rays of gathered lobes only look for lights
 };
 
 /// What one thread needs for gather paths.

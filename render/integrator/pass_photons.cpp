@@ -14,8 +14,14 @@ constexpr std::uint64_t kPathsPerCausticPath = 4;
 
 PhotonOptions photon_options(const RenderOptions& options, std::uint64_t pass)
 {
-    return {options.photons, options.seed, pass, options.direct == DirectLight::photons,
-            options.photons / kPathsPerCausticPath};
+    PhotonOptions out{options.photons, options.seed, pass, options.direct == DirectLight::photons,
+                      options.photons / kPathsPerCausticPath};
+    out.light = options.light;
+    if (options.maps.mode == MapMode::none || options.integrator == Integrator::path) {
+        out.light = {false, false};
+        out.store_direct = false;
+    }
+    return out;
 }
 
 TracedPhotons trace_pass(const RenderScene& scene, const PhotonOptions& options,

@@ -19,10 +19,7 @@ constexpr double kPhotonShare = 0.2;
 PassMapSet make_maps(const RenderScene& scene, const RenderOptions& options, std::uint64_t pass,
                      RenderStatistics& statistics)
 {
-    PhotonOptions photons = photon_options(options, pass);
-    if (options.maps.mode == MapMode::none || options.integrator == Integrator::path)
-        photons.paths = photons.caustic_paths = 0;
-    TracedPhotons traced = trace_pass(scene, photons, statistics);
+    TracedPhotons traced = trace_pass(scene, photon_options(options, pass), statistics);
     PassMapSet maps;
     maps.caustic = build_maps(scene, std::exchange(traced.caustic, {}), options.maps,
                               statistics.caustic, statistics); // which frees them
@@ -42,7 +39,7 @@ RenderedPass render_pass(const RenderScene& scene, const MapSurfaces& surfaces,
         after(control, kPhotonShare), statistics,
         [&](const Ray& ray, RandomSequence& random, EyeScratch& scratch) -> Samples<1> {
             if (options.integrator == Integrator::path)
-                return {trace_path(scene, ray, random)};
+                return {trace_path(scene, ray, random, options.light)};
             return {trace_eye_path(pass_maps, ray, random, scratch)};
         },
         [&](const EyeScratch& scratch) {

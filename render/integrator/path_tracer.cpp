@@ -22,6 +22,8 @@ struct Path {
     Rgb absorption{0.0f}; ///< of what the ray travels in
     float index2 = 1.0f;  ///< square of the index of what the ray travels in
     float density = 0.0f; ///< per solid angle, that lobes sent the ray; 0: a mirror, glass, the eye
+    bool gathers = false; ///< a gathered lobe is behind it
+    bool straight = true; ///< nothing else is since
 };
 
 /// Chances of the lobes of a surface; they add up to one, or are all zero if it is black.
@@ -29,10 +31,11 @@ struct LobeChances {
     float gathered = 0.0f, followed = 0.0f, mirror = 0.0f, transmit = 0.0f;
 };
 
-LobeChances chances_of(const Path& path, const Interaction& at, const SpecularLobes& lobes)
+LobeChances chances_of(const Path& path, const Interaction& at, const SpecularLobes& lobes,
+                       const LightClasses& light)
 {
     LobeChances out;
-    if (at.bsdf.gathers())
+    if (at.bsdf.gathers() && (light.indirect || !path.gathers))
         out.gathered = max_channel(path.weight * scattered_share(at, Lobes::gathered));
     if (at.bsdf.follows())
         out.followed = max_channel(path.weight * scattered_share(at, Lobes::followed));
@@ -63,6 +66,8 @@ bool follow_lobes(const Interaction& at, Lobes lobes, float chance, RandomSequen
     const ScatterSample sample = sample_scatter(at, lobes, random);
     if (is_black(sample.weight))
         return false;
+    path.straight = lobes == Lobes::gathered;
+    path.gathers = path.gathers || path.straight;
     path.weight *= sample.weight / chance;
     path.density = chance * sample.density;
     path.ray = scattered_ray(at, sample);
@@ -83,6 +88,7 @@ bool follow(const Interaction& at, const LobeChances& chances, const SpecularLob
         return follow_lobes(at, Lobes::followed, chances.followed, random, path);
     drawn -= chances.followed;
     path.density = 0;
+    path.straight = false;
     if (drawn < chances.mirror) {
         path.ray = mirror_ray(at);
         path.weight *= lobes.mirror / chances.mirror;
@@ -109,24 +115,29 @@ bool survives(int depth, Path& path, RandomSequence& random)
 
 } // namespace
 
-Rgb trace_path(const RenderScene& scene, const Ray& ray, RandomSequence& random)
+Rgb trace_path(const RenderScene& scene, const Ray& ray, RandomSequence& random,
+               const LightClasses& light)
 {
     Rgb radiance(0.0f);
     Path path;
     path.ray = ray;
     for (int depth = 0; survives(depth, path, random); ++depth) {
         const std::optional<RayHit> hit = scene.rays.nearest(path.ray);
+        const bool sees_lights = light.caustic || !path.gathers || path.straight;
         if (!hit)
-            return radiance + path.weight * scene.lights.environment;
+            return sees_lights ? radiance + path.weight * scene.lights.environment : radiance;
         path.weight *= transmittance(path.absorption, hit->distance);
         const Interaction at = interact(scene, path.ray, *hit);
-        radiance += path.weight * emitted_radiance(at.bsdf, at.point, at.back) *
-                    hit_weight(scene, at.point, path.ray.direction, hit->distance, path.density);
+        if (sees_lights)
+            radiance +=
+                path.weight * emitted_radiance(at.bsdf, at.point, at.back) *
+                hit_weight(scene, at.point, path.ray.direction, hit->distance, path.density);
         const SpecularLobes lobes = specular_lobes(at.bsdf, at.cosine, at.front, at.solid);
-        const LobeChances chances = chances_of(path, at, lobes);
-        if (chances.gathered + chances.followed > 0)
-            radiance += path.weight *
-                        sampled_light(scene, at, {chances.gathered, chances.followed}, random);
+        const LobeChances chances = chances_of(path, at, lobes, light);
+        const LobeRays rays{chances.gathered,
+                            light.caustic || !path.gathers ? chances.followed : 0};
+        if (rays.gathered + rays.followed > 0)
+            radiance += path.weight * sampled_light(scene, at, rays, random);
         if (!follow(at, chances, lobes, random, path))
             return radiance;
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "common/math/random.h"
+#include "render/effects/light_classes.h"
 #include "render/shading/interaction.h"
 
 namespace hipmap {
@@ -12,6 +13,8 @@ namespace hipmap {
 /// Unbiased but for light that only a specular surface can bring from a point, spot or sun, which
 /// no path finds.  May not be finite if the scene's numbers overflow; the film drops such samples.
 /// Thread-safe.
-Rgb trace_path(const RenderScene& scene, const Ray& ray, RandomSequence& random);
+/// light: classes that are left out of it count zero.
+Rgb trace_path(const RenderScene& scene, const Ray& ray, RandomSequence& random,
+               const LightClasses& light = {});
 
 } // namespace hipmap

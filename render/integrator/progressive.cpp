@@ -30,10 +30,8 @@ TracedPhotons trace_linked(const RenderScene& scene, const RenderOptions& option
                            std::uint64_t pass, RenderStatistics& statistics)
 {
     PhotonOptions photons = photon_options(options, pass);
-    photons.store_direct = true; // for gather rays
-    photons.link_bounces = true;
-    if (options.maps.mode == MapMode::none)
-        photons.paths = photons.caustic_paths = 0;
+    photons.store_direct = photons.light.indirect; // for gather rays
+    photons.link_bounces = photons.light.indirect;
     return trace_pass(scene, photons, statistics);
 }
 
@@ -80,9 +78,14 @@ RenderedPass gather_pass(const RenderScene& scene, const Progressive& shared,
                          const PassMapsByKind& photons, const PictureJob& job, double shrink,
                          const PassControl& control, RenderStatistics& statistics)
 {
-    const GatherMaps maps{
-        scene,        shared.surfaces,           photons.caustic, photons.global, photons.indirect,
-        shared.first, static_cast<float>(shrink)};
+    const GatherMaps maps{scene,
+                          shared.surfaces,
+                          photons.caustic,
+                          photons.global,
+                          photons.indirect,
+                          shared.first,
+                          static_cast<float>(shrink),
+                          job.options.light.indirect};
     return render_tiles<3, GatherScratch>(
         job, after(control, kPhotonShare), statistics,
         [&](const Ray& ray, RandomSequence& random, GatherScratch& scratch) {

@@ -22,6 +22,7 @@ struct RenderOptions {
     std::uint64_t photons = 0; ///< light paths per pass
     std::uint32_t samples = 1; ///< eye paths per pixel and pass
     std::uint64_t seed = 0;
+    LightClasses light; ///< that is found at all
 };
 
 /// Of one kind of photon, summed over the passes.

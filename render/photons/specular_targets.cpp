@@ -3,6 +3,7 @@
 #include "common/math/bounds.h"
 #include "common/math/frame.h"
 #include "common/math/sampling.h"
+#include "render/shading/material_traits.h"
 
 #include <algorithm>
 #include <array>
@@ -21,15 +22,6 @@ constexpr float kAngleMargin = 1e-3f; ///< radians
 
 /// Halvings of the specular faces; no more than 2 to this power of spheres.
 constexpr int kHalvings = 5;
-
-/// Whether any point of the material can have a specular lobe.
-bool may_be_specular(const Material& material, const Bsdf& bsdf)
-{
-    return bsdf.reflection == Reflection::mirror || bsdf.reflection == Reflection::followed ||
-           bsdf.glass > 0 ||
-           find_texture(material.textures, TextureUse::metallic_roughness) != nullptr ||
-           find_texture(material.textures, TextureUse::transmission) != nullptr;
-}
 
 glm::vec3 centroid(const TriangleMesh& mesh, FaceId face)
 {

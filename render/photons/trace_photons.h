@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/effects/light_classes.h"
 #include "render/photons/photon.h"
 #include "render/shading/emission.h"
 #include "render/shading/render_scene.h"
@@ -18,6 +19,7 @@ struct PhotonOptions {
     std::uint64_t caustic_paths = 0; ///< to aim at specular surfaces besides, if there are any; 0:
                                      ///< what reaches them without aim makes the caustics
     bool link_bounces = false;       ///< fill TracedPhotons::bounces
+    LightClasses light{};            ///< photons of other light are neither traced nor kept
 };
 
 /// No photon.
@@ -30,7 +32,8 @@ struct BouncedPhoton {
     bool from_caustic;  ///< it is one of the caustic photons, else of the global ones
 };
 
-/// Where the power of the light paths that were not aimed went, W / metres_per_unit^2.
+/// Where the power of the light paths that were not aimed went, W / metres_per_unit^2.  Light that
+/// is left out counts as absorbed.
 /// emitted = absorbed + escaped in expectation.
 struct PowerBalance {
     glm::dvec3 emitted{0.0};

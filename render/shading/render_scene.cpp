@@ -1,22 +1,8 @@
 #include "render/shading/render_scene.h"
 
+#include "render/shading/material_traits.h"
+
 namespace hipmap {
-
-namespace {
-
-/// Whether any point of the material may gather by a lobe that is not separable.  Textures only
-/// multiply, so that its roughness is nowhere above its factor.
-bool is_directional(const Material& material, const Bsdf& bsdf)
-{
-    if (bsdf.burley_roughness >= 0)
-        return true;
-    const bool may_reflect =
-        material.metallic > 0 || material.specular * max_channel(material.specular_color) > 0;
-    return !is_followed(material.roughness) &&
-           (bsdf.reflection != Reflection::none || (varies(material) && may_reflect));
-}
-
-} // namespace
 
 RenderScene::RenderScene(const Scene& from_scene, const Partition& from_partition)
     : scene(from_scene), partition(from_partition), rays(from_scene.mesh),
@@ -26,7 +12,8 @@ RenderScene::RenderScene(const Scene& from_scene, const Partition& from_partitio
     for (const Material& material : scene.materials)
         varying.push_back(varies(material));
     for (const MaterialId material : mesh().material_of_face)
-        directional = directional || is_directional(scene.materials[material], bsdfs[material]);
+        directional =
+            directional || may_gather_by_direction(scene.materials[material], bsdfs[material]);
 }
 
 } // namespace hipmap

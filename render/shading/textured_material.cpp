@@ -36,13 +36,16 @@ MaterialPoint material_factors(const Material& material)
     return {material.base_color, material.metallic, material.roughness, material.transmission};
 }
 
+bool is_rendered(TextureUse use)
+{
+    return use == TextureUse::base_color || use == TextureUse::metallic_roughness ||
+           use == TextureUse::transmission;
+}
+
 bool varies(const Material& material)
 {
-    constexpr TextureUse kUses[] = {TextureUse::base_color, TextureUse::metallic_roughness,
-                                    TextureUse::transmission};
-    return std::any_of(std::begin(kUses), std::end(kUses), [&](TextureUse use) {
-        return find_texture(material.textures, use) != nullptr;
-    });
+    return std::any_of(material.textures.begin(), material.textures.end(),
+                       [](const TextureSlot& slot) { return is_rendered(slot.use); });
 }
 
 MaterialPoint material_at(const Scene& scene, FaceId face, const glm::vec2& barycentric)

@@ -15,6 +15,9 @@ struct MaterialPoint {
 /// The material's factors alone.
 MaterialPoint material_factors(const Material& material);
 
+/// Whether textures of the kind are rendered.
+bool is_rendered(TextureUse use);
+
 /// Whether a material differs from point to point in what a MaterialPoint holds.
 bool varies(const Material& material);
 

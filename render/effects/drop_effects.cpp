@@ -1,0 +1,20 @@
+#include "render/effects/drop_effects.h"
+
+#include "render/shading/textured_material.h"
+
+namespace hipmap {
+
+void drop_effects(Scene& scene, const EffectPlan& plan)
+{
+    for (Material& material : scene.materials) {
+        if (!plan.has(Effect::absorption))
+            material.absorption = Rgb(0);
+        if (!plan.has(Effect::textures))
+            std::erase_if(material.textures,
+                          [](const TextureSlot& slot) { return is_rendered(slot.use); });
+    }
+    if (!plan.has(Effect::environment))
+        scene.environment = Rgb(0);
+}
+
+} // namespace hipmap

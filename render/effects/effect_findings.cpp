@@ -1,0 +1,162 @@
+#include "render/effects/effect_findings.h"
+
+#include "common/scene/scene_names.h"
+#include "render/shading/textured_material.h"
+
+namespace hipmap {
+
+namespace {
+
+bool has_texture(const Material& material, TextureUse use)
+{
+    return find_texture(material.textures, use) != nullptr;
+}
+
+/// Materials of the file that have something the renderer does not show.
+template <typename Has>
+std::string names_of(const SceneFacts& facts, const Has& has)
+{
+    return facts.materials_where(
+        [&](const Material& material, const Bsdf&, bool) { return has(material); });
+}
+
+} // namespace
+
+Finding find_mirror(const SceneFacts& facts)
+{
+    const std::string names =
+        facts.materials_where([](const Material& material, const Bsdf& bsdf, bool) {
+            const bool may_be_smooth = has_texture(material, TextureUse::metallic_roughness);
+            return bsdf.reflection == Reflection::mirror ||
+                   (bsdf.reflection != Reflection::none && may_be_smooth);
+        });
+    if (names.empty())
+        return {false, "no surface is smooth and reflects", ""};
+    return {true, names + " may reflect as a mirror does", "a ray of its own"};
+}
+
+Finding find_glossy(const SceneFacts& facts)
+{
+    const std::string followed = facts.materials_where(
+        [](const Material&, const Bsdf& bsdf, bool) { return bsdf.follows(); });
+    const std::string gathered = facts.materials_where([](const Material&, const Bsdf& bsdf, bool) {
+        return bsdf.reflection == Reflection::gathered;
+    });
+    const std::string limit = "roughness " + short_number(kFollowedRoughness);
+    Finding out;
+    if (!followed.empty()) {
+        out.reason = "glossy reflections up to " + limit +
+                     " and rough glass are followed by rays: " + followed;
+        out.cost = "a ray for each that is followed";
+    }
+    if (!gathered.empty()) {
+        out.reason += (followed.empty() ? "" : "; ") +
+                      ("reflections above " + limit + " are gathered from photons: ") + gathered;
+        out.cost +=
+            (followed.empty() ? std::string() : "; ") + "photons keep the direction they came from";
+    }
+    out.on = !out.reason.empty();
+    if (!out.on)
+        out.reason = "no reflection is blurred, and no glass is rough";
+    return out;
+}
+
+Finding find_refraction(const SceneFacts& facts)
+{
+    const std::string solid =
+        facts.materials_where([](const Material&, const Bsdf& bsdf, bool is_solid) {
+            return bsdf.glass > 0 && is_solid;
+        });
+    const std::string thin =
+        facts.materials_where([](const Material&, const Bsdf& bsdf, bool is_solid) {
+            return bsdf.glass > 0 && !is_solid;
+        });
+    if (solid.empty() && thin.empty())
+        return {false, "no surface transmits", ""};
+    if (solid.empty())
+        return {false, "rays go straight through " + thin + ", whose surfaces are open: thin panes",
+                ""};
+    return {true, "rays bend in " + solid, "a reflected and a transmitted ray from clear glass"};
+}
+
+Finding find_absorption(const SceneFacts& facts)
+{
+    const std::string names =
+        facts.materials_where([](const Material&, const Bsdf& bsdf, bool solid) {
+            return solid && bsdf.glass > 0 && !is_black(bsdf.absorption);
+        });
+    if (names.empty())
+        return {false, "no solid glass has an attenuation colour", ""};
+    return {true, names + " absorb light on its way through", "an exponential for each ray inside"};
+}
+
+Finding find_dispersion(const SceneFacts& facts)
+{
+    return not_rendered_yet(names_of(facts, [](const Material& m) { return m.dispersion > 0; }),
+                            "no glass bends colours differently");
+}
+
+Finding find_media(const SceneFacts& facts)
+{
+    return not_rendered_yet(
+        names_of(facts,
+                 [](const Material& m) { return m.transmission > 0 && !is_black(m.scattering); }),
+        "nothing that light passes through scatters it");
+}
+
+Finding find_subsurface(const SceneFacts& facts)
+{
+    return not_rendered_yet(
+        names_of(facts,
+                 [](const Material& m) { return m.transmission == 0 && !is_black(m.scattering); }),
+        "no opaque material scatters light beneath its surface");
+}
+
+Finding find_textures(const SceneFacts& facts)
+{
+    const std::string names = names_of(facts, [](const Material& m) { return varies(m); });
+    if (names.empty())
+        return {false, "no material has a picture that is rendered", ""};
+    return {true, names + " have pictures", "reads of their pictures where a ray meets them"};
+}
+
+Finding find_normal_maps(const SceneFacts& facts)
+{
+    return not_rendered_yet(
+        names_of(facts, [](const Material& m) { return has_texture(m, TextureUse::normal); }),
+        "no material has one");
+}
+
+Finding find_vertex_colours(const SceneFacts& facts)
+{
+    return not_rendered_yet(facts.scene.mesh.attributes.colours.empty() ? "" : "COLOR_0",
+                            "no mesh has any");
+}
+
+Finding find_alpha(const SceneFacts& facts)
+{
+    return not_rendered_yet(
+        names_of(facts, [](const Material& m) { return m.alpha_mode != AlphaMode::opaque; }),
+        "every material is opaque");
+}
+
+Finding find_clearcoat(const SceneFacts& facts)
+{
+    return not_rendered_yet(names_of(facts, [](const Material& m) { return m.clearcoat > 0; }),
+                            "no material has one");
+}
+
+Finding find_sheen(const SceneFacts& facts)
+{
+    return not_rendered_yet(
+        names_of(facts, [](const Material& m) { return !is_black(m.sheen_color); }),
+        "no material has one");
+}
+
+Finding find_anisotropy(const SceneFacts& facts)
+{
+    return not_rendered_yet(names_of(facts, [](const Material& m) { return m.anisotropy > 0; }),
+                            "no reflection is stretched");
+}
+
+} // namespace hipmap

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "render/effects/scene_facts.h"
+
+#include <string>
+
+namespace hipmap {
+
+/// Whether a scene calls for an effect that the renderer has.
+struct Finding {
+    bool on = false;
+    std::string reason; ///< a sentence about the scene, without a full stop
+    std::string cost;   ///< if it is on, in words
+};
+
+// By light and camera.
+Finding find_soft_shadows(const SceneFacts& facts);
+Finding find_indirect(const SceneFacts& facts);
+Finding find_caustics(const SceneFacts& facts);
+Finding find_environment(const SceneFacts& facts);
+Finding find_depth_of_field(const SceneFacts& facts);
+Finding find_motion_blur(const SceneFacts& facts);
+
+// By the materials that faces wear.
+Finding find_mirror(const SceneFacts& facts);
+Finding find_glossy(const SceneFacts& facts);
+Finding find_refraction(const SceneFacts& facts);
+Finding find_absorption(const SceneFacts& facts);
+Finding find_dispersion(const SceneFacts& facts);
+Finding find_media(const SceneFacts& facts);
+Finding find_subsurface(const SceneFacts& facts);
+Finding find_textures(const SceneFacts& facts);
+Finding find_normal_maps(const SceneFacts& facts);
+Finding find_vertex_colours(const SceneFacts& facts);
+Finding find_alpha(const SceneFacts& facts);
+Finding find_clearcoat(const SceneFacts& facts);
+Finding find_sheen(const SceneFacts& facts);
+Finding find_anisotropy(const SceneFacts& facts);
+
+/// One that is in the file, but not rendered.  names: in quotes; empty: not in the file.
+Finding not_rendered_yet(const std::string& names, const char* without);
+
+} // namespace hipmap

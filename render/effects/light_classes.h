@@ -1,0 +1,12 @@
+#pragma once
+
+namespace hipmap {
+
+/// Which light is followed besides that which comes straight from a light to the first surface that
+/// gathers: the classes of photon of docs/effects.md.
+struct LightClasses {
+    bool caustic = true;  ///< that specular surfaces bring to it, and all that comes of it later
+    bool indirect = true; ///< that such surfaces send to each other
+};
+
+} // namespace hipmap

@@ -1,0 +1,41 @@
+#include "render/effects/scene_facts.h"
+
+#include "common/scene/scene_names.h"
+
+#include <algorithm>
+
+namespace hipmap {
+
+std::string SceneFacts::materials_where(
+    const std::function<bool(const Material&, const Bsdf&, bool)>& holds) const
+{
+    std::vector<std::string> names;
+    for (std::size_t m = 0; m < scene.materials.size(); ++m)
+        if (worn[m] != 0 && holds(scene.materials[m], bsdfs[m], solid[m] != 0))
+            names.push_back(scene.materials[m].name);
+    return list_names(names);
+}
+
+SceneFacts gather_facts(const Scene& scene, const Partition& partition)
+{
+    const std::size_t materials = scene.materials.size();
+    SceneFacts facts{scene, make_bsdfs(scene.materials, scene.diffuse_model), {}, {}};
+    facts.worn.assign(materials, 0);
+    facts.solid.assign(materials, 0);
+    for (FaceId face = 0; face < scene.mesh.face_count(); ++face) {
+        const MaterialId material = scene.mesh.material_of_face[face];
+        if (!(face_area(scene.mesh, face) > 0))
+            continue;
+        facts.worn[material] = 1;
+        if (partition.closed[face] != 0)
+            facts.solid[material] = 1;
+        facts.shines = facts.shines || !is_black(scene.materials[material].emission);
+    }
+    facts.shines =
+        facts.shines || !is_black(scene.environment) ||
+        std::any_of(scene.lights.begin(), scene.lights.end(),
+                    [](const PunctualLight& light) { return !is_black(light.intensity); });
+    return facts;
+}
+
+} // namespace hipmap

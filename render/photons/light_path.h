@@ -1,0 +1,21 @@
+#pragma once
+
+#include "render/photons/trace_photons.h"
+
+namespace hipmap {
+
+/// Which classes of photon are kept of a path.
+struct Wanted {
+    bool direct = false;
+    bool caustic = false;
+    bool indirect = false;
+    bool bounces = false;
+    bool after_specular = true; ///< any, once a specular surface was the first
+};
+
+/// Follows a light path through the scene to its end, and adds the photons that are wanted of it,
+/// and where its power went, to `out`.  docs/light_transport.md (9), (10).
+void trace_light_path(const RenderScene& scene, const Wanted& wanted, const EmittedPath& start,
+                      RandomSequence& random, TracedPhotons& out);
+
+} // namespace hipmap

@@ -1,0 +1,25 @@
+#include "render/run_plan.h"
+
+#include "render/effects/drop_effects.h"
+
+namespace hipmap {
+
+EffectPlan plan_run(RenderArguments& arguments, Scene& scene, const Partition& partition)
+{
+    EffectOptions options;
+    options.switches = arguments.effects;
+    options.bounces = arguments.render.maps.mode != MapMode::none ||
+                      arguments.render.integrator == Integrator::path;
+    const EffectPlan out = plan_effects(scene, partition, options);
+    arguments.render.light = light_classes(out);
+    drop_effects(scene, out);
+    return out;
+}
+
+void explain(const EffectPlan& plan, Report& report)
+{
+    for (const PlannedEffect& effect : plan.effects)
+        report.line(describe(effect));
+}
+
+} // namespace hipmap

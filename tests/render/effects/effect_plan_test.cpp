@@ -1,0 +1,216 @@
+#include "common/input_error.h"
+#include "render/effects/drop_effects.h"
+#include "render/effects/effect_plan.h"
+#include "tests/support/tiny_rooms.h"
+
+#include <catch2/catch.hpp>
+
+#include <set>
+
+using namespace hipmap;
+
+namespace {
+
+EffectPlan plan_of(const Scene& scene, const EffectOptions& options = {})
+{
+    return plan_effects(scene, build_partition(scene, {}).partition, options);
+}
+
+Material named(Material material, const char* name)
+{
+    material.name = name;
+    return material;
+}
+
+/// A matt floor under a point light: nothing but indirect light is called for.
+Scene plain_floor()
+{
+    Scene scene = tiny::matt_floor();
+    scene.materials[0].name = "floor";
+    PunctualLight light;
+    light.position = {0, 0.3f, 0};
+    light.intensity = Rgb(1);
+    scene.lights.push_back(light);
+    return scene;
+}
+
+Scene with_ball(const Material& material)
+{
+    Scene scene = plain_floor();
+    TriangleMesh ball = tiny::uv_sphere(8, 4);
+    tiny::scale(ball, 0.1f);
+    tiny::move(ball, {0, 0.2f, 0});
+    tiny::add(scene, ball, material);
+    return scene;
+}
+
+Scene with_pane(const Material& material)
+{
+    Scene scene = plain_floor();
+    tiny::add(scene, tiny::floor_at(0.2f, 0.2f), material);
+    return scene;
+}
+
+Material rough(Material material, float roughness)
+{
+    material.roughness = roughness;
+    return material;
+}
+
+Material with_texture(TextureUse use)
+{
+    Material material = tiny::matt(Rgb(0.5f));
+    TextureSlot slot;
+    slot.use = use;
+    material.textures.push_back(slot);
+    return material;
+}
+
+std::set<Effect> on_in(const EffectPlan& plan)
+{
+    std::set<Effect> out;
+    for (const PlannedEffect& effect : plan.effects)
+        if (effect.on)
+            out.insert(effect.effect);
+    return out;
+}
+
+using Effects = std::set<Effect>;
+
+} // namespace
+
+TEST_CASE("effect plan: an effect is on if and only if the scene calls for it", "[effects]")
+{
+    const Effects plain = {Effect::indirect};
+    CHECK(on_in(plan_of(plain_floor())) == plain);
+    CHECK(on_in(plan_of(tiny::matt_floor())).empty()); // nothing shines
+
+    CHECK(on_in(plan_of(with_pane(tiny::mirror(Rgb(0.9f))))) ==
+          Effects{Effect::indirect, Effect::mirror, Effect::caustics});
+    CHECK(on_in(plan_of(with_pane(rough(tiny::mirror(Rgb(0.9f)), 0.2f)))) ==
+          Effects{Effect::indirect, Effect::glossy, Effect::caustics});
+    CHECK(on_in(plan_of(with_pane(rough(tiny::mirror(Rgb(0.9f)), 0.5f)))) ==
+          Effects{Effect::indirect, Effect::glossy});
+
+    Material glass = tiny::glass(1.5f);
+    CHECK(on_in(plan_of(with_pane(glass))) == Effects{Effect::indirect, Effect::caustics});
+    CHECK(on_in(plan_of(with_ball(glass))) ==
+          Effects{Effect::indirect, Effect::refraction, Effect::caustics});
+    glass.absorption = Rgb(1, 0, 0);
+    CHECK(on_in(plan_of(with_pane(glass))) == Effects{Effect::indirect, Effect::caustics});
+    CHECK(on_in(plan_of(with_ball(glass))) ==
+          Effects{Effect::indirect, Effect::refraction, Effect::caustics, Effect::absorption});
+
+    CHECK(on_in(plan_of(with_pane(tiny::lamp(Rgb(1))))) ==
+          Effects{Effect::soft_shadows, Effect::indirect});
+    CHECK(on_in(plan_of(with_pane(with_texture(TextureUse::base_color)))) ==
+          Effects{Effect::indirect, Effect::textures});
+    Scene under_sky = plain_floor();
+    under_sky.environment = Rgb(1);
+    CHECK(on_in(plan_of(under_sky)) ==
+          Effects{Effect::soft_shadows, Effect::indirect, Effect::environment});
+}
+
+TEST_CASE("effect plan: without light or matt surfaces there are no caustics", "[effects]")
+{
+    Scene scene = with_pane(tiny::mirror(Rgb(0.9f)));
+    scene.lights.clear();
+    CHECK(describe(plan_of(scene).effects[static_cast<std::size_t>(Effect::caustics)]) ==
+          "caustics: off; no specular surface is lit");
+    Scene mirrors = plain_floor();
+    mirrors.materials[0] = tiny::mirror(Rgb(0.9f));
+    CHECK(on_in(plan_of(mirrors)) == Effects{Effect::mirror});
+}
+
+TEST_CASE("effect plan: materials that no face wears call for nothing", "[effects]")
+{
+    Scene scene = plain_floor();
+    scene.materials.push_back(tiny::glass(1.5f));
+    scene.materials.push_back(tiny::lamp(Rgb(1)));
+    CHECK(on_in(plan_of(scene)) == Effects{Effect::indirect});
+}
+
+TEST_CASE("effect plan: reasons name what becomes of reflections", "[effects]")
+{
+    Scene scene = with_pane(named(rough(tiny::mirror(Rgb(0.9f)), 0.2f), "steel"));
+    tiny::add(scene, tiny::floor_at(0.1f, 0.2f), named(rough(tiny::glass(1.5f), 0.6f), "frosted"));
+    tiny::add(scene, tiny::floor_at(0.3f, 0.2f),
+              named(rough(tiny::mirror(Rgb(0.9f)), 0.5f), "tin"));
+    CHECK(plan_of(scene).effects[static_cast<std::size_t>(Effect::glossy)].reason ==
+          "glossy reflections up to roughness 0.3 and rough glass are followed by rays: 'steel' "
+          "and 'frosted'; reflections above roughness 0.3 are gathered from photons: 'tin'");
+}
+
+TEST_CASE("effect plan: what the file has and the renderer has not is off, and said", "[effects]")
+{
+    Material material = named(tiny::matt(Rgb(0.5f)), "velvet");
+    material.sheen_color = Rgb(1);
+    Scene scene = with_pane(material);
+    scene.cameras[0].aperture_radius = 0.1f;
+    const EffectPlan plan = plan_of(scene);
+    CHECK(on_in(plan) == Effects{Effect::indirect});
+    CHECK(plan.effects[static_cast<std::size_t>(Effect::sheen)].reason ==
+          "in the file ('velvet'), not rendered yet");
+    CHECK(plan.effects[static_cast<std::size_t>(Effect::depth_of_field)].reason.starts_with(
+        "in the file"));
+}
+
+TEST_CASE("effect plan: names are in the order of the effects, all different", "[effects]")
+{
+    const EffectPlan plan = plan_of(plain_floor());
+    std::set<std::string_view> names;
+    for (std::size_t i = 0; i < kEffects; ++i) {
+        CHECK(static_cast<std::size_t>(plan.effects[i].effect) == i);
+        CHECK_FALSE(plan.effects[i].reason.empty());
+        CHECK(plan.effects[i].on == !plan.effects[i].cost.empty());
+        names.insert(name_of(plan.effects[i].effect));
+    }
+    CHECK(names.size() == kEffects);
+    CHECK(list_effects(plan) == "indirect");
+}
+
+TEST_CASE("effect plan: switches leave effects out, the last word counts", "[effects]")
+{
+    const Scene scene = with_pane(tiny::mirror(Rgb(0.9f)));
+    EffectOptions options;
+    options.switches = parse_effect_switches("-caustics,-indirect,+indirect");
+    const EffectPlan plan = plan_of(scene, options);
+    CHECK(on_in(plan) == Effects{Effect::indirect, Effect::mirror});
+    CHECK_FALSE(light_classes(plan).caustic);
+    CHECK(light_classes(plan).indirect);
+    options.switches = parse_effect_switches("+absorption"); // which the scene has not
+    CHECK(on_in(plan_of(scene, options)) == on_in(plan_of(scene)));
+    options.bounces = false;
+    CHECK(on_in(plan_of(scene, options)) == Effects{Effect::mirror});
+}
+
+TEST_CASE("effect plan: switches that make no sense are refused with the names there are",
+          "[effects]")
+{
+    for (const char* text :
+         {"", "caustics", "-", "-caustic", "-caustics,", "-mirror", "-caustics,,-indirect"}) {
+        INFO(text);
+        CHECK_THROWS_WITH(parse_effect_switches(text),
+                          Catch::Contains("indirect, caustics, absorption, textures"));
+    }
+}
+
+TEST_CASE("effect plan: what is left out is not in the scene that is rendered", "[effects]")
+{
+    Material glass = tiny::glass(1.5f);
+    glass.absorption = Rgb(1);
+    Scene scene = with_ball(glass);
+    tiny::add(scene, tiny::floor_at(0.1f, 0.2f), with_texture(TextureUse::base_color));
+    scene.environment = Rgb(1);
+    const Scene before = scene;
+    drop_effects(scene, plan_of(scene));
+    CHECK(scene.materials[1].absorption == before.materials[1].absorption);
+    CHECK(scene.materials[2].textures.size() == 1);
+    CHECK(scene.environment == before.environment);
+    EffectOptions options;
+    options.switches = parse_effect_switches("-absorption,-textures,-environment");
+    drop_effects(scene, plan_of(scene, options));
+    CHECK(scene.materials[1].absorption == Rgb(0));
+    CHECK(scene.materials[2].textures.empty());
+    CHECK(scene.environment == Rgb(0));
+}
