@@ -1,11 +1,14 @@
 #include "common/rays/embree_scene.h"
 
+#include "common/math/random.h"
 #include "common/math/rgb.h"
 
 #include <embree3/rtcore.h>
 
+#include <bit>
 #include <cmath>
 #include <new>
+#include <utility>
 
 namespace hipmap {
 
@@ -14,18 +17,55 @@ namespace {
 /// Beyond this Embree 3.13 aborts the process instead of reporting a miss.
 constexpr float kLargestCoordinate = 1e18f;
 
-/// What the filter of one `nearest` query remembers: the best hit so far.
-struct NearestQuery {
+/// What the filter of a query knows of it.
+struct Query {
     RTCIntersectContext context; // first, so that the filter can get from it to the rest
+    const Ray* ray;
+    const Coverage* coverage;
+};
+
+/// What the filter of one `nearest` query remembers besides: the best hit so far.
+struct NearestQuery : Query {
     float distance;
     FaceId face;
 };
+
+std::uint64_t bits_of(float a, float b)
+{
+    return std::uint64_t{std::bit_cast<std::uint32_t>(a)} << 32 | std::bit_cast<std::uint32_t>(b);
+}
+
+/// Uniform in [0, 1), by the bits of ray and face alone.
+float uniform_of(const Ray& ray, FaceId face)
+{
+    const glm::vec3 &o = ray.origin, &d = ray.direction;
+    std::uint64_t mixed = mix_bits(bits_of(o.x, o.y) + 1);
+    mixed = mix_bits(mixed ^ bits_of(o.z, d.x));
+    mixed = mix_bits(mixed ^ bits_of(d.y, d.z));
+    return static_cast<float>(mix_bits(mixed ^ (std::uint64_t{face} + 1)) >> 40) * 0x1p-24f;
+}
+
+/// Whether a face that may let light pass stops the ray.
+bool stops(const RTCFilterFunctionNArguments* args)
+{
+    const auto* query = reinterpret_cast<const Query*>(args->context);
+    const FaceId face = RTCHitN_primID(args->hit, args->N, 0);
+    const float share = (*query->coverage)(
+        face, {RTCHitN_u(args->hit, args->N, 0), RTCHitN_v(args->hit, args->N, 0)});
+    return share >= 1 || uniform_of(*query->ray, face) < share;
+}
+
+void keep_what_stops(const RTCFilterFunctionNArguments* args)
+{
+    if (!stops(args))
+        args->valid[0] = 0;
+}
 
 /// Keeps a hit only if it beats the best one; of equally near ones the lowest face wins, which
 /// makes the answer independent of the order in which the tree is walked.
 void keep_lowest_face(const RTCFilterFunctionNArguments* args)
 {
-    auto* query = reinterpret_cast<NearestQuery*>(args->context);
+    auto* query = static_cast<NearestQuery*>(reinterpret_cast<Query*>(args->context));
     const float distance = RTCRayN_tfar(args->ray, args->N, 0);
     const FaceId face = RTCHitN_primID(args->hit, args->N, 0);
     if (distance > query->distance || (distance == query->distance && face > query->face)) {
@@ -34,6 +74,14 @@ void keep_lowest_face(const RTCFilterFunctionNArguments* args)
     }
     query->distance = distance;
     query->face = face;
+}
+
+/// The same where faces may let light pass.
+void keep_lowest_face_that_stops(const RTCFilterFunctionNArguments* args)
+{
+    keep_what_stops(args);
+    if (args->valid[0] != 0)
+        keep_lowest_face(args);
 }
 
 bool can_cast(const Ray& ray)
@@ -77,6 +125,7 @@ void copy_buffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format,
 struct EmbreeScene::Handles {
     RTCDevice device = nullptr;
     RTCScene scene = nullptr;
+    Coverage coverage;
 
     ~Handles()
     {
@@ -87,8 +136,10 @@ struct EmbreeScene::Handles {
     }
 };
 
-EmbreeScene::EmbreeScene(const TriangleMesh& mesh) : handles_(std::make_unique<Handles>())
+EmbreeScene::EmbreeScene(const TriangleMesh& mesh, Coverage coverage)
+    : handles_(std::make_unique<Handles>())
 {
+    handles_->coverage = std::move(coverage);
     handles_->device = rtcNewDevice(nullptr);
     if (handles_->device == nullptr)
         throw std::bad_alloc();
@@ -119,7 +170,9 @@ std::optional<RayHit> EmbreeScene::nearest(const Ray& ray) const
         return std::nullopt;
     NearestQuery query;
     rtcInitIntersectContext(&query.context);
-    query.context.filter = keep_lowest_face;
+    query.context.filter = handles_->coverage ? keep_lowest_face_that_stops : keep_lowest_face;
+    query.ray = &ray;
+    query.coverage = &handles_->coverage;
     query.distance = std::numeric_limits<float>::infinity();
     query.face = kNone;
 
@@ -136,11 +189,16 @@ bool EmbreeScene::occluded(const Ray& ray) const
 {
     if (!can_cast(ray))
         return false;
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    RTCRay query = embree_ray(ray);
-    rtcOccluded1(handles_->scene, &context, &query);
-    return query.tfar < 0;
+    Query query;
+    rtcInitIntersectContext(&query.context);
+    if (handles_->coverage) {
+        query.context.filter = keep_what_stops;
+        query.ray = &ray;
+        query.coverage = &handles_->coverage;
+    }
+    RTCRay shadow = embree_ray(ray);
+    rtcOccluded1(handles_->scene, &query.context, &shadow);
+    return shadow.tfar < 0;
 }
 
 } // namespace hipmap

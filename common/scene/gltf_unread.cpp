@@ -124,11 +124,6 @@ void collect_materials(const json& root, UnreadThings& unread)
                 if (is_in(kRead, key) && is_unrendered_texture(slot))
                     unread.add_unrendered("textures: " + slot + " of materials", name);
         }
-        const std::string mode = material.value("alphaMode", std::string("OPAQUE"));
-        if (mode != "OPAQUE")
-            unread.add_unrendered("transparency by alphaMode " + clean_name(mode) +
-                                      ", shown opaque, of materials",
-                                  name);
     }
 }
 

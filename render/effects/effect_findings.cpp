@@ -1,6 +1,7 @@
 #include "render/effects/effect_findings.h"
 
 #include "common/scene/scene_names.h"
+#include "render/shading/coverage.h"
 #include "render/shading/textured_material.h"
 
 namespace hipmap {
@@ -135,9 +136,12 @@ Finding find_vertex_colours(const SceneFacts& facts)
 
 Finding find_alpha(const SceneFacts& facts)
 {
-    return not_rendered_yet(
-        names_of(facts, [](const Material& m) { return m.alpha_mode != AlphaMode::opaque; }),
-        "every material is opaque");
+    const std::string names =
+        names_of(facts, [&](const Material& m) { return may_let_light_pass(facts.scene, m); });
+    if (names.empty())
+        return {false, "every face stops all light that meets it", ""};
+    return {true, "a part of all rays goes on through " + names,
+            "a read of alpha at each face that a ray may meet"};
 }
 
 Finding find_clearcoat(const SceneFacts& facts)

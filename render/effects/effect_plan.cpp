@@ -31,7 +31,7 @@ constexpr std::array<Row, kEffects> kRows = {{
     {Effect::textures, "textures", find_textures, true},
     {Effect::normal_maps, "normal-maps", find_normal_maps, false},
     {Effect::vertex_colours, "vertex-colours", find_vertex_colours, false},
-    {Effect::alpha, "alpha", find_alpha, false},
+    {Effect::alpha, "alpha", find_alpha, true},
     {Effect::clearcoat, "clearcoat", find_clearcoat, false},
     {Effect::sheen, "sheen", find_sheen, false},
     {Effect::anisotropy, "anisotropy", find_anisotropy, false},

@@ -125,7 +125,6 @@ Rgb emissive_light(const RenderScene& scene, const Interaction& at, const LobeRa
     const EmissivePoint light = sample_light(scene, random);
     const Ray shadow = ray_between(at.point, light.surface.position);
     const float distance = glm::length(light.surface.position - at.point.position);
-    const Bsdf& bsdf = scene.bsdfs[scene.mesh().material_of_face[light.surface.face]];
     const float density = emissive_density(scene, light.surface, shadow.direction, distance);
     if (!(density > 0))
         return Rgb(0);
@@ -135,7 +134,7 @@ Rgb emissive_light(const RenderScene& scene, const Interaction& at, const LobeRa
     };
     const Rgb sent =
         weighed(lobes.gathered, rays.gathered) + weighed(lobes.followed, rays.followed);
-    const Rgb out = sent / density * emitted_radiance(bsdf, light.surface, -shadow.direction);
+    const Rgb out = sent / density * light_radiance(scene, light, -shadow.direction);
     if (is_black(out) || scene.rays.occluded(shadow))
         return Rgb(0);
     return out;

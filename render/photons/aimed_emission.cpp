@@ -51,8 +51,8 @@ EmittedPath aim_from_face(const RenderScene& scene, double u_face, const Targets
     EmittedPath out;
     out.ray.direction = aimed.direction;
     out.ray.origin = offset_origin(from.surface, aimed.direction);
-    out.power = emitted_radiance(bsdf, from.surface, aimed.direction) *
-                (cosine * aimed.weight / from.density);
+    out.power =
+        light_radiance(scene, from, aimed.direction) * (cosine * aimed.weight / from.density);
     return out;
 }
 

@@ -70,7 +70,7 @@ void store(const Interaction& at, LightPath& path, bool directional, const Wante
     if (!keep && !link)
         return;
     const float geometric = glm::dot(at.back, at.normal);
-    Rgb power = path.power * (at.cosine / geometric);
+    Rgb power = path.power * (at.cosine / (geometric * at.coverage));
     if (!directional)
         power *= coat_half(at.bsdf, at.cosine);
     const BouncedPhoton bounced{

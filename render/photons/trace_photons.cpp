@@ -83,8 +83,7 @@ TracedPhotons trace_without_aim(const RenderScene& scene, const PhotonOptions& o
         const LightShare share = share_of(plan, i);
         RandomSequence random(options.seed, RandomStream::photons, options.pass, share.light,
                               share.place);
-        const EmittedPath start =
-            emit_path(scene.lights, plan, scene.mesh(), scene.bsdfs, i, random);
+        const EmittedPath start = emit_path(scene, plan, i, random);
         trace_light_path(scene, wanted, start, random, photons);
     });
     out.emitted = plan.paths;

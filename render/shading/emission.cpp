@@ -62,18 +62,19 @@ EmittedPath emit_from_punctual(const LightSet& lights, const PunctualLight& ligh
     return out;
 }
 
-EmittedPath emit_from_face(const LightSet& lights, const TriangleMesh& mesh,
-                           const std::vector<Bsdf>& bsdfs, double u_face, RandomSequence& random)
+EmittedPath emit_from_face(const RenderScene& scene, double u_face, RandomSequence& random)
 {
-    const EmissivePoint from = sample_emissive_point(lights, mesh, u_face, random.next2());
-    const Bsdf& bsdf = bsdfs[mesh.material_of_face[from.surface.face]];
+    const TriangleMesh& mesh = scene.mesh();
+    const EmissivePoint from = sample_emissive_point(scene.lights, mesh, u_face, random.next2());
+    const Bsdf& bsdf = scene.bsdfs[mesh.material_of_face[from.surface.face]];
     const bool behind = bsdf.emits_behind && random.next() < 0.5f;
     const glm::vec3 normal =
         behind ? -from.surface.geometric_normal : from.surface.geometric_normal;
     EmittedPath out;
     out.ray.direction = Frame(normal).to_world(sample_cosine_hemisphere(random.next2()));
     out.ray.origin = offset_origin(from.surface, normal);
-    out.power = bsdf.emission * (kPi * (bsdf.emits_behind ? 2.0f : 1.0f) / from.density);
+    out.power = light_radiance(scene, from, normal) *
+                (kPi * (bsdf.emits_behind ? 2.0f : 1.0f) / from.density);
     return out;
 }
 
@@ -134,16 +135,17 @@ double stratum(const LightShare& share, RandomSequence& random)
     return (static_cast<double>(share.place) + random.next()) / static_cast<double>(share.paths);
 }
 
-EmittedPath emit_path(const LightSet& lights, const EmissionPlan& plan, const TriangleMesh& mesh,
-                      const std::vector<Bsdf>& bsdfs, std::uint64_t path, RandomSequence& random)
+EmittedPath emit_path(const RenderScene& scene, const EmissionPlan& plan, std::uint64_t path,
+                      RandomSequence& random)
 {
+    const LightSet& lights = scene.lights;
     const LightShare share = share_of(plan, path);
     EmittedPath out;
     if (share.light < lights.punctual.size()) {
         out = emit_from_punctual(lights, lights.punctual[share.light], random);
     } else if (share.light == lights.punctual.size()) {
         // Stratified over the faces: the paths walk through the running sum of powers.
-        out = emit_from_face(lights, mesh, bsdfs, stratum(share, random), random);
+        out = emit_from_face(scene, stratum(share, random), random);
     } else {
         out = emit_from_sky(lights, random);
     }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/shading/lights.h"
+#include "render/shading/render_scene.h"
 
 #include <cstdint>
 #include <vector>
@@ -38,7 +38,7 @@ struct EmittedPath {
 };
 
 /// path: 0..plan.paths-1.  Source: docs/light_transport.md (5)-(7).
-EmittedPath emit_path(const LightSet& lights, const EmissionPlan& plan, const TriangleMesh& mesh,
-                      const std::vector<Bsdf>& bsdfs, std::uint64_t path, RandomSequence& random);
+EmittedPath emit_path(const RenderScene& scene, const EmissionPlan& plan, std::uint64_t path,
+                      RandomSequence& random);
 
 } // namespace hipmap

@@ -14,6 +14,8 @@ Interaction interact(const RenderScene& scene, const Ray& ray, const RayHit& hit
                    : make_bsdf(scene.scene.materials[material],
                                material_at(scene.scene, hit.face, hit.barycentric),
                                scene.scene.diffuse_model);
+    if (scene.coverage)
+        out.coverage = scene.coverage(hit.face, hit.barycentric);
     out.back = -ray.direction;
     out.front = glm::dot(out.back, out.point.geometric_normal) >= 0;
     const float sign = out.front ? 1.0f : -1.0f;

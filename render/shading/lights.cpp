@@ -72,7 +72,8 @@ EmissivePoint sample_emissive_point(const LightSet& lights, const TriangleMesh& 
     const std::size_t i =
         std::min<std::size_t>(last, static_cast<std::size_t>(found - lights.cumulative.begin()));
     const FaceId face = lights.emissive_faces[i];
-    return {surface_point(mesh, face, sample_triangle(u)), lights.density[face]};
+    const glm::vec2 barycentric = sample_triangle(u);
+    return {surface_point(mesh, face, barycentric), barycentric, lights.density[face]};
 }
 
 Rgb emitted_radiance(const Bsdf& bsdf, const SurfacePoint& point, const glm::vec3& direction)

@@ -31,7 +31,8 @@ LightSet collect_lights(const TriangleMesh& mesh, const Scene& scene,
 /// A point of an emissive face.
 struct EmissivePoint {
     SurfacePoint surface;
-    float density = 0.0f; ///< per square scene unit, over all emissive faces
+    glm::vec2 barycentric{0.0f}; ///< as in RayHit
+    float density = 0.0f;        ///< per square scene unit, over all emissive faces
 };
 
 /// Selects by power, then area-uniformly.  There must be an emissive face.

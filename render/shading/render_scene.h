@@ -15,6 +15,7 @@ namespace hipmap {
 struct RenderScene {
     const Scene& scene;
     const Partition& partition;
+    Coverage coverage; ///< of faces; empty: all stop all light
     EmbreeScene rays;
     std::vector<Bsdf> bsdfs;           ///< [M] by the materials' factors
     std::vector<std::uint8_t> varying; ///< [M] 1: textures multiply the factors
@@ -26,5 +27,10 @@ struct RenderScene {
 
     const TriangleMesh& mesh() const { return scene.mesh; }
 };
+
+/// Radiance that a point drawn on an emissive face sends towards `direction` (unit, away from it),
+/// on average over what the face covers there.
+Rgb light_radiance(const RenderScene& scene, const EmissivePoint& light,
+                   const glm::vec3& direction);
 
 } // namespace hipmap

@@ -60,4 +60,14 @@ MaterialPoint material_at(const Scene& scene, FaceId face, const glm::vec2& bary
     return out;
 }
 
+float alpha_at(const Scene& scene, FaceId face, const glm::vec2& barycentric)
+{
+    float alpha = scene.materials[scene.mesh.material_of_face[face]].alpha *
+                  read_texture(scene, face, barycentric, TextureUse::base_color).w;
+    if (!scene.mesh.attributes.colours.empty())
+        alpha *=
+            interpolate(scene.mesh.attributes.colours, scene.mesh.corners[face], barycentric).w;
+    return std::clamp(alpha, 0.0f, 1.0f);
+}
+
 } // namespace hipmap

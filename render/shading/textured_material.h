@@ -25,4 +25,7 @@ bool varies(const Material& material);
 /// barycentric: weights of the second and third corner.  Thread-safe.  Cost: some texture reads.
 MaterialPoint material_at(const Scene& scene, FaceId face, const glm::vec2& barycentric);
 
+/// Alpha there: the factor times the base colour's picture and the vertices' alpha, 0 to 1.
+float alpha_at(const Scene& scene, FaceId face, const glm::vec2& barycentric);
+
 } // namespace hipmap

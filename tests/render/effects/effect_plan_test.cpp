@@ -105,6 +105,14 @@ TEST_CASE("effect plan: an effect is on if and only if the scene calls for it", 
           Effects{Effect::soft_shadows, Effect::indirect});
     CHECK(on_in(plan_of(with_pane(with_texture(TextureUse::base_color)))) ==
           Effects{Effect::indirect, Effect::textures});
+    Material half = tiny::matt(Rgb(0.5f));
+    half.alpha = 0.5f; // which without a mode says nothing
+    CHECK(on_in(plan_of(with_pane(half))) == plain);
+    half.alpha_mode = AlphaMode::blend;
+    CHECK(on_in(plan_of(with_pane(half))) == Effects{Effect::indirect, Effect::alpha});
+    half.alpha_mode = AlphaMode::mask;
+    half.alpha_cutoff = 0.5f; // which it reaches
+    CHECK(on_in(plan_of(with_pane(half))) == plain);
     Scene under_sky = plain_floor();
     under_sky.environment = Rgb(1);
     CHECK(on_in(plan_of(under_sky)) ==

@@ -37,8 +37,7 @@ RunningMean emitted_in_cone(const tiny::ReadyScene& ready, const glm::vec3& axis
     RunningMean mean;
     for (std::uint64_t i = 0; i < plan.paths; ++i) {
         RandomSequence random(5, RandomStream::photons, 0, i);
-        const EmittedPath path =
-            emit_path(ready.render->lights, plan, ready.scene.mesh, ready.render->bsdfs, i, random);
+        const EmittedPath path = emit_path(*ready.render, plan, i, random);
         const bool inside = glm::dot(path.ray.direction, axis) > cos_edge;
         mean.add(inside ? path.power.y * static_cast<double>(plan.paths) : 0.0);
     }
@@ -100,8 +99,7 @@ TEST_CASE("emission: all paths together carry the power of the lights", "[shadin
     glm::dvec3 sum(0);
     for (std::uint64_t i = 0; i < plan.paths; ++i) {
         RandomSequence random(5, RandomStream::photons, 0, i);
-        sum += glm::dvec3(
-            emit_path(lights, plan, ready->scene.mesh, ready->render->bsdfs, i, random).power);
+        sum += glm::dvec3(emit_path(*ready->render, plan, i, random).power);
     }
     glm::dvec3 truth(0);
     for (const PunctualLight& light : scene.lights)

@@ -1,0 +1,137 @@
+#include "render/integrator/pass_source.h"
+#include "tests/support/statistics.h"
+#include "tests/support/tiny_rooms.h"
+
+#include <catch2/catch.hpp>
+
+using namespace hipmap;
+
+namespace {
+
+Material see_through(Material material, float alpha)
+{
+    material.alpha_mode = AlphaMode::blend;
+    material.alpha = alpha;
+    return material;
+}
+
+/// A floor under a lamp, seen from between them.
+Scene lit_floor()
+{
+    Scene scene = tiny::matt_floor();
+    PunctualLight light;
+    light.position = {0, 0.3f, 0};
+    light.intensity = Rgb(1);
+    scene.lights.push_back(light);
+    scene.cameras[0].position = {0, 0.1f, 0};
+    scene.cameras[0].forward = {0, -1, 0};
+    scene.cameras[0].right = {1, 0, 0};
+    scene.cameras[0].up = {0, 0, -1};
+    return scene;
+}
+
+RunningMean render(const Scene& scene, Integrator integrator, std::uint64_t passes)
+{
+    const auto ready = tiny::ready(scene);
+    RenderOptions options;
+    options.integrator = integrator;
+    options.width = options.height = 16;
+    options.photons = 4000;
+    options.samples = 4;
+    options.maps.mode = MapMode::shared;
+    RenderStatistics ignored;
+    const PassSource source = make_pass_source(*ready->render, options, ignored);
+    RunningMean out;
+    for (std::uint64_t pass = 0; pass < passes; ++pass)
+        out.add(mean_of(source.render(pass, {}).images.radiance));
+    return out;
+}
+
+} // namespace
+
+TEST_CASE("alpha: black walls let their share of a lamp's light pass", "[integrator]")
+{
+    Scene scene = lit_floor();
+    const RunningMean bare = render(scene, Integrator::path, 8);
+    tiny::add(scene, tiny::floor_at(0.2f, 0.6f), see_through(tiny::matt(Rgb(0)), 0.5f));
+    const RunningMean one = render(scene, Integrator::path, 8);
+    CHECK(std::abs(one.z_score(0.5 * bare.mean())) < kMostZ);
+    CHECK(one.standard_error() < 0.02 * bare.mean());
+    tiny::add(scene, tiny::floor_at(0.22f, 0.6f), see_through(tiny::matt(Rgb(0)), 0.2f));
+    const RunningMean two = render(scene, Integrator::direct, 8);
+    CHECK(std::abs(two.z_score(0.4 * bare.mean())) < kMostZ);
+}
+
+TEST_CASE("alpha: a see-through sheet that sends on as much as it stops is not seen in even light",
+          "[integrator]")
+{
+    // The inside of a matt box, and the sheet, reflect a half and glow with the other: radiance
+    // one.
+    TriangleMesh walls = tiny::cube();
+    tiny::turn_inside_out(walls);
+    Scene scene = tiny::make_scene(walls);
+    Material half = tiny::matt(Rgb(0.5f));
+    half.emission = Rgb(0.5f);
+    half.double_sided = true;
+    scene.materials[0] = half;
+    tiny::add(scene, tiny::floor_at(-0.1f, 0.7f), see_through(half, 0.3f));
+    scene.cameras[0].position = {0, 0, 0.48f};
+    scene.cameras[0].tan_half_height = 0.8f;
+    for (const Integrator integrator : {Integrator::path, Integrator::progressive}) {
+        const RunningMean mean = render(scene, integrator, 24);
+        CHECK(std::abs(mean.z_score(1)) < kMostZ);
+        CHECK(mean.standard_error() < 0.005);
+    }
+}
+
+TEST_CASE("alpha: photons on a part of a surface stand for the light on that part", "[integrator]")
+{
+    Scene scene = tiny::matt_floor();
+    tiny::add(scene, tiny::floor_at(0.2f, 0.4f), see_through(tiny::matt(Rgb(0.5f)), 0.25f));
+    PunctualLight sun;
+    sun.kind = LightKind::directional;
+    sun.direction = {0, -1, 0};
+    sun.intensity = Rgb(3);
+    scene.lights.push_back(sun);
+    const auto ready = tiny::ready(scene);
+    RunningMean on_sheet, on_floor;
+    for (std::uint64_t pass = 0; pass < 16; ++pass) {
+        PhotonOptions options{2000, 1, pass, true};
+        options.light = {false, false};
+        double sheet = 0, floor = 0;
+        for (const Photon& photon : trace_photons(*ready->render, options).global)
+            (photon.face < 2 ? floor : sheet) += photon.power.y;
+        on_sheet.add(sheet);
+        on_floor.add(floor);
+    }
+    CHECK(std::abs(on_sheet.z_score(3 * 0.16)) < kMostZ);
+    CHECK(std::abs(on_floor.z_score(3 * (1 - 0.16 * 0.25))) < kMostZ);
+}
+
+TEST_CASE("alpha: a mask has holes where its picture is below the cutoff", "[integrator]")
+{
+    // Alpha rises from 0.2 on the left half to 0.8 on the right one.
+    Scene scene = tiny::make_scene(tiny::quad());
+    scene.mesh.attributes.uv[0] = {{0, 1}, {1, 1}, {1, 0}, {0, 0}};
+    scene.images.push_back({"halves", 2, 1, {255, 255, 255, 51, 255, 255, 255, 204}});
+    Material& material = scene.materials[0];
+    TextureSlot slot;
+    slot.sampler.magnify = Filter::nearest;
+    material.textures = {slot};
+    material.alpha_mode = AlphaMode::mask;
+    const auto stops_at = [&](float x) {
+        Ray ray;
+        ray.origin = {x, 0.4f, 1};
+        ray.direction = {0, 0, -1};
+        return tiny::ready(scene)->render->rays.occluded(ray);
+    };
+    CHECK_FALSE(stops_at(0.499f));
+    CHECK(stops_at(0.501f));
+    material.alpha_cutoff = 0.1f;
+    CHECK(stops_at(0.25f));
+    material.alpha = 0.4f; // times 0.2 is below
+    CHECK_FALSE(stops_at(0.25f));
+    material.alpha_mode = AlphaMode::opaque;
+    CHECK(stops_at(0.25f));
+    CHECK_FALSE(tiny::ready(scene)->render->coverage);
+}
