@@ -29,8 +29,12 @@ constexpr string_view kUnrendered[] = {
     "KHR_materials_dispersion",
 };
 
-constexpr string_view kRenderedTextures[] = {"baseColorTexture", "metallicRoughnessTexture",
-                                             "transmissionTexture"};
+constexpr string_view kRenderedTextures[] = {
+    "baseColorTexture", "metallicRoughnessTexture", "transmissionTexture", "emissiveTexture",
+    "normalTexture",    "specularTexture",          "specularColorTexture"};
+
+/// Read, but of no use to a renderer that follows light.
+constexpr string_view kNeedlessTextures[] = {"occlusionTexture", "thicknessTexture"};
 
 /// Not read, but a scene without them keeps its shapes and lights: a warning is enough.
 constexpr string_view kSpared[] = {
@@ -76,8 +80,27 @@ class UnreadThings {
         names_["read but not rendered yet: " + kind].push_back(name);
     }
 
+    /// key: of anything in a material.
+    void add_texture(const std::string& key, const std::string& material)
+    {
+        if (is_in(kNeedlessTextures, key))
+            needless_[key].push_back(material);
+        else if (key.ends_with("Texture") && !is_in(kRenderedTextures, key))
+            add_unrendered("textures: " + key + " of materials", material);
+    }
+
+    void add_colours(const std::string& name) { colours_.push_back(name); }
+
     void warn(SceneAudit& audit) const
     {
+        for (const auto& [kind, names] : needless_)
+            audit.assumed.push_back(kind + " of materials (" + list_names(names) +
+                                    ") is not used: shadows and thicknesses are those of the "
+                                    "shapes");
+        if (!colours_.empty())
+            audit.assumed.push_back("vertex colours (COLOR_0) of meshes (" + list_names(colours_) +
+                                    ") multiply the base colour, as glTF has it; Blender exports "
+                                    "all colour layers (render --effects -vertex-colours)");
         for (const auto& [kind, names] : names_)
             audit.warnings.push_back(kind +
                                      (names[0].empty() ? "" : " (" + list_names(names) + ")"));
@@ -91,7 +114,8 @@ class UnreadThings {
     }
 
   private:
-    std::map<std::string, std::vector<std::string>> names_;
+    std::map<std::string, std::vector<std::string>> names_, needless_;
+    std::vector<std::string> colours_;
 };
 
 const json& members(const json& object, const char* key)
@@ -101,11 +125,6 @@ const json& members(const json& object, const char* key)
     return found == object.end() ? kNothing : *found;
 }
 
-bool is_unrendered_texture(const std::string& key)
-{
-    return key.ends_with("Texture") && !is_in(kRenderedTextures, key);
-}
-
 void collect_materials(const json& root, UnreadThings& unread)
 {
     std::size_t index = 0;
@@ -113,16 +132,15 @@ void collect_materials(const json& root, UnreadThings& unread)
         const std::string name = name_of(material, "material", index++);
         for (const json* holder : {&material, &members(material, "pbrMetallicRoughness")})
             for (const auto& [key, value] : holder->items())
-                if (is_unrendered_texture(key))
-                    unread.add_unrendered("textures: " + key + " of materials", name);
+                unread.add_texture(key, name);
         for (const auto& [key, value] : members(material, "extensions").items()) {
             if (is_in(kUnrendered, key))
                 unread.add_unrendered(key + " of materials", name);
             else if (!is_in(kRead, key))
                 unread.add(clean_name(key) + " of materials", name);
             for (const auto& [slot, texture] : value.items())
-                if (is_in(kRead, key) && is_unrendered_texture(slot))
-                    unread.add_unrendered("textures: " + slot + " of materials", name);
+                if (is_in(kRead, key))
+                    unread.add_texture(slot, name);
         }
     }
 }
@@ -139,7 +157,7 @@ void collect_meshes(const json& root, UnreadThings& unread)
                 unread.add("shape keys (morph targets) of meshes", name);
             for (const auto& [key, value] : primitive["attributes"].items())
                 if (key == "COLOR_0")
-                    unread.add_unrendered("vertex colours (COLOR_0) of meshes", name);
+                    unread.add_colours(name);
                 else if (key != "POSITION" && key != "NORMAL" && key != "TANGENT" &&
                          !key.starts_with("TEXCOORD_"))
                     unread.add("attribute " + clean_name(key) + " of meshes", name);

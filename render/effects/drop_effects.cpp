@@ -11,10 +11,15 @@ void drop_effects(Scene& scene, const EffectPlan& plan)
             material.absorption = Rgb(0);
         if (!plan.has(Effect::alpha))
             material.alpha_mode = AlphaMode::opaque;
+        if (!plan.has(Effect::normal_maps))
+            std::erase_if(material.textures,
+                          [](const TextureSlot& slot) { return slot.use == TextureUse::normal; });
         if (!plan.has(Effect::textures))
             std::erase_if(material.textures,
                           [](const TextureSlot& slot) { return is_rendered(slot.use); });
     }
+    if (!plan.has(Effect::vertex_colours))
+        scene.mesh.attributes.colours.clear();
     if (!plan.has(Effect::environment))
         scene.environment = Rgb(0);
 }

@@ -4,6 +4,8 @@
 #include "render/shading/coverage.h"
 #include "render/shading/textured_material.h"
 
+#include <algorithm>
+
 namespace hipmap {
 
 namespace {
@@ -123,15 +125,21 @@ Finding find_textures(const SceneFacts& facts)
 
 Finding find_normal_maps(const SceneFacts& facts)
 {
-    return not_rendered_yet(
-        names_of(facts, [](const Material& m) { return has_texture(m, TextureUse::normal); }),
-        "no material has one");
+    const std::string names =
+        names_of(facts, [](const Material& m) { return has_texture(m, TextureUse::normal); });
+    if (names.empty())
+        return {false, "no material has one", ""};
+    return {true, names + " have one", "a read of it where a ray meets them"};
 }
 
 Finding find_vertex_colours(const SceneFacts& facts)
 {
-    return not_rendered_yet(facts.scene.mesh.attributes.colours.empty() ? "" : "COLOR_0",
-                            "no mesh has any");
+    const std::vector<glm::vec4>& colours = facts.scene.mesh.attributes.colours;
+    if (std::none_of(colours.begin(), colours.end(),
+                     [](const glm::vec4& colour) { return colour != glm::vec4(1); }))
+        return {false, colours.empty() ? "no mesh has any" : "all are white", ""};
+    return {true, "meshes have some (COLOR_0), which multiply the base colour",
+            "a mean of three colours where a ray meets such faces"};
 }
 
 Finding find_alpha(const SceneFacts& facts)

@@ -155,7 +155,9 @@ Rgb found_light(const RenderScene& scene, const Interaction& at, RandomSequence&
     if (is_black(bsdf.emission))
         return Rgb(0);
     const SurfacePoint light = surface_point(scene.mesh(), hit->face, hit->barycentric);
-    return sample.weight * emitted_radiance(bsdf, light, -ray.direction) *
+    if (!shines_towards(bsdf, light, -ray.direction))
+        return Rgb(0);
+    return sample.weight * emission_at(scene, hit->face, hit->barycentric) *
            hit_weight(scene, light, ray.direction, hit->distance, sample.density);
 }
 

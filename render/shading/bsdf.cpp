@@ -60,9 +60,8 @@ Reflection kind_of(const Bsdf& bsdf, float roughness)
 void make_opaque(const Material& material, const MaterialPoint& at, Bsdf& out)
 {
     const float index_step = (material.ior - 1) / (material.ior + 1);
-    const Rgb f0 =
-        glm::min(index_step * index_step * material.specular_color, Rgb(1)) * material.specular;
-    const Rgb f90(material.specular * std::min(1.0f, max_channel(f0) / kLeastReflectance));
+    const Rgb f0 = glm::min(index_step * index_step * at.specular_color, Rgb(1)) * at.specular;
+    const Rgb f90(at.specular * std::min(1.0f, max_channel(f0) / kLeastReflectance));
     const float opaque = (1 - at.metallic) * (1 - at.transmission);
     out.coated = opaque > 0 && (!is_black(f0) || !is_black(f90));
     out.diffuse = opaque * at.base_color;
@@ -86,11 +85,11 @@ Bsdf make_bsdf(const Material& material, const MaterialPoint& at, DiffuseModel m
     if (model == DiffuseModel::burley)
         out.burley_roughness = at.roughness;
     out.absorption = material.absorption;
-    out.emission = material.emission;
+    out.emission = at.emission;
     out.emits_behind = material.double_sided;
     out.glass = (1 - at.metallic) * at.transmission;
     out.glass_tint = at.base_color;
-    out.glass_reflection = glm::min(material.specular_color, Rgb(1)) * material.specular;
+    out.glass_reflection = glm::min(at.specular_color, Rgb(1)) * at.specular;
     out.ior = out.alpha > 0 ? std::max(material.ior, kLeastRoughIndex) : material.ior;
     make_opaque(material, at, out);
     return out;

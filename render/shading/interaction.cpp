@@ -1,8 +1,25 @@
 #include "render/shading/interaction.h"
 
+#include "render/shading/normal_map.h"
+
 #include <cmath>
 
 namespace hipmap {
+
+namespace {
+
+/// Keeps the normal as it is where the tilted one would turn away from the ray.
+void tilt_by_map(const RenderScene& scene, const RayHit& hit, float sign, Interaction& at)
+{
+    const glm::vec3 tilted = sign * mapped_normal(scene.scene, at.point, hit.barycentric);
+    const float cosine = glm::dot(at.back, tilted);
+    if (!(cosine > 0))
+        return;
+    at.shading_normal = tilted;
+    at.cosine = cosine;
+}
+
+} // namespace
 
 Interaction interact(const RenderScene& scene, const Ray& ray, const RayHit& hit)
 {
@@ -26,6 +43,8 @@ Interaction interact(const RenderScene& scene, const Ray& ray, const RayHit& hit
         out.shading_normal = out.normal;
         out.cosine = std::max(0.0f, glm::dot(out.back, out.normal));
     }
+    if (scene.bumpy[material] != 0)
+        tilt_by_map(scene, hit, sign, out);
     out.solid = scene.partition.closed[hit.face] != 0;
     const bool flipped = scene.partition.flipped[hit.face] != 0;
     out.side = out.front == flipped ? 1 : 0;

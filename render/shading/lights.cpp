@@ -17,13 +17,19 @@ float spot_falloff(const PunctualLight& light, float cosine)
     return t * t;
 }
 
-void select_by_power(LightSet& lights, const TriangleMesh& mesh, const std::vector<Bsdf>& bsdfs)
+void select_by_power(LightSet& lights, const Scene& scene, const std::vector<Bsdf>& bsdfs)
 {
+    const TriangleMesh& mesh = scene.mesh;
+    const std::vector<std::uint8_t> varying = varying_materials(scene);
     std::vector<double> powers;
     for (FaceId face = 0; face < mesh.face_count(); ++face) {
-        const Bsdf& bsdf = bsdfs[mesh.material_of_face[face]];
+        const MaterialId material = mesh.material_of_face[face];
+        const Bsdf& bsdf = bsdfs[material];
+        if (is_black(bsdf.emission))
+            continue;
+        const Rgb emission = varying[material] == 0 ? bsdf.emission : mean_emission(scene, face);
         const double sides = bsdf.emits_behind ? 2 : 1;
-        const double power = sides * kPi * max_channel(bsdf.emission) * face_area(mesh, face);
+        const double power = sides * kPi * max_channel(emission) * face_area(mesh, face);
         if (!(power > 0))
             continue;
         lights.emissive_faces.push_back(face);
@@ -46,9 +52,9 @@ void select_by_power(LightSet& lights, const TriangleMesh& mesh, const std::vect
 
 } // namespace
 
-LightSet collect_lights(const TriangleMesh& mesh, const Scene& scene,
-                        const std::vector<Bsdf>& bsdfs)
+LightSet collect_lights(const Scene& scene, const std::vector<Bsdf>& bsdfs)
 {
+    const TriangleMesh& mesh = scene.mesh;
     LightSet lights;
     lights.punctual = scene.lights;
     lights.environment = scene.environment;
@@ -60,7 +66,7 @@ LightSet collect_lights(const TriangleMesh& mesh, const Scene& scene,
         lights.centre = box.centre();
         lights.radius = 0.5f * glm::length(box.extent());
     }
-    select_by_power(lights, mesh, bsdfs);
+    select_by_power(lights, scene, bsdfs);
     return lights;
 }
 
@@ -76,10 +82,14 @@ EmissivePoint sample_emissive_point(const LightSet& lights, const TriangleMesh& 
     return {surface_point(mesh, face, barycentric), barycentric, lights.density[face]};
 }
 
+bool shines_towards(const Bsdf& bsdf, const SurfacePoint& point, const glm::vec3& direction)
+{
+    return bsdf.emits_behind || glm::dot(direction, point.geometric_normal) > 0;
+}
+
 Rgb emitted_radiance(const Bsdf& bsdf, const SurfacePoint& point, const glm::vec3& direction)
 {
-    const bool front = glm::dot(direction, point.geometric_normal) > 0;
-    return front || bsdf.emits_behind ? bsdf.emission : Rgb(0);
+    return shines_towards(bsdf, point, direction) ? bsdf.emission : Rgb(0);
 }
 
 Rgb light_intensity(const PunctualLight& light, const glm::vec3& direction)

@@ -24,9 +24,9 @@ struct LightSet {
     float radius = 0.0f;
 };
 
-/// Borrows nothing.  Emissive faces are selected in proportion to their power.  O(F).
-LightSet collect_lights(const TriangleMesh& mesh, const Scene& scene,
-                        const std::vector<Bsdf>& bsdfs);
+/// Borrows nothing.  Emissive faces are selected in proportion to their power, by
+/// pictures and vertices' colours on average over each.  O(F).
+LightSet collect_lights(const Scene& scene, const std::vector<Bsdf>& bsdfs);
 
 /// A point of an emissive face.
 struct EmissivePoint {
@@ -38,6 +38,9 @@ struct EmissivePoint {
 /// Selects by power, then area-uniformly.  There must be an emissive face.
 EmissivePoint sample_emissive_point(const LightSet& lights, const TriangleMesh& mesh, double u_face,
                                     const glm::vec2& u);
+
+/// Whether the side of a face that `direction` leaves (unit, away from the face) may emit.
+bool shines_towards(const Bsdf& bsdf, const SurfacePoint& point, const glm::vec3& direction);
 
 /// Radiance that a face emits towards `direction` (unit, away from the face).
 Rgb emitted_radiance(const Bsdf& bsdf, const SurfacePoint& point, const glm::vec3& direction);

@@ -9,23 +9,32 @@ RenderScene::RenderScene(const Scene& from_scene, const Partition& from_partitio
     : scene(from_scene), partition(from_partition), coverage(coverage_of(from_scene)),
       rays(from_scene.mesh, coverage),
       bsdfs(make_bsdfs(from_scene.materials, from_scene.diffuse_model)),
-      lights(collect_lights(from_scene.mesh, from_scene, bsdfs))
+      varying(varying_materials(from_scene)), lights(collect_lights(from_scene, bsdfs))
 {
     for (const Material& material : scene.materials)
-        varying.push_back(varies(material));
+        bumpy.push_back(find_texture(material.textures, TextureUse::normal) != nullptr);
     for (const MaterialId material : mesh().material_of_face)
         directional =
             directional || may_gather_by_direction(scene.materials[material], bsdfs[material]);
 }
 
+Rgb emission_at(const RenderScene& scene, FaceId face, const glm::vec2& barycentric)
+{
+    const MaterialId material = scene.mesh().material_of_face[face];
+    const Rgb& factor = scene.bsdfs[material].emission;
+    return scene.varying[material] == 0 || is_black(factor)
+               ? factor
+               : material_at(scene.scene, face, barycentric).emission;
+}
+
 Rgb light_radiance(const RenderScene& scene, const EmissivePoint& light, const glm::vec3& direction)
 {
     const FaceId face = light.surface.face;
-    Rgb radiance = emitted_radiance(scene.bsdfs[scene.mesh().material_of_face[face]], light.surface,
-                                    direction);
-    if (scene.coverage)
-        radiance *= scene.coverage(face, light.barycentric);
-    return radiance;
+    const Bsdf& bsdf = scene.bsdfs[scene.mesh().material_of_face[face]];
+    if (!shines_towards(bsdf, light.surface, direction))
+        return Rgb(0);
+    const Rgb radiance = emission_at(scene, face, light.barycentric);
+    return scene.coverage ? radiance * scene.coverage(face, light.barycentric) : radiance;
 }
 
 } // namespace hipmap

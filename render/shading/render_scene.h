@@ -17,8 +17,10 @@ struct RenderScene {
     const Partition& partition;
     Coverage coverage; ///< of faces; empty: all stop all light
     EmbreeScene rays;
-    std::vector<Bsdf> bsdfs;           ///< [M] by the materials' factors
-    std::vector<std::uint8_t> varying; ///< [M] 1: textures multiply the factors
+    std::vector<Bsdf> bsdfs; ///< [M] by the materials' factors
+    std::vector<std::uint8_t>
+        varying;                     ///< [M] 1: textures or vertices' colours multiply the factors
+    std::vector<std::uint8_t> bumpy; ///< [M] 1: a texture tilts the shading normal
     LightSet lights;
     bool directional = false; ///< photons are weighed by the direction they came from: some surface
                               ///<   gathers by a lobe that is not separable
@@ -27,6 +29,9 @@ struct RenderScene {
 
     const TriangleMesh& mesh() const { return scene.mesh; }
 };
+
+/// Radiance that a point of a face emits from the sides that shine.
+Rgb emission_at(const RenderScene& scene, FaceId face, const glm::vec2& barycentric);
 
 /// Radiance that a point drawn on an emissive face sends towards `direction` (unit, away from it),
 /// on average over what the face covers there.

@@ -2,6 +2,9 @@
 
 #include "common/scene/scene.h"
 
+#include <cstdint>
+#include <vector>
+
 namespace hipmap {
 
 /// The part of a material that textures may make differ from point to point.
@@ -10,7 +13,23 @@ struct MaterialPoint {
     float metallic = 1.0f;
     float roughness = 1.0f;
     float transmission = 0.0f;
+    Rgb emission{0.0f}; ///< radiance, W/(m2 sr)
+    float specular = 1.0f;
+    Rgb specular_color{1.0f};
 };
+
+/// A vertex attribute between the corners of a face.
+template <typename Value>
+Value interpolate(const std::vector<Value>& values, const glm::uvec3& corners,
+                  const glm::vec2& barycentric)
+{
+    return values[corners.x] * (1 - barycentric.x - barycentric.y) +
+           values[corners.y] * barycentric.x + values[corners.z] * barycentric.y;
+}
+
+/// A texture at a point of a face that has its coordinates: linear, 0 to 1.
+glm::vec4 read_slot(const Scene& scene, const TextureSlot& slot, FaceId face,
+                    const glm::vec2& barycentric);
 
 /// The material's factors alone.
 MaterialPoint material_factors(const Material& material);
@@ -18,12 +37,19 @@ MaterialPoint material_factors(const Material& material);
 /// Whether textures of the kind are rendered.
 bool is_rendered(TextureUse use);
 
-/// Whether a material differs from point to point in what a MaterialPoint holds.
+/// Whether textures make a material differ from point to point in what a MaterialPoint holds.
 bool varies(const Material& material);
 
-/// The factors times textures at a point of a face.
+/// [M] 1: textures do, or colours of vertices of some face that wears it.  O(F + M).
+std::vector<std::uint8_t> varying_materials(const Scene& scene);
+
+/// The factors times textures and the vertices' colours at a point of a face.
 /// barycentric: weights of the second and third corner.  Thread-safe.  Cost: some texture reads.
 MaterialPoint material_at(const Scene& scene, FaceId face, const glm::vec2& barycentric);
+
+/// Radiance that a face emits, averaged over it: of as many points as its part of the picture has
+/// pixels, 16 to 4096.  Black only if all of them are.
+Rgb mean_emission(const Scene& scene, FaceId face);
 
 /// Alpha there: the factor times the base colour's picture and the vertices' alpha, 0 to 1.
 float alpha_at(const Scene& scene, FaceId face, const glm::vec2& barycentric);

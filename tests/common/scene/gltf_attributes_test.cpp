@@ -98,7 +98,7 @@ TEST_CASE("vertex colours are read with and without alpha and are white where th
     CHECK(read[5] == glm::vec4(0, 0, 1, 1));
     CHECK(read[6] == glm::vec4(0.5f, 0.25f, 0.125f, 0.75f));
     CHECK(read[7] == glm::vec4(1, 0, 0, 1)); // clamped
-    CHECK(says(loaded.audit.warnings, "read but not rendered yet: vertex colours"));
+    CHECK(says(loaded.audit.assumed, "vertex colours (COLOR_0)"));
 
     SceneOptions options;
     options.exclude = {"other"};

@@ -113,6 +113,13 @@ TEST_CASE("effect plan: an effect is on if and only if the scene calls for it", 
     half.alpha_mode = AlphaMode::mask;
     half.alpha_cutoff = 0.5f; // which it reaches
     CHECK(on_in(plan_of(with_pane(half))) == plain);
+    CHECK(on_in(plan_of(with_pane(with_texture(TextureUse::normal)))) ==
+          Effects{Effect::indirect, Effect::normal_maps});
+    Scene coloured = plain_floor();
+    coloured.mesh.attributes.colours.assign(4, glm::vec4(1));
+    CHECK(on_in(plan_of(coloured)) == plain);
+    coloured.mesh.attributes.colours[0].x = 0;
+    CHECK(on_in(plan_of(coloured)) == Effects{Effect::indirect, Effect::vertex_colours});
     Scene under_sky = plain_floor();
     under_sky.environment = Rgb(1);
     CHECK(on_in(plan_of(under_sky)) ==

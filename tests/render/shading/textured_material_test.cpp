@@ -78,3 +78,47 @@ TEST_CASE("textured material: without a texture that is rendered there are only 
     scene.mesh.attributes.uv[0].clear(); // no coordinates: no picture
     CHECK(material_at(scene, 0, {0.1f, 0.1f}).base_color == Rgb(0.5f));
 }
+
+TEST_CASE("textured material: colours of vertices multiply the base colour", "[shading]")
+{
+    Scene scene = textured_quad();
+    scene.mesh.attributes.colours.assign(4, glm::vec4(1));
+    CHECK(varying_materials(scene) == std::vector<std::uint8_t>{1}); // by its picture
+    scene.materials[0].textures.clear();
+    CHECK(varying_materials(scene) == std::vector<std::uint8_t>{0}); // white says nothing
+    scene.mesh.attributes.colours = {{1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 1}, {1, 1, 1, 1}};
+    CHECK(varying_materials(scene) == std::vector<std::uint8_t>{1});
+    const glm::vec2 middle(1.0f / 3);
+    const Rgb seen = material_at(scene, 0, middle).base_color;
+    for (int c = 0; c < 3; ++c)
+        CHECK(seen[c] == Approx(0.5 / 3));
+    scene.materials[0].unlit = true;
+    scene.materials[0].emission = Rgb(3);
+    CHECK(material_at(scene, 0, middle).emission.x == Approx(1));
+}
+
+TEST_CASE("textured material: the mean emission of a face is that of its part of the picture",
+          "[shading]")
+{
+    Scene scene = textured_quad();
+    scene.materials[0].textures[0].use = TextureUse::emission;
+    scene.materials[0].emission = Rgb(8);
+    const Rgb below = mean_emission(scene, 0), above = mean_emission(scene, 1);
+    const Rgb sum = below + above;
+    CHECK(sum.x == Approx(8).epsilon(0.1)); // red and white: a half of the square
+    CHECK(sum.y == Approx(8).epsilon(0.1));
+    CHECK(sum.z == Approx(8).epsilon(0.1));
+    scene.images[0].rgba.assign(16, 0);
+    CHECK(mean_emission(scene, 0) == Rgb(0));
+}
+
+TEST_CASE("textured material: specular pictures scale the coat", "[shading]")
+{
+    Scene scene = textured_quad();
+    Material& material = scene.materials[0];
+    material.specular = 1;
+    material.textures[0].use = TextureUse::specular_color;
+    CHECK(material_at(scene, 0, {0.05f, 0.05f}).specular_color == Rgb(0, 0, 1));
+    material.textures[0].use = TextureUse::specular; // alpha, one everywhere
+    CHECK(material_at(scene, 0, {0.05f, 0.05f}).specular == 1);
+}

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "common/rays/surface_point.h"
+#include "common/scene/scene.h"
+
+namespace hipmap {
+
+/// The shading normal at a point, tilted by the normal map of the face's material: unit, in the
+/// hemisphere of the geometric normal; as it is where the map has no say.  The frame is that of the
+/// file's tangents, or else of the picture on the face, docs/light_transport.md (23).  Thread-safe.
+glm::vec3 mapped_normal(const Scene& scene, const SurfacePoint& point,
+                        const glm::vec2& barycentric);
+
+} // namespace hipmap
