@@ -4,7 +4,7 @@
 
 namespace hipmap {
 
-Ray camera_ray(const Camera& camera, const glm::vec2& picture, float aspect)
+Ray camera_ray(const Camera& camera, const glm::vec2& picture, float aspect, const glm::vec2& lens)
 {
     // Half extents of the picture plane, at distance 1 (perspective) or in scene units
     // (orthographic).
@@ -20,9 +20,15 @@ Ray camera_ray(const Camera& camera, const glm::vec2& picture, float aspect)
     Ray ray;
     float per_forward = 1; // ray length for each unit along forward
     if (camera.projection == Projection::perspective) {
-        const glm::vec3 towards = camera.forward + across;
-        per_forward = glm::length(towards);
+        glm::vec3 towards = camera.forward + across;
         ray.origin = camera.position;
+        if (has_lens(camera)) { // all rays of a point meet in the plane in focus
+            const glm::vec3 aside =
+                camera.aperture_radius * (lens.x * camera.right + lens.y * camera.up);
+            ray.origin += aside;
+            towards -= aside / camera.focus_distance;
+        }
+        per_forward = glm::length(towards);
         ray.direction = towards / per_forward;
     } else {
         ray.origin = camera.position + across;

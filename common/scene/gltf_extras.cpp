@@ -36,7 +36,7 @@ void read_lens(HipmapExtras extras, RawCamera& camera)
 {
     camera.aperture_radius = extras.positive("aperture_radius").value_or(camera.aperture_radius);
     camera.focus_distance = extras.positive("focus_distance").value_or(camera.focus_distance);
-    extras.finish("depth of field");
+    extras.finish("");
 }
 
 } // namespace

@@ -20,6 +20,9 @@ void drop_effects(Scene& scene, const EffectPlan& plan)
     }
     if (!plan.has(Effect::vertex_colours))
         scene.mesh.attributes.colours.clear();
+    if (!plan.has(Effect::depth_of_field))
+        for (Camera& camera : scene.cameras)
+            camera.aperture_radius = 0;
     if (!plan.has(Effect::environment))
         scene.environment = Rgb(0);
 }

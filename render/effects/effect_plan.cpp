@@ -36,7 +36,7 @@ constexpr std::array<Row, kEffects> kRows = {{
     {Effect::sheen, "sheen", find_sheen, false},
     {Effect::anisotropy, "anisotropy", find_anisotropy, false},
     {Effect::environment, "environment", find_environment, true},
-    {Effect::depth_of_field, "depth-of-field", find_depth_of_field, false},
+    {Effect::depth_of_field, "depth-of-field", find_depth_of_field, true},
     {Effect::motion_blur, "motion-blur", find_motion_blur, false},
 }};
 

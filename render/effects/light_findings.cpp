@@ -1,3 +1,4 @@
+#include "common/rays/camera_ray.h"
 #include "common/scene/scene_names.h"
 #include "render/effects/effect_findings.h"
 #include "render/shading/material_traits.h"
@@ -88,8 +89,13 @@ Finding find_environment(const SceneFacts& facts)
 Finding find_depth_of_field(const SceneFacts& facts)
 {
     const Camera& camera = facts.scene.cameras[facts.scene.camera];
-    return not_rendered_yet(camera.aperture_radius > 0 ? quote_name(camera.name) : "",
-                            "the camera is a pinhole");
+    if (!has_lens(camera))
+        return {false,
+                camera.aperture_radius > 0 ? "the camera has a lens, but no focus_distance"
+                                           : "the camera is a pinhole",
+                ""};
+    return {true, "the camera " + quote_name(camera.name) + " has a lens",
+            "a random point of it for each sample"};
 }
 
 Finding find_motion_blur(const SceneFacts&)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "common/math/random.h"
+#include "common/math/sampling.h"
 #include "common/rays/camera_ray.h"
 #include "common/stopwatch.h"
 #include "render/integrator/pass_source.h"
@@ -58,7 +59,9 @@ Samples<images> sample_pixel(const PictureJob& job, int x, int y, const Trace& t
         const glm::vec2 at =
             (glm::vec2(static_cast<float>(x), static_cast<float>(y)) + random.next2()) /
             glm::vec2(width, height);
-        const Samples<images> sample = trace(camera_ray(job.camera, at, width / height), random);
+        const glm::vec2 lens = has_lens(job.camera) ? sample_disc(random.next2()) : glm::vec2(0.0f);
+        const Samples<images> sample =
+            trace(camera_ray(job.camera, at, width / height, lens), random);
         if (!std::all_of(sample.begin(), sample.end(), is_finite_rgb))
             continue;
         for (std::size_t i = 0; i < images; ++i)

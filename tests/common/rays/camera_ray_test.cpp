@@ -54,3 +54,26 @@ TEST_CASE("camera ray: clipping planes are measured along the view", "[rays]")
     camera.far_clip = 0;
     CHECK(std::isinf(camera_ray(camera, {0, 0}, 1).far));
 }
+
+TEST_CASE("camera ray: rays of a lens meet in the plane in focus and fill the aperture", "[rays]")
+{
+    Camera camera;
+    camera.tan_half_height = 0.5f;
+    camera.aperture_radius = 0.1f;
+    const glm::vec2 picture(0.8f, 0.1f);
+    const Ray sharp = camera_ray(camera, picture, 1, {0.6f, 0.8f});
+    CHECK(sharp.origin == camera.position); // no focus: a pinhole
+    camera.focus_distance = 4;
+    camera.near_clip = 1;
+    const glm::vec3 focus(4 * 0.5f * 0.6f, 4 * 0.5f * 0.8f, -4);
+    for (const glm::vec2& lens :
+         {glm::vec2(0), glm::vec2(0.6f, 0.8f), glm::vec2(-1, 0), glm::vec2(0.2f, -0.3f)}) {
+        const Ray ray = camera_ray(camera, picture, 1, lens);
+        CHECK(glm::distance(ray.origin, glm::vec3(0.1f * lens, 0)) < 1e-7f);
+        const glm::vec3 there = ray.origin + ray.direction * (-4 / ray.direction.z);
+        CHECK(glm::distance(there, focus) < 1e-5f);
+        CHECK(ray.near * -ray.direction.z == Approx(1));
+    }
+    camera.projection = Projection::orthographic;
+    CHECK_FALSE(has_lens(camera));
+}
