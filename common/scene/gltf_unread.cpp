@@ -15,23 +15,31 @@ using nlohmann::json;
 using std::string_view;
 
 constexpr string_view kRead[] = {
-    "KHR_lights_punctual",     "KHR_materials_emissive_strength", "KHR_materials_transmission",
-    "KHR_materials_ior",       "KHR_materials_specular",          "KHR_materials_volume",
-    "KHR_materials_unlit",     "KHR_mesh_quantization",           "KHR_draco_mesh_compression",
-    "EXT_meshopt_compression", "EXT_mesh_gpu_instancing",         "KHR_texture_transform",
+    "KHR_lights_punctual",        "KHR_materials_emissive_strength",
+    "KHR_materials_transmission", "KHR_materials_ior",
+    "KHR_materials_specular",     "KHR_materials_volume",
+    "KHR_materials_clearcoat",    "KHR_materials_unlit",
+    "KHR_mesh_quantization",      "KHR_draco_mesh_compression",
+    "EXT_meshopt_compression",    "EXT_mesh_gpu_instancing",
+    "KHR_texture_transform",
 };
 
 /// Read, but not rendered yet.
 constexpr string_view kUnrendered[] = {
-    "KHR_materials_clearcoat",
     "KHR_materials_sheen",
     "KHR_materials_anisotropy",
     "KHR_materials_dispersion",
 };
 
-constexpr string_view kRenderedTextures[] = {
-    "baseColorTexture", "metallicRoughnessTexture", "transmissionTexture", "emissiveTexture",
-    "normalTexture",    "specularTexture",          "specularColorTexture"};
+constexpr string_view kRenderedTextures[] = {"baseColorTexture",
+                                             "metallicRoughnessTexture",
+                                             "transmissionTexture",
+                                             "emissiveTexture",
+                                             "normalTexture",
+                                             "specularTexture",
+                                             "specularColorTexture",
+                                             "clearcoatTexture",
+                                             "clearcoatRoughnessTexture"};
 
 /// Read, but of no use to a renderer that follows light.
 constexpr string_view kNeedlessTextures[] = {"occlusionTexture", "thicknessTexture"};

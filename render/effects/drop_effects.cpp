@@ -9,6 +9,8 @@ void drop_effects(Scene& scene, const EffectPlan& plan)
     for (Material& material : scene.materials) {
         if (!plan.has(Effect::absorption))
             material.absorption = Rgb(0);
+        if (!plan.has(Effect::clearcoat))
+            material.clearcoat = 0;
         if (!plan.has(Effect::alpha))
             material.alpha_mode = AlphaMode::opaque;
         if (!plan.has(Effect::normal_maps))

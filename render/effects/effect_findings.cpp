@@ -30,7 +30,7 @@ Finding find_mirror(const SceneFacts& facts)
     const std::string names =
         facts.materials_where([](const Material& material, const Bsdf& bsdf, bool) {
             const bool may_be_smooth = has_texture(material, TextureUse::metallic_roughness);
-            return bsdf.reflection == Reflection::mirror ||
+            return bsdf.reflects(Reflection::mirror) ||
                    (bsdf.reflection != Reflection::none && may_be_smooth);
         });
     if (names.empty())
@@ -43,7 +43,7 @@ Finding find_glossy(const SceneFacts& facts)
     const std::string followed = facts.materials_where(
         [](const Material&, const Bsdf& bsdf, bool) { return bsdf.follows(); });
     const std::string gathered = facts.materials_where([](const Material&, const Bsdf& bsdf, bool) {
-        return bsdf.reflection == Reflection::gathered;
+        return bsdf.reflects(Reflection::gathered);
     });
     const std::string limit = "roughness " + short_number(kFollowedRoughness);
     Finding out;
@@ -154,8 +154,15 @@ Finding find_alpha(const SceneFacts& facts)
 
 Finding find_clearcoat(const SceneFacts& facts)
 {
-    return not_rendered_yet(names_of(facts, [](const Material& m) { return m.clearcoat > 0; }),
-                            "no material has one");
+    const std::string names = facts.materials_where(
+        [](const Material&, const Bsdf& bsdf, bool) { return bsdf.clearcoat != Reflection::none; });
+    const std::string glass =
+        names_of(facts, [](const Material& m) { return m.clearcoat > 0 && m.transmission > 0; });
+    const std::string rest = glass.empty() ? "" : "that of glass is not rendered (" + glass + ")";
+    if (names.empty())
+        return {false, rest.empty() ? "no material has one" : rest, ""};
+    return {true, names + " have one" + (rest.empty() ? "" : "; " + rest),
+            "a reflection more on these surfaces"};
 }
 
 Finding find_sheen(const SceneFacts& facts)

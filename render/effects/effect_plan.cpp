@@ -32,7 +32,7 @@ constexpr std::array<Row, kEffects> kRows = {{
     {Effect::normal_maps, "normal-maps", find_normal_maps, true},
     {Effect::vertex_colours, "vertex-colours", find_vertex_colours, true},
     {Effect::alpha, "alpha", find_alpha, true},
-    {Effect::clearcoat, "clearcoat", find_clearcoat, false},
+    {Effect::clearcoat, "clearcoat", find_clearcoat, true},
     {Effect::sheen, "sheen", find_sheen, false},
     {Effect::anisotropy, "anisotropy", find_anisotropy, false},
     {Effect::environment, "environment", find_environment, true},

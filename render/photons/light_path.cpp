@@ -119,7 +119,7 @@ bool scatter(const Interaction& at, LightPath& path, RandomSequence& random, Pow
     // Glossy lobes have no albedo in closed form: a direction is drawn first, and what its facet
     // sends on is the share.
     ScatterSample gathered, followed;
-    if (at.bsdf.reflection == Reflection::gathered)
+    if (at.bsdf.reflects(Reflection::gathered))
         gathered = sample_facets(at, Lobes::gathered, random);
     if (at.bsdf.follows())
         followed = sample_facets(at, Lobes::followed, random);

@@ -5,6 +5,7 @@
 #include <glm/glm.hpp>
 
 #include <cmath>
+#include <utility>
 
 namespace hipmap {
 
@@ -47,13 +48,46 @@ Rgb average_albedo_of(const Rgb& f0, const Rgb& f90, float alpha)
     return alpha > 0 ? average_glossy_albedo(alpha).of(f0, f90) : schlick_average(f0, f90);
 }
 
-Reflection kind_of(const Bsdf& bsdf, float roughness)
+/// Reflectance of the clear coat at normal incidence (its index is 1.5).
+constexpr float kClearcoatF0 = 0.04f;
+
+float alpha_of(float roughness)
 {
-    if (is_black(bsdf.reflect_f0) && is_black(bsdf.reflect_f90))
-        return Reflection::none;
-    if (bsdf.alpha == 0)
+    return roughness > kMirrorRoughness ? roughness * roughness : 0;
+}
+
+/// Of a reflection that is there.
+Reflection kind_of(float roughness)
+{
+    if (alpha_of(roughness) == 0)
         return Reflection::mirror;
     return is_followed(roughness) ? Reflection::followed : Reflection::gathered;
+}
+
+void add_clearcoat(const MaterialPoint& at, Bsdf& out)
+{
+    if (!(at.clearcoat > 0) || at.transmission > 0)
+        return;
+    out.clearcoat = kind_of(at.clearcoat_roughness);
+    out.clearcoat_share = at.clearcoat;
+    out.clearcoat_alpha = alpha_of(at.clearcoat_roughness);
+}
+
+/// What all coats keep from the diffuse lobe, averaged over the cosine-weighted hemisphere.
+/// Three-point Gauss-Legendre on eight parts: the coats change fast only near grazing.
+Rgb average_of_coats(const Bsdf& bsdf)
+{
+    constexpr int kParts = 8;
+    constexpr float kOff = 0.7745966692f;
+    Rgb passed(0.0f);
+    for (int part = 0; part < kParts; ++part)
+        for (const auto& [place, weight] : {std::pair(-kOff, 5.0f / 18), std::pair(0.0f, 8.0f / 18),
+                                            std::pair(kOff, 5.0f / 18)}) {
+            const float x = (static_cast<float>(part) + 0.5f * (1 + place)) / kParts;
+            const float cosine = x * x; // 2 c dc = 4 x^3 dx
+            passed += coat_half(bsdf, cosine) * (weight / kParts * 4 * x * x * x);
+        }
+    return 1.0f - passed;
 }
 
 /// docs/light_transport.md (1) and (2): the diffuse base, the coat over it, and the metal.
@@ -69,11 +103,14 @@ void make_opaque(const Material& material, const MaterialPoint& at, Bsdf& out)
         out.coat_f0 = f0;
         out.coat_f90 = f90;
         out.coat_average = average_albedo_of(f0, f90, out.alpha);
-        out.diffuse /= glm::max(1.0f - out.coat_average, Rgb(1e-6f));
     }
+    if (out.clearcoat != Reflection::none)
+        out.coat_average = average_of_coats(out);
+    out.diffuse /= glm::max(1.0f - out.coat_average, Rgb(1e-6f));
     out.reflect_f0 = at.metallic * at.base_color + opaque * out.coat_f0;
     out.reflect_f90 = at.metallic + opaque * out.coat_f90;
-    out.reflection = kind_of(out, at.roughness);
+    if (!is_black(out.reflect_f0) || !is_black(out.reflect_f90))
+        out.reflection = kind_of(at.roughness);
 }
 
 } // namespace
@@ -81,7 +118,7 @@ void make_opaque(const Material& material, const MaterialPoint& at, Bsdf& out)
 Bsdf make_bsdf(const Material& material, const MaterialPoint& at, DiffuseModel model)
 {
     Bsdf out;
-    out.alpha = at.roughness > kMirrorRoughness ? at.roughness * at.roughness : 0;
+    out.alpha = alpha_of(at.roughness);
     if (model == DiffuseModel::burley)
         out.burley_roughness = at.roughness;
     out.absorption = material.absorption;
@@ -91,6 +128,7 @@ Bsdf make_bsdf(const Material& material, const MaterialPoint& at, DiffuseModel m
     out.glass_tint = at.base_color;
     out.glass_reflection = glm::min(at.specular_color, Rgb(1)) * at.specular;
     out.ior = out.alpha > 0 ? std::max(material.ior, kLeastRoughIndex) : material.ior;
+    add_clearcoat(at, out);
     make_opaque(material, at, out);
     return out;
 }
@@ -116,9 +154,37 @@ float diffuse_shape(const Bsdf& bsdf, const glm::vec3& normal, const glm::vec3& 
            (1 + grazing * grazing_weight(glm::dot(wo, normal)));
 }
 
+Bsdf clearcoat_alone(const Bsdf& bsdf)
+{
+    Bsdf out;
+    out.reflection = bsdf.clearcoat;
+    out.alpha = bsdf.clearcoat_alpha;
+    out.reflect_f0 = Rgb(bsdf.clearcoat_share * kClearcoatF0);
+    out.reflect_f90 = Rgb(bsdf.clearcoat_share);
+    return out;
+}
+
+float clearcoat_albedo(const Bsdf& bsdf, float cosine)
+{
+    if (bsdf.clearcoat == Reflection::none)
+        return 0;
+    return bsdf.clearcoat_share *
+           albedo_of(Rgb(kClearcoatF0), Rgb(1), cosine, bsdf.clearcoat_alpha).x;
+}
+
+float through_clearcoat(const Bsdf& bsdf, float cos_in, float cos_out)
+{
+    if (bsdf.clearcoat == Reflection::none)
+        return 1;
+    return (1 - clearcoat_albedo(bsdf, cos_in)) * (1 - clearcoat_albedo(bsdf, cos_out));
+}
+
 Rgb coat_half(const Bsdf& bsdf, float cosine)
 {
-    return bsdf.coated ? 1.0f - albedo_of(bsdf.coat_f0, bsdf.coat_f90, cosine, bsdf.alpha) : Rgb(1);
+    const Rgb passed =
+        bsdf.coated ? 1.0f - albedo_of(bsdf.coat_f0, bsdf.coat_f90, cosine, bsdf.alpha) : Rgb(1);
+    return bsdf.clearcoat == Reflection::none ? passed
+                                              : passed * (1 - clearcoat_albedo(bsdf, cosine));
 }
 
 Rgb diffuse_albedo(const Bsdf& bsdf, float cosine)
@@ -163,10 +229,12 @@ Rgb glass_reflectance(const Bsdf& bsdf, float cosine, float eta)
 SpecularLobes specular_lobes(const Bsdf& bsdf, float cosine, bool front, bool solid)
 {
     SpecularLobes out;
+    if (bsdf.clearcoat == Reflection::mirror)
+        out.mirror = Rgb(clearcoat_albedo(bsdf, cosine));
     if (bsdf.alpha > 0)
         return out;
     if (bsdf.reflection == Reflection::mirror)
-        out.mirror = opaque_reflectance(bsdf, cosine);
+        out.mirror += opaque_reflectance(bsdf, cosine) * through_clearcoat(bsdf, cosine, cosine);
     if (bsdf.glass > 0) {
         const float eta = index_beyond(bsdf, front, solid);
         const Rgb reflected = glass_reflectance(bsdf, cosine, eta);

@@ -44,6 +44,9 @@ struct Bsdf {
     Rgb coat_average{0.0f}; ///< its albedo averaged over the cosine-weighted hemisphere
     Rgb reflect_f0{0.0f};   ///< the same two of metal and coat together, by their shares
     Rgb reflect_f90{0.0f};
+    Reflection clearcoat = Reflection::none; ///< what becomes of the reflection of a coat over all
+    float clearcoat_share = 0.0f;
+    float clearcoat_alpha = 0.0f;
     float glass = 0.0f;         ///< share that is a dielectric that transmits
     Rgb glass_tint{1.0f};       ///< transmitted at each crossing
     Rgb glass_reflection{1.0f}; ///< scale of its Fresnel reflection (KHR_materials_specular)
@@ -54,11 +57,13 @@ struct Bsdf {
     bool emits_behind = false;
 
     bool has_diffuse() const { return !is_black(diffuse); }
+    /// Some reflection becomes what is asked for.
+    bool reflects(Reflection kind) const { return reflection == kind || clearcoat == kind; }
     /// Photons are stored here: there is a diffuse lobe or a reflection that is gathered.
-    bool gathers() const { return has_diffuse() || reflection == Reflection::gathered; }
+    bool gathers() const { return has_diffuse() || reflects(Reflection::gathered); }
     /// A direction is to be drawn to follow the path: there is a followed reflection or rough
     /// glass.
-    bool follows() const { return reflection == Reflection::followed || (glass > 0 && alpha > 0); }
+    bool follows() const { return reflects(Reflection::followed) || (glass > 0 && alpha > 0); }
 };
 
 /// The material at a point.
@@ -72,7 +77,17 @@ std::vector<Bsdf> make_bsdfs(const std::vector<Material>& materials, DiffuseMode
 float diffuse_shape(const Bsdf& bsdf, const glm::vec3& normal, const glm::vec3& wi,
                     const glm::vec3& wo);
 
-/// What of the light from (or to) a direction gets through the coat; 1 without a coat.
+/// The clear coat as a material of its own; there must be one.
+Bsdf clearcoat_alone(const Bsdf& bsdf);
+
+/// The part of light along one direction that the clear coat reflects; 0 without one.
+float clearcoat_albedo(const Bsdf& bsdf, float cosine);
+
+/// What of light that is reflected below the clear coat gets through it both times.  Cosines: to
+/// the shading normal, of both directions.  1 without one.  docs/light_transport.md (24).
+float through_clearcoat(const Bsdf& bsdf, float cos_in, float cos_out);
+
+/// What of the light from (or to) a direction gets through the coats; 1 without any.
 /// cosine: of the angle to the shading normal, [0, 1].
 Rgb coat_half(const Bsdf& bsdf, float cosine);
 

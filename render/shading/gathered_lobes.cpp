@@ -24,14 +24,21 @@ Rgb GatheredLobes::operator()(const glm::vec3& in) const
     if (!(cosine > 0))
         return Rgb(0);
     Rgb value = diffuse(in, cosine);
-    if (bsdf_.reflection != Reflection::gathered)
-        return value;
-    value += reflected_by_facets(bsdf_, normal_, in, out_);
+    if (bsdf_.reflection == Reflection::gathered)
+        value += facets(bsdf_, in, cosine);
+    if (bsdf_.clearcoat == Reflection::gathered)
+        value += facets(clearcoat_alone(bsdf_), in, cosine);
+    return value;
+}
+
+Rgb GatheredLobes::facets(const Bsdf& bsdf, const glm::vec3& in, float cosine) const
+{
+    Rgb value = reflected_by_facets(bsdf, normal_, in, out_);
     if (normal_ != geometric_) {
         const glm::vec3 below = mirrored(in, geometric_);
         const float folded = glm::dot(normal_, below);
         if (folded > 0)
-            value += reflected_by_facets(bsdf_, normal_, below, out_) * (folded / cosine);
+            value += reflected_by_facets(bsdf, normal_, below, out_) * (folded / cosine);
     }
     return value;
 }
@@ -42,7 +49,8 @@ Rgb reflected_by_facets(const Bsdf& bsdf, const glm::vec3& normal, const glm::ve
     const glm::vec3 half = glm::normalize(in + out);
     const float spread = ggx_distribution(normal, half, bsdf.alpha) *
                          ggx_visibility(glm::dot(normal, in), glm::dot(normal, out), bsdf.alpha);
-    return opaque_reflectance(bsdf, glm::dot(half, out)) * spread;
+    return opaque_reflectance(bsdf, glm::dot(half, out)) *
+           (spread * through_clearcoat(bsdf, glm::dot(normal, in), glm::dot(normal, out)));
 }
 
 } // namespace hipmap

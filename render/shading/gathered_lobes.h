@@ -25,6 +25,9 @@ class GatheredLobes {
     const Rgb& base() const { return base_; }
 
   private:
+    /// Of the facets of one reflection, with what is folded.
+    Rgb facets(const Bsdf& bsdf, const glm::vec3& in, float cosine) const;
+
     const Bsdf& bsdf_;
     glm::vec3 normal_, geometric_, out_;
     float cosine_; ///< of `out`

@@ -6,15 +6,17 @@ namespace hipmap {
 
 bool may_be_specular(const Material& material, const Bsdf& bsdf)
 {
-    return bsdf.reflection == Reflection::mirror || bsdf.reflection == Reflection::followed ||
+    return bsdf.reflects(Reflection::mirror) || bsdf.reflects(Reflection::followed) ||
            bsdf.glass > 0 ||
+           (bsdf.clearcoat != Reflection::none &&
+            find_texture(material.textures, TextureUse::clearcoat_roughness) != nullptr) ||
            find_texture(material.textures, TextureUse::metallic_roughness) != nullptr ||
            find_texture(material.textures, TextureUse::transmission) != nullptr;
 }
 
 bool may_gather_by_direction(const Material& material, const Bsdf& bsdf)
 {
-    if (bsdf.burley_roughness >= 0)
+    if (bsdf.burley_roughness >= 0 || bsdf.clearcoat == Reflection::gathered)
         return true;
     const bool may_reflect =
         material.metallic > 0 || material.specular * max_channel(material.specular_color) > 0;

@@ -56,8 +56,17 @@ glm::vec4 read_slot(const Scene& scene, const TextureSlot& slot, FaceId face,
 
 MaterialPoint material_factors(const Material& material)
 {
-    return {material.base_color, material.metallic, material.roughness,     material.transmission,
-            material.emission,   material.specular, material.specular_color};
+    MaterialPoint out;
+    out.base_color = material.base_color;
+    out.metallic = material.metallic;
+    out.roughness = material.roughness;
+    out.transmission = material.transmission;
+    out.emission = material.emission;
+    out.specular = material.specular;
+    out.specular_color = material.specular_color;
+    out.clearcoat = material.clearcoat;
+    out.clearcoat_roughness = material.clearcoat_roughness;
+    return out;
 }
 
 bool is_rendered(TextureUse use)
@@ -69,6 +78,8 @@ bool is_rendered(TextureUse use)
     case TextureUse::emission:
     case TextureUse::specular:
     case TextureUse::specular_color:
+    case TextureUse::clearcoat:
+    case TextureUse::clearcoat_roughness:
         return true;
     default:
         return false;
@@ -107,6 +118,8 @@ MaterialPoint material_at(const Scene& scene, FaceId face, const glm::vec2& bary
     out.emission *= Rgb(read(TextureUse::emission));
     out.specular *= read(TextureUse::specular).w;
     out.specular_color *= Rgb(read(TextureUse::specular_color));
+    out.clearcoat *= read(TextureUse::clearcoat).x;
+    out.clearcoat_roughness *= read(TextureUse::clearcoat_roughness).y;
     if (!scene.mesh.attributes.colours.empty()) {
         const Rgb colour(vertex_colour(scene, face, barycentric));
         out.base_color *= colour;

@@ -16,6 +16,8 @@ struct MaterialPoint {
     Rgb emission{0.0f}; ///< radiance, W/(m2 sr)
     float specular = 1.0f;
     Rgb specular_color{1.0f};
+    float clearcoat = 0.0f;
+    float clearcoat_roughness = 0.0f;
 };
 
 /// A vertex attribute between the corners of a face.

@@ -120,6 +120,13 @@ TEST_CASE("effect plan: an effect is on if and only if the scene calls for it", 
     CHECK(on_in(plan_of(coloured)) == plain);
     coloured.mesh.attributes.colours[0].x = 0;
     CHECK(on_in(plan_of(coloured)) == Effects{Effect::indirect, Effect::vertex_colours});
+    Material lacquer = tiny::matt(Rgb(0.5f));
+    lacquer.clearcoat = 1;
+    CHECK(on_in(plan_of(with_pane(lacquer))) ==
+          Effects{Effect::indirect, Effect::mirror, Effect::caustics, Effect::clearcoat});
+    lacquer.clearcoat_roughness = 0.6f;
+    CHECK(on_in(plan_of(with_pane(lacquer))) ==
+          Effects{Effect::indirect, Effect::glossy, Effect::clearcoat});
     Scene through_lens = plain_floor();
     through_lens.cameras[0].aperture_radius = 0.1f;
     CHECK(on_in(plan_of(through_lens)) == plain);

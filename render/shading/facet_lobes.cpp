@@ -1,0 +1,153 @@
+#include "render/shading/facet_lobes.h"
+
+#include "render/shading/ggx.h"
+
+namespace hipmap {
+
+namespace {
+
+/// Of light that meets a facet, what the lobes reflect and transmit.
+struct FacetShares {
+    Rgb reflect{0.0f};
+    Rgb transmit{0.0f};
+
+    /// Chance that a facet drawn reflects; else it transmits.
+    float reflect_chance() const
+    {
+        const float reflected = max_channel(reflect);
+        const float sum = reflected + max_channel(transmit);
+        return sum > 0 ? reflected / sum : 1;
+    }
+};
+
+/// cosine: between the direction and the facet's normal.
+FacetShares facet_shares(const Interaction& at, Lobes lobes, float cosine)
+{
+    const Bsdf& bsdf = at.bsdf;
+    FacetShares out;
+    const Reflection wanted =
+        lobes == Lobes::gathered ? Reflection::gathered : Reflection::followed;
+    if (bsdf.reflection == wanted)
+        out.reflect = opaque_reflectance(bsdf, cosine);
+    if (lobes == Lobes::followed && bsdf.glass > 0 && bsdf.alpha > 0) {
+        const Rgb reflected =
+            glass_reflectance(bsdf, cosine, index_beyond(at.bsdf, at.front, at.solid));
+        out.reflect += bsdf.glass * reflected;
+        out.transmit = bsdf.glass * (1.0f - reflected) * bsdf.glass_tint;
+    }
+    return out;
+}
+
+/// Light that facets reflect into the side it came from.
+Scattered reflected(const Interaction& at, const glm::vec3& in, Lobes lobes)
+{
+    const float alpha = at.bsdf.alpha;
+    const glm::vec3 half = glm::normalize(in + at.back);
+    const float cosine = glm::dot(in, at.shading_normal);
+    const float toward = glm::dot(at.back, half);
+    const FacetShares shares = facet_shares(at, lobes, toward);
+    const float spread = ggx_distribution(at.shading_normal, half, alpha) *
+                         ggx_visibility(cosine, at.cosine, alpha) * cosine;
+    Scattered out;
+    out.value = shares.reflect * (spread * through_clearcoat(at.bsdf, cosine, at.cosine));
+    out.density = shares.reflect_chance() * facet_density(at.shading_normal, at.back, half, alpha) /
+                  (4 * toward);
+    return out;
+}
+
+/// Light that facets pass on through a thin wall: as reflected, but on the other side.
+Scattered passed(const Interaction& at, const glm::vec3& in)
+{
+    const float alpha = at.bsdf.alpha;
+    const glm::vec3 image = mirrored(in, at.shading_normal);
+    const glm::vec3 half = glm::normalize(image + at.back);
+    const float cosine = glm::dot(image, at.shading_normal);
+    const float toward = glm::dot(at.back, half);
+    const FacetShares shares = facet_shares(at, Lobes::followed, toward);
+    const float spread = ggx_distribution(at.shading_normal, half, alpha) *
+                         ggx_visibility(cosine, at.cosine, alpha) * cosine;
+    Scattered out;
+    out.value = shares.transmit * spread;
+    out.density = (1 - shares.reflect_chance()) *
+                  facet_density(at.shading_normal, at.back, half, alpha) / (4 * toward);
+    return out;
+}
+
+/// Light that facets refract into a solid, or out of it.  docs/light_transport.md (17).
+Scattered refracted(const Interaction& at, const glm::vec3& in)
+{
+    const float eta = index_beyond(at.bsdf, at.front, at.solid), alpha = at.bsdf.alpha;
+    const glm::vec3 both = at.back + eta * in;
+    const glm::vec3 half = glm::normalize(eta > 1 ? -both : both);
+    const float toward = glm::dot(at.back, half), beyond = glm::dot(in, half);
+    if (!(toward > 0) || !(beyond < 0))
+        return {};
+    const FacetShares shares = facet_shares(at, Lobes::followed, toward);
+    const float stretch = toward + eta * beyond;
+    const float jacobian = eta * eta * -beyond / (stretch * stretch);
+    const float visible = facet_density(at.shading_normal, at.back, half, alpha);
+    const float cosine = -glm::dot(in, at.shading_normal);
+    Scattered out;
+    out.density = (1 - shares.reflect_chance()) * visible * jacobian;
+    out.value = shares.transmit *
+                (ggx_shadowing(cosine, at.cosine, alpha) * visible * jacobian / (eta * eta));
+    return out;
+}
+
+/// Without what is folded.  beyond: light that passes the surface.
+Scattered unfolded(const Interaction& at, const glm::vec3& in, Lobes lobes, bool beyond)
+{
+    const float cosine = glm::dot(in, at.shading_normal);
+    if (!((beyond ? -cosine : cosine) > 0))
+        return {};
+    if (!beyond)
+        return reflected(at, in, lobes);
+    return at.solid ? refracted(at, in) : passed(at, in);
+}
+
+} // namespace
+
+Scattered scattered_by_facets(const Interaction& at, const glm::vec3& in, Lobes lobes)
+{
+    const bool beyond = glm::dot(in, at.normal) < 0;
+    if (beyond && (lobes == Lobes::gathered || !(at.bsdf.glass > 0)))
+        return {};
+    Scattered out = unfolded(at, in, lobes, beyond);
+    if (at.shading_normal != at.normal) {
+        const Scattered folded = unfolded(at, mirrored(in, at.normal), lobes, beyond);
+        out.value += folded.value;
+        out.density += folded.density;
+    }
+    return out;
+}
+
+ScatterSample sample_own_facets(const Interaction& at, Lobes lobes, RandomSequence& random)
+{
+    const glm::vec2 u = random.next2();
+    const glm::vec3 half = sample_facet(at.shading_normal, at.back, at.bsdf.alpha, u);
+    const FacetShares shares = facet_shares(at, lobes, glm::dot(at.back, half));
+    const float chance = shares.reflect_chance();
+    ScatterSample out;
+    out.transmitted = !(random.next() < chance);
+    if (!out.transmitted) {
+        out.direction = reflect(at.back, half);
+    } else if (at.solid) {
+        out.eta = index_beyond(at.bsdf, at.front, at.solid);
+        out.direction = refract(at.back, half, out.eta);
+    } else {
+        out.direction = mirrored(reflect(at.back, half), at.shading_normal);
+    }
+    const float sign = out.transmitted ? -1.0f : 1.0f;
+    const float cosine = sign * glm::dot(out.direction, at.shading_normal);
+    if (!(cosine > 0))
+        return out;
+    if (sign * glm::dot(out.direction, at.normal) < 0) // bent past the face by the shading normal
+        out.direction = mirrored(out.direction, at.normal);
+    const Rgb share = out.transmitted ? shares.transmit / (1 - chance) : shares.reflect / chance;
+    out.weight = share * (ggx_shadowing(cosine, at.cosine, at.bsdf.alpha) *
+                          through_clearcoat(at.bsdf, cosine, at.cosine));
+    out.density = scattered_by_facets(at, out.direction, lobes).density;
+    return out;
+}
+
+} // namespace hipmap
