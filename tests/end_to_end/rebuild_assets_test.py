@@ -2,9 +2,9 @@
 
     rebuild_assets_test.py FOLDER...
 
-NAME.glb is built by NAME.py beside it.
+NAME.glb is built by NAME.py beside it, those of the folder effects by effects.py beside that folder.
 
-Exits 77 (skipped) where Blender is not installed, or has no numpy, without which it exports nothing.
+Exits 77 (skipped) after the latter where Blender is not installed, or has no numpy, without which it exports nothing.
 """
 
 import os
@@ -70,7 +70,29 @@ def rebuild(blender, folder, name):
     print(f"{name}.glb: the script builds what is committed")
 
 
+def pictures(glb):
+    views = (glb.json["bufferViews"][image["bufferView"]] for image in glb.json.get("images", []))
+    return [glb.binary[view["byteOffset"]:view["byteOffset"] + view["byteLength"]]
+            for view in views]
+
+
+def rebuild_effects(folder):
+    committed = os.path.join(folder, "effects")
+    with tempfile.TemporaryDirectory() as temporary:
+        subprocess.run([sys.executable, "-B", os.path.join(folder, "effects.py"), temporary],
+                       check=True)
+        assert sorted(os.listdir(temporary)) == sorted(os.listdir(committed))
+        for name in sorted(os.listdir(committed)):
+            old, new = (GlbFile(os.path.join(at, name)) for at in (committed, temporary))
+            compare(old, new)
+            assert pictures(old) == pictures(new), f"pictures of {name} differ"
+            print(f"effects/{name}: the script builds what is committed")
+
+
 def main():
+    for folder in sys.argv[1:]:
+        if os.path.exists(os.path.join(folder, "effects.py")):
+            rebuild_effects(folder)
     blender = shutil.which("blender")
     if blender is None:
         print("SKIP: Blender is not installed")
