@@ -13,8 +13,6 @@ namespace {
 /// Relative error of a product of some numbers in float: 16 units in the last place.
 constexpr double kRounding = 0x1p-20;
 
-constexpr std::uint32_t kNeighbours = 20;
-
 bool reads_photons(const ClosedForm& form, const Method& method)
 {
     return form.read == PhotonsRead::others ||

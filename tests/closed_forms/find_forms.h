@@ -23,6 +23,7 @@ inline constexpr std::array<Method, 4> kMethods{{
 }};
 
 inline constexpr std::uint64_t kPassesOfForms = 48;
+inline constexpr std::uint32_t kNeighbours = 20; ///< k
 
 /// What was found for a closed form.
 struct FoundForm {

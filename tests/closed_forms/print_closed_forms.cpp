@@ -50,12 +50,12 @@ std::string introduction(std::uint64_t passes, const std::vector<FoundForm>& row
             squares += z_score(row) * z_score(row);
             largest = std::max(largest, std::abs(z_score(row)));
         }
-    out << std::fixed << std::setprecision(2) << "# Closed forms\n\n"
-        << "Written by `build/release/bin/closed_forms --to docs/closed_forms.md`; do not edit. "
-           "Run "
-           "on "
-        << today() << ".\n\nEach line is a scene of which the mean radiance of the picture "
-        << "is known exactly (of `photons`: the power that\nleaves a ball), and what was found in "
+    out << std::fixed << std::setprecision(2)
+        << "# Closed forms\n\nWritten by `build/release/bin/closed_forms --to "
+           "docs/closed_forms.md`; do not edit. Run on "
+        << today()
+        << ".\n\nEach line is a scene of which the mean radiance of the picture is known exactly "
+           "(of `photons`: the power that\nleaves a ball), and what was found in "
         << passes
         << " independent passes of 16x16 pixels. z is what was found less what is\nexpected, in "
            "standard errors, brought from Student's distribution to the normal one. A right "
@@ -64,9 +64,12 @@ std::string introduction(std::uint64_t passes, const std::vector<FoundForm>& row
         << " here the largest is " << std::setprecision(2) << largest
         << ", and the mean of their squares " << squares / sought
         << ".\nThe tests `closed_forms` check the same with " << kPassesOfForms
-        << " passes.\n\nρ albedo, e radiance of a wall, L of a lamp or sky, I intensity, E "
-           "irradiance across the light, R reflectance, T what a\nslab lets through, a what the "
-           "inside of glass leaves of light on one way through, F form factor, Ω solid angle.\n\n";
+        << " passes.\n\nIntegrator `direct` estimates by the k = " << kNeighbours
+        << " nearest photons; where those are stratified this is low by up to 1/(2k)\n"
+           "([photon_maps.md](photon_maps.md) (2)), and z is 0 within that.\n\n"
+           "ρ albedo, e radiance of a wall, L of a lamp or sky, I intensity, E irradiance across "
+           "the light, R reflectance, T what a\nslab lets through, a what the inside of glass "
+           "leaves of light on one way through, F form factor, Ω solid angle.\n\n";
     return out.str();
 }
 
