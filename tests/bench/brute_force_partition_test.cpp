@@ -82,7 +82,8 @@ TEST_CASE("brute force: the partitions of surfaces are equal to its own", "[part
         }
 }
 
-TEST_CASE("brute force: the partitions of the smaller bundled scenes are equal to its own", "[partition]")
+TEST_CASE("brute force: the partitions of the smaller bundled scenes are equal to its own",
+          "[partition]")
 {
     const std::filesystem::path assets = std::filesystem::path(HIPMAP_SOURCE_DIR) / "assets";
     std::size_t compared = 0;

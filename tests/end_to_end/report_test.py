@@ -107,7 +107,8 @@ class Report(ToolsTestCase):
         for title in ("Accuracy and its price", "Time by stage", "Photons and their maps",
                       "Partition", "Options", "To make it again", "asked for: 90 %"):
             self.assertIn(title, text)
-        self.assertNotIn("Effects", text, "no plan is in the statistics")
+        for effect in stats["effects"]:
+            self.assertIn(effect["reason"], text)
         self.assertEqual(len(page.all("script")), 1, "names of files are no scripts")
         self.assertEqual(len(page.all("img")), 6)
         self.assertTrue(all(picture["alt"] for picture in page.all("img")))
