@@ -79,8 +79,7 @@ int main(int argc, char** argv)
         hipmap::add_preprocess_arguments(app, arguments);
         if (const std::optional<int> code = hipmap::parse_arguments(app, argc, argv))
             return *code;
-        arguments.command = {"preprocess"};
-        arguments.command.insert(arguments.command.end(), argv + 1, argv + argc);
+        arguments.command = hipmap::command_of("preprocess", argc, argv);
         return hipmap::preprocess(arguments);
     });
 }

@@ -197,8 +197,7 @@ int render_main(int argc, char** argv)
     if (const std::optional<int> code = hipmap::parse_arguments(app, argc, argv))
         return *code;
     hipmap::complete_arguments(app, arguments);
-    arguments.command = {"render"};
-    arguments.command.insert(arguments.command.end(), argv + 1, argv + argc);
+    arguments.command = hipmap::command_of("render", argc, argv);
     return hipmap::render(arguments);
 }
 
@@ -211,6 +210,7 @@ int merge_main(int argc, char** argv)
     hipmap::add_merge_arguments(app, arguments);
     if (const std::optional<int> code = hipmap::parse_arguments(app, argc, argv))
         return *code;
+    arguments.command = hipmap::command_of("render", argc + 1, argv - 1);
     return hipmap::merge_states(arguments);
 }
 

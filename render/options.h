@@ -38,6 +38,7 @@ void add_render_arguments(CLI::App& app, RenderArguments& arguments);
 
 /// What the user asked of `render merge`.
 struct MergeArguments {
+    std::vector<std::string> command; ///< as typed, of the name of the tool and its arguments
     std::vector<std::filesystem::path> states;
     std::vector<std::filesystem::path> images;
     std::filesystem::path error_image; ///< empty: none

@@ -223,6 +223,8 @@ std::string merged_statistics_json(const MergeArguments& arguments, const Render
                                    const RunStatistics& run)
 {
     Json json;
+    json["command"] = arguments.command;
+    json["version"] = HIPMAP_VERSION;
     for (const std::filesystem::path& file : arguments.states)
         json["states"].push_back(file.string());
     for (const std::string& setting : state.settings) {

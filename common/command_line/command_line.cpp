@@ -62,6 +62,13 @@ std::optional<int> parse_arguments(CLI::App& app, int argc, char** argv)
     }
 }
 
+std::vector<std::string> command_of(const std::string& tool, int argc, char** argv)
+{
+    std::vector<std::string> command(argv, argv + argc);
+    command[0] = tool;
+    return command;
+}
+
 int run_tool(const std::function<int()>& body)
 {
     try {

@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace hipmap {
 
@@ -18,6 +19,9 @@ inline constexpr int kExitStopped = 3; ///< by a signal
 /// or
 /// --version, or after one line on standard error that says what is wrong with the arguments.
 std::optional<int> parse_arguments(CLI::App& app, int argc, char** argv);
+
+/// What was typed, with the tool's bare name first: the same whatever folder it lies in.
+std::vector<std::string> command_of(const std::string& tool, int argc, char** argv);
 
 /// Runs the body of a tool; turns what it throws into one line on standard error and an exit code.
 int run_tool(const std::function<int()>& body);

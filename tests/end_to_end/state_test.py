@@ -117,6 +117,7 @@ class State(ToolsTestCase):
         self.refuse_render("--state", states[0], "--environment", "1", naming="scene=")
 
     def look_into_merged_statistics(self, stats):
+        self.assertEqual(stats["command"][:2], ["render", "merge"])
         self.assertEqual(stats["passes_done"], 12)
         self.assertEqual(stats["settings"]["photons"], "3000")
         self.assertEqual((stats["image"]["width"], len(stats["states"])), (16, 3))
