@@ -28,7 +28,7 @@ struct Film {
     int width = 0;
     int height = 0;
     int scale = 0; ///< values are counted in units of 2^-scale W/(m2 sr), docs/error.md (2)
-    std::uint64_t allotment = 0; ///< what the samples of its pixels are, docs/error.md (13)
+    std::uint64_t allotment = 0; ///< what the samples of its pixels are, docs/error.md (14)
     BiasKnowledge bias = BiasKnowledge::unknown;
     PassSet passes;
 

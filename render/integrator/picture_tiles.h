@@ -53,7 +53,7 @@ Samples<images> sample_pixel(const PictureJob& job, int x, int y, const Trace& t
     Samples<images> sum{};
     kept = 0;
     for (std::uint32_t s = 0; s < samples; ++s) {
-        // Passes of a batch share a sequence, and batches stay independent: docs/error.md (14).
+        // Passes of a batch share a sequence, and batches stay independent: docs/error.md (15).
         RandomSequence random(options.seed, RandomStream::eye_paths, job.pass % kBatches, pixel,
                               job.pass / kBatches * samples + s);
         const glm::vec2 at =

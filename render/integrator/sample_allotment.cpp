@@ -57,7 +57,7 @@ void blur(std::vector<double>& values, std::size_t first, std::size_t step, int 
     }
 }
 
-/// docs/error.md (13), by pixel of the images.
+/// docs/error.md (14), by pixel of the images.
 std::vector<double> deviations_around(const Image& first, const Image& second)
 {
     std::vector<double> out = square_deviations(first, second);

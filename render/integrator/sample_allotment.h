@@ -15,7 +15,7 @@ struct SampleAllotment {
     bool operator==(const SampleAllotment&) const = default;
 };
 
-/// Shares out `mean` samples a pixel by docs/error.md (13).  first, second: images of the same view
+/// Shares out `mean` samples a pixel by docs/error.md (14).  first, second: images of the same view
 /// and size, not necessarily width x height, by one sample a pixel each; pixels that are not finite
 /// count as black.  Same images, same allotment.
 SampleAllotment allot_samples(const Image& first, const Image& second, int width, int height,
