@@ -38,10 +38,16 @@ const char* name_of(Integrator integrator)
     return kNames[static_cast<int>(integrator)];
 }
 
+const char* name_of(GatheredIrradiance irradiance)
+{
+    return irradiance == GatheredIrradiance::precomputed ? "precomputed" : "estimated";
+}
+
 std::vector<std::string> settings_of(const RenderOptions& options, const Scene& scene,
                                      const Partition& partition)
 {
-    const auto& [integrator, width, height, maps, direct, photons, samples, seed, light] = options;
+    const auto& [integrator, width, height, maps, direct, photons, samples, seed, light,
+                 irradiance] = options;
     const auto& [mode, neighbours, local_min, estimate, tiers, directions, tree] = maps;
     const Fingerprint content = content_fingerprint(scene);
     return {"scene=" + hex(content.words[0]) + hex(content.words[1]),
@@ -59,7 +65,8 @@ std::vector<std::string> settings_of(const RenderOptions& options, const Scene& 
             "samples=" + std::to_string(samples),
             "seed=" + std::to_string(seed),
             std::string("caustics=") + (light.caustic ? "on" : "off"),
-            std::string("indirect=") + (light.indirect ? "on" : "off")};
+            std::string("indirect=") + (light.indirect ? "on" : "off"),
+            std::string("irradiance=") + name_of(irradiance)};
 }
 
 std::uint64_t photons_of(const std::vector<std::string>& settings)

@@ -21,5 +21,6 @@ std::uint64_t photons_of(const std::vector<std::string>& settings);
 const char* name_of(MapMode mode);
 const char* name_of(TreeKind tree);
 const char* name_of(Integrator integrator);
+const char* name_of(GatheredIrradiance irradiance);
 
 } // namespace hipmap

@@ -78,6 +78,7 @@ Json options_json(const RenderArguments& arguments, const Scene& scene)
             {"error", stops.error > 0 ? Json(stops.error) : Json()},
             {"first_pass", stops.first_pass},
             {"samples", options.samples},
+            {"irradiance", name_of(options.irradiance)},
             {"seed", options.seed}};
 }
 

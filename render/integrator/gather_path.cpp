@@ -205,7 +205,9 @@ class GatherTracer {
             branch.weight *= gather_weight(first, branch.indirect_radius);
             const float radius = maps_.shrink * first;
             if (!(branch.straight && distance < radius)) {
-                add_within(branch.weight * factor, maps_.global, query, radius, scratch_.global);
+                if (!add_precomputed(branch.weight * factor, query))
+                    add_within(branch.weight * factor, maps_.global, query, radius,
+                               scratch_.global);
                 return true;
             }
         }
@@ -225,6 +227,18 @@ class GatherTracer {
         const float share = branch.gathers ? gather_weight(first, branch.indirect_radius) : 1.0f;
         add_within(branch.weight * factor * share, maps_.caustic, query, maps_.shrink * first,
                    scratch_.caustic);
+    }
+
+    /// False: nothing is.
+    bool add_precomputed(const Rgb& factor, const PhotonQuery& query)
+    {
+        if (maps_.irradiance == nullptr)
+            return false;
+        const std::optional<Rgb> found = nearest_irradiance(
+            *maps_.irradiance, maps_.global, maps_.surfaces.partition, query, scratch_.irradiance);
+        if (found)
+            add(factor * *found);
+        return found.has_value();
     }
 
     void add_within(const Rgb& factor, const PhotonMaps& photons, const PhotonQuery& query,

@@ -3,6 +3,7 @@
 #include "common/math/random.h"
 #include "render/integrator/gather_radius.h"
 #include "render/maps/fixed_radius.h"
+#include "render/maps/photon_irradiance.h"
 #include "render/shading/interaction.h"
 
 namespace hipmap {
@@ -17,11 +18,14 @@ struct GatherMaps {
     const FirstRadii& first;
     float shrink = 1;    ///< radius of the pass over the first radius
     bool bounces = true; ///< false: rays of gathered lobes only look for lights
+    const PhotonIrradiance* irradiance = nullptr; ///< of `global`, read where gather rays end;
+                                                  ///< null: estimates
 };
 
 /// What one thread needs for gather paths.
 struct GatherScratch {
     EstimateScratch caustic, global, indirect;
+    TreeScratch irradiance;
 };
 
 /// Estimates of one radiance with the radius of the pass, and with narrower ones (kNarrowing,

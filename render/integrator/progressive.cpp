@@ -24,7 +24,14 @@ struct Progressive {
 /// The maps of one pass.
 struct PassMapsByKind {
     PhotonMaps caustic, global, indirect;
+    std::optional<PhotonIrradiance> irradiance; ///< of `global`
 };
+
+/// It is Lambert's alone.
+bool precomputes(const RenderScene& scene, const RenderOptions& options)
+{
+    return options.irradiance == GatheredIrradiance::precomputed && !scene.directional;
+}
 
 TracedPhotons trace_linked(const RenderScene& scene, const RenderOptions& options,
                            std::uint64_t pass, RenderStatistics& statistics)
@@ -69,8 +76,13 @@ PassMapsByKind make_maps(const RenderScene& scene, const Progressive& shared,
     const auto maps_of = [&](const std::vector<Photon>& photons, KindStatistics& kind) {
         return build_maps(scene, photons, options.maps, kind, statistics);
     };
-    return {maps_of(traced.caustic, statistics.caustic), maps_of(traced.global, statistics.global),
-            maps_of(weighed, statistics.indirect)};
+    PassMapsByKind maps{maps_of(traced.caustic, statistics.caustic),
+                        maps_of(traced.global, statistics.global),
+                        maps_of(weighed, statistics.indirect),
+                        {}};
+    if (precomputes(scene, options))
+        maps.irradiance = estimate_at_photons(maps.global, shared.surfaces, {});
+    return maps;
 }
 
 /// shrink: radius over the first radius.
@@ -85,7 +97,8 @@ RenderedPass gather_pass(const RenderScene& scene, const Progressive& shared,
                           photons.indirect,
                           shared.first,
                           static_cast<float>(shrink),
-                          job.options.light.indirect};
+                          job.options.light.indirect,
+                          photons.irradiance ? &*photons.irradiance : nullptr};
     return render_tiles<3, GatherScratch>(
         job, after(control, kPhotonShare), statistics,
         [&](const Ray& ray, RandomSequence& random, GatherScratch& scratch) {
@@ -135,7 +148,7 @@ PassSource make_progressive_source(const RenderScene& scene, const RenderOptions
     source.height = options.height;
     source.pilot_mean = render_pilot(scene, options, *shared);
     source.allotment = checksum(shared->allotment);
-    source.bias = BiasKnowledge::from_radii;
+    source.bias = precomputes(scene, options) ? BiasKnowledge::unknown : BiasKnowledge::from_radii;
     source.render = [&scene, &options, &statistics, shared](std::uint64_t pass,
                                                             const PassControl& control) {
         return render_pass(scene, *shared, options, pass, control, statistics);

@@ -12,6 +12,12 @@ enum class Integrator : std::uint8_t {
     progressive, ///< from photon maps and a gather ray, by radii that shrink from pass to pass
 };
 
+/// What gather rays read where they end.
+enum class GatheredIrradiance : std::uint8_t {
+    estimated,   ///< an estimate at that point
+    precomputed, ///< that made at a photon near by (Christensen 1999): faster, and not exact
+};
+
 /// What a pass is made by: the same for all passes of an image.
 struct RenderOptions {
     Integrator integrator = Integrator::progressive;
@@ -23,6 +29,7 @@ struct RenderOptions {
     std::uint32_t samples = 1; ///< eye paths per pixel and pass
     std::uint64_t seed = 0;
     LightClasses light; ///< that is found at all
+    GatheredIrradiance irradiance = GatheredIrradiance::estimated;
 };
 
 /// Of one kind of photon, summed over the passes.

@@ -90,6 +90,8 @@ class Errors(ToolsTestCase):
                               ("--exposure", "inf"), ("--samples", "0"), ("--direct", "none")):
             with self.subTest(option=option, value=value):
                 self.refuse(*render, option, value, naming=option)
+        self.refuse(*render, "--irradiance", "precomputed", "--integrator", "path",
+                    naming="--irradiance")
         self.refuse(*render, "--no-such-option", naming="--no-such-option")
         self.refuse("render", Tools.scene, naming="")
         self.refuse("preprocess", Tools.scene, "-o", self.path("a.hpm"), "--angle", "-1",

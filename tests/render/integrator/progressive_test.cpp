@@ -40,6 +40,19 @@ Means mean_of_passes(const tiny::ReadyScene& ready, const RenderOptions& options
 
 } // namespace
 
+TEST_CASE("progressive: precomputed irradiance is right but for the photon it counts too often",
+          "[integrator]")
+{
+    const auto ready = tiny::ready(tiny::glowing_box(Rgb(0.5f)));
+    RenderOptions options = small_options(4000);
+    options.irradiance = GatheredIrradiance::precomputed;
+    const RunningMean radiance = mean_of_passes(*ready, options, 48).radiance;
+    const double bias = 1.0 / (options.maps.neighbours - 1);
+    CHECK(std::abs(radiance.mean() - 1) < bias + kMostZ * radiance.standard_error());
+    options.irradiance = GatheredIrradiance::estimated;
+    CHECK(radiance.mean() != mean_of_passes(*ready, options, 48).radiance.mean());
+}
+
 TEST_CASE("progressive: differs from paths by noise and by what narrower radii take away",
           "[integrator]")
 {
