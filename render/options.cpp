@@ -156,10 +156,11 @@ void add_method(CLI::App& app, RenderArguments& arguments)
                "compare with [progressive]");
     add_choice(app, "--direct", render.direct, kDirectLights,
                "Direct light by shadow-rays or from the photons [shadow-rays]");
-    add_choice(app, "--irradiance", render.irradiance, kIrradiances,
-               "Where gather rays end: estimated there, or precomputed at a quarter of the photons "
-               "and read from one near by (Christensen), faster for large pictures and off by "
-               "some percent of indirect light [estimated]");
+    add_choice(
+        app, "--irradiance", render.irradiance, kIrradiances,
+        "Irradiance where gather rays end: estimated there, or precomputed at a quarter of the "
+        "photons and read from one near by (Christensen), to compare with: off by some "
+        "percent of indirect light, and no faster [estimated]");
     add_choice(
         app, "--diffuse", arguments.diffuse, kDiffuseModels,
         "Diffuse reflection: lambert, as glTF has it; burley, as Blender's Principled BSDF up to "

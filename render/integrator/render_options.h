@@ -15,7 +15,7 @@ enum class Integrator : std::uint8_t {
 /// What gather rays read where they end.
 enum class GatheredIrradiance : std::uint8_t {
     estimated,   ///< an estimate at that point
-    precomputed, ///< that made at a photon near by (Christensen 1999): faster, and not exact
+    precomputed, ///< that made at a photon near by (Christensen 1999): not exact
 };
 
 /// What a pass is made by: the same for all passes of an image.
