@@ -12,8 +12,6 @@ namespace {
 /// Most shadow rays towards punctual lights; more lights than that are taken in strata.
 constexpr std::size_t kMostPunctual = 16;
 
-constexpr float kBelowOne = 0x1.fffffep-1f;
-
 /// A light sample in both sets of lobes.
 struct InLobes {
     Scattered gathered, followed;
@@ -68,17 +66,10 @@ EmissivePoint sample_light(const RenderScene& scene, RandomSequence& random)
 {
     constexpr std::size_t kFew = 64;
     const LightSet& lights = scene.lights;
-    if (lights.emissive_faces.size() > kFew) {
-        const float u_face = random.next();
-        return sample_emissive_point(lights, scene.mesh(), u_face, random.next2());
-    }
-    glm::vec2 u = random.next2();
-    const double u_face = u.x;
-    const auto face =
-        std::upper_bound(lights.cumulative.begin(), lights.cumulative.end() - 1, u_face);
-    const double first = face == lights.cumulative.begin() ? 0.0 : *(face - 1);
-    u.x = std::min(static_cast<float>((u_face - first) / (*face - first)), kBelowOne);
-    return sample_emissive_point(lights, scene.mesh(), u_face, u);
+    if (lights.emissive_faces.size() <= kFew)
+        return sample_emissive_point(lights, scene.mesh(), random.next2());
+    const float u_face = random.next();
+    return sample_emissive_point(lights, scene.mesh(), u_face, random.next2());
 }
 
 } // namespace

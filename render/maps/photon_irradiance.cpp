@@ -37,12 +37,7 @@ PhotonQuery query_at(const PhotonMaps& maps, const PhotonMap& map, std::uint32_t
 PhotonIrradiance::Map estimate_in_map(const PhotonMaps& maps, const PhotonMap& map,
                                       const MapSurfaces& surfaces, const IrradianceOptions& options)
 {
-    // Slots lie in the order of a tree, so that every n-th of them are spread as all photons are.
-    std::vector<TreePoint> points;
-    for (std::uint64_t slot = 0; slot < map.tree.size; slot += options.photons_each) {
-        const auto chosen = static_cast<std::uint32_t>(slot);
-        points.push_back({map.tree.position(chosen), chosen});
-    }
+    std::vector<TreePoint> points = every_nth_photon(map.tree, options.photons_each);
     PhotonIrradiance::Map out;
     out.tree = build_wide_tree(points);
     out.irradiance.resize(points.size());

@@ -15,23 +15,11 @@ namespace {
 /// One photon of so many gets a radius: those between share most of their k neighbours with it.
 constexpr std::uint32_t kPhotonsEach = 4;
 
-/// Of every n-th photon, in the order of the tree, so that they are spread as all photons are.
-std::vector<TreePoint> some_photons(const WideTree& tree)
-{
-    std::vector<TreePoint> points;
-    points.reserve(tree.size / kPhotonsEach + 1);
-    for (std::uint64_t slot = 0; slot < tree.size; slot += kPhotonsEach) {
-        const auto chosen = static_cast<std::uint32_t>(slot);
-        points.push_back({tree.position(chosen), chosen});
-    }
-    return points;
-}
-
 RadiusField::Map build_map(const PhotonMap& photons, std::uint32_t neighbours)
 {
     RadiusField::Map out;
     out.even_radius = filter_radius(photons.area, neighbours, photons.tree.size);
-    std::vector<TreePoint> points = some_photons(photons.tree);
+    std::vector<TreePoint> points = every_nth_photon(photons.tree, kPhotonsEach);
     out.tree = build_wide_tree(points);
     out.radius.resize(points.size());
     using Range = tbb::blocked_range<std::size_t>;

@@ -279,6 +279,15 @@ WideTree build_wide_tree(std::span<TreePoint> points)
     return tree;
 }
 
+std::vector<TreePoint> every_nth_photon(const WideTree& tree, std::uint32_t n)
+{
+    std::vector<TreePoint> points;
+    for (std::size_t i = 0; i * n < tree.size; ++i)
+        points.push_back(
+            {tree.position(static_cast<std::uint32_t>(i * n)), static_cast<std::uint32_t>(i * n)});
+    return points;
+}
+
 WideTree build_blocks(std::span<const TreePoint> points)
 {
     WideTree tree;

@@ -77,6 +77,10 @@ TreeNode lowest_node(const WideTree& tree, std::uint64_t low, std::uint64_t high
 /// below 1e18, points fewer than 2^32.  None: a tree that finds nothing.
 WideTree build_wide_tree(std::span<TreePoint> points);
 
+/// Every n-th photon by slot, n >= 1: slots lie in the order of the tree, so that they are spread
+/// as all photons are.  `photon` is the slot.
+std::vector<TreePoint> every_nth_photon(const WideTree& tree, std::uint32_t n);
+
 /// The blocks alone, in the order of the points: for positions by slot where the search is
 /// another's.
 WideTree build_blocks(std::span<const TreePoint> points);

@@ -50,6 +50,22 @@ void select_by_power(LightSet& lights, const Scene& scene, const std::vector<Bsd
     lights.cumulative.back() = 1;
 }
 
+/// Its place in emissive_faces.
+std::size_t selected_face(const LightSet& lights, double u_face)
+{
+    const auto last = lights.cumulative.end() - 1;
+    return static_cast<std::size_t>(std::upper_bound(lights.cumulative.begin(), last, u_face) -
+                                    lights.cumulative.begin());
+}
+
+EmissivePoint point_on(const LightSet& lights, const TriangleMesh& mesh, std::size_t i,
+                       const glm::vec2& u)
+{
+    const FaceId face = lights.emissive_faces[i];
+    const glm::vec2 barycentric = sample_triangle(u);
+    return {surface_point(mesh, face, barycentric), barycentric, lights.density[face]};
+}
+
 } // namespace
 
 LightSet collect_lights(const Scene& scene, const std::vector<Bsdf>& bsdfs)
@@ -73,13 +89,18 @@ LightSet collect_lights(const Scene& scene, const std::vector<Bsdf>& bsdfs)
 EmissivePoint sample_emissive_point(const LightSet& lights, const TriangleMesh& mesh, double u_face,
                                     const glm::vec2& u)
 {
-    const auto found = std::upper_bound(lights.cumulative.begin(), lights.cumulative.end(), u_face);
-    const std::size_t last = lights.cumulative.size() - 1;
-    const std::size_t i =
-        std::min<std::size_t>(last, static_cast<std::size_t>(found - lights.cumulative.begin()));
-    const FaceId face = lights.emissive_faces[i];
-    const glm::vec2 barycentric = sample_triangle(u);
-    return {surface_point(mesh, face, barycentric), barycentric, lights.density[face]};
+    return point_on(lights, mesh, selected_face(lights, u_face), u);
+}
+
+EmissivePoint sample_emissive_point(const LightSet& lights, const TriangleMesh& mesh, glm::vec2 u)
+{
+    constexpr float kBelowOne = 0x1.fffffep-1f;
+    const double u_face = u.x;
+    const std::size_t i = selected_face(lights, u_face);
+    const double first = i == 0 ? 0.0 : lights.cumulative[i - 1];
+    u.x =
+        std::min(static_cast<float>((u_face - first) / (lights.cumulative[i] - first)), kBelowOne);
+    return point_on(lights, mesh, i, u);
 }
 
 bool shines_towards(const Bsdf& bsdf, const SurfacePoint& point, const glm::vec3& direction)

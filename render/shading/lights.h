@@ -39,6 +39,10 @@ struct EmissivePoint {
 EmissivePoint sample_emissive_point(const LightSet& lights, const TriangleMesh& mesh, double u_face,
                                     const glm::vec2& u);
 
+/// The same by two numbers instead of three, the first of which selects too: for no more than some
+/// tens of faces, as little of it is left then.
+EmissivePoint sample_emissive_point(const LightSet& lights, const TriangleMesh& mesh, glm::vec2 u);
+
 /// Whether the side of a face that `direction` leaves (unit, away from the face) may emit.
 bool shines_towards(const Bsdf& bsdf, const SurfacePoint& point, const glm::vec3& direction);
 
