@@ -17,7 +17,13 @@ inline std::uint64_t mix_bits(std::uint64_t x)
 }
 
 /// What random numbers are drawn for; streams of one seed are independent.
-enum class RandomStream : std::uint64_t { photons = 1, eye_paths = 2, pictures = 3, caustics = 4 };
+enum class RandomStream : std::uint64_t {
+    photons = 1,
+    eye_paths = 2,
+    pictures = 3,
+    caustics = 4,
+    seen_lights = 5
+};
 
 /// Uniform numbers in [0, 1) as a function of (seed, stream, pass, path, dimension) alone, so that
 /// neither the number of threads nor the order of work can change them.

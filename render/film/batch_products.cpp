@@ -1,6 +1,7 @@
 #include "render/film/batch_products.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace hipmap {
 
@@ -31,23 +32,29 @@ double mean_of_channels(const Image& image)
     return image.pixels.empty() ? 0 : sum / (3 * static_cast<double>(image.pixels.size()));
 }
 
-/// How many times w the weight of a batch may be, unless 1/D is more.
-constexpr double kMostWeight = 3;
-
 /// docs/error.md (5)
-struct RelativeWeight {
-    double value = 0; ///< w
-    double plain = 0; ///< 1/D
-};
-
-RelativeWeight relative_weight(double mean, double variance, double dark)
+double relative_weight(double mean, double variance, double dark)
 {
     const double seen = mean * mean;
     const double square = seen > 0 ? seen * seen / (seen + variance) : 0;
     const double plain = square + dark;
-    if (!(plain > 0))
-        return {};
-    return {1 / (plain + 4 * variance * square / plain), 1 / plain};
+    return plain > 0 ? 1 / (plain + 4 * variance * square / plain) : 0;
+}
+
+/// Of the channel in the pixels around; the pixel's own where there are none.
+double median_around(const Image& image, int x, int y, int channel)
+{
+    std::array<float, 8> values;
+    values.fill(std::numeric_limits<float>::infinity()); // stays behind what is found
+    std::size_t size = 0;
+    for (int v = std::max(0, y - 1); v <= std::min(image.height - 1, y + 1); ++v)
+        for (int u = std::max(0, x - 1); u <= std::min(image.width - 1, x + 1); ++u)
+            if (u != x || v != y)
+                values[size++] = image.at(u, v)[channel];
+    if (size == 0)
+        return image.at(x, y)[channel];
+    std::ranges::sort(values);
+    return (double{values[(size - 1) / 2]} + values[size / 2]) / 2;
 }
 
 template <typename A, typename B>
@@ -58,14 +65,32 @@ void add_products(Products& into, double weight, const A& a, const B& b)
             into.at(i, j) += weight * a[i] * b[j];
 }
 
+/// Fisher's k-statistic: of `n` values, whose expectation is their fourth cumulant.
+double fourth_cumulant(const std::array<double, kBatches>& values, double n)
+{
+    if (n < 4)
+        return 0;
+    double mean = 0, second = 0, fourth = 0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i)
+        mean += values[i] / n;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i) {
+        const double square = (values[i] - mean) * (values[i] - mean);
+        second += square / n;
+        fourth += square * square / n;
+    }
+    return n * n * ((n + 1) * fourth - 3 * (n - 1) * second * second) /
+           ((n - 1) * (n - 2) * (n - 3));
+}
+
 } // namespace
 
 ChannelReader::ChannelReader(const Film& film)
-    : film_(film), wide_(filled_batches(film.passes, kBatches)), unit_(std::ldexp(1.0, -film.scale))
+    : film_(film), wide_(filled_batches(film.passes, kBatches)), mean_(film_image(film)),
+      unit_(std::ldexp(1.0, -film.scale))
 {
     if (film.bias == BiasKnowledge::from_radii)
         narrow_ = filled_batches(film.passes, kNarrowBatches);
-    const double dark = kDarkShare * mean_of_channels(film_image(film));
+    const double dark = kDarkShare * mean_of_channels(mean_);
     dark_ = dark * dark;
 }
 
@@ -99,20 +124,28 @@ ChannelStatistics ChannelReader::read(std::size_t pixel, std::size_t channel) co
     }
     if (out.batches > 1)
         out.variance = squares / ((out.batches - 1) * out.passes);
-    const RelativeWeight weight = relative_weight(out.mean, out.variance, dark_);
-    const double most = std::max(kMostWeight * weight.value, weight.plain);
-    out.weight = weight.value;
-    for (std::size_t i = 0; i < wide_.batch.size() && out.batches > 1; ++i) {
-        if (kept[i] == 0)
-            continue;
-        const double square = out.deviation[i] * out.deviation[i];
-        const double without = weight_without(out, squares, i, sums[i], kept[i]);
-        out.noise += std::min(without, most) * square;
-        out.most_noise += without * square;
-    }
+    out.weight = relative_weight(out.mean, out.variance, dark_);
+    out.steady = weight_by_neighbours(out, pixel, channel);
+    out.noise = out.steady * squares;
+    for (std::size_t i = 0; i < wide_.batch.size() && out.batches > 1; ++i)
+        if (kept[i] > 0)
+            out.most_noise += weight_without(out, squares, i, sums[i], kept[i]) * out.deviation[i] *
+                              out.deviation[i];
     if (film_.bias == BiasKnowledge::from_radii)
         read_narrow(pixel, channel, out);
     return out;
+}
+
+/// By what the pixels around have, as far as the channel's own noise allows for it.
+double ChannelReader::weight_by_neighbours(const ChannelStatistics& own, std::size_t pixel,
+                                           std::size_t channel) const
+{
+    const int width = film_.width, at = static_cast<int>(pixel);
+    const double around = median_around(mean_, at % width, at / width, static_cast<int>(channel));
+    const double noise = std::sqrt(own.variance);
+    const double value = std::clamp(around, std::max(own.mean - noise, 0.0), own.mean + noise);
+    const double square = value * value + dark_;
+    return square > 0 ? 1 / square : 0;
 }
 
 /// The weight by all batches but `i`: what is bright by chance must not hide it.
@@ -124,7 +157,7 @@ double ChannelReader::weight_without(const ChannelStatistics& all, double square
     const double own = all.deviation[i] * all.deviation[i] * all.passes / others;
     const double variance =
         all.batches > 2 ? std::max(squares - own, 0.0) / ((all.batches - 2) * others) : 0;
-    return relative_weight(mean, variance, dark_).value;
+    return relative_weight(mean, variance, dark_);
 }
 
 void ChannelReader::read_narrow(std::size_t pixel, std::size_t channel,
@@ -158,9 +191,12 @@ BatchProducts batch_products(const Film& film)
     out.channels = 3 * static_cast<double>(film.pixel_count());
     out.deviations = Products(out.wide.batch.size());
     out.first = out.both = out.second = Products(out.narrow.batch.size());
-    for (std::size_t pixel = 0; pixel < film.pixel_count(); ++pixel)
+    for (std::size_t pixel = 0; pixel < film.pixel_count(); ++pixel) {
+        std::array<double, kBatches> of_pixel{};
         for (std::size_t channel = 0; channel < 3; ++channel) {
             const ChannelStatistics found = reader.read(pixel, channel);
+            for (std::size_t i = 0; i < kBatches; ++i)
+                of_pixel[i] += std::sqrt(found.steady / 3) * found.deviation[i];
             out.noise += found.noise;
             out.most_noise += found.most_noise;
             add_products(out.deviations, found.weight, found.deviation, found.deviation);
@@ -168,6 +204,8 @@ BatchProducts batch_products(const Film& film)
             add_products(out.both, found.weight, found.first, found.second);
             add_products(out.second, found.weight, found.second, found.second);
         }
+        out.fourth += fourth_cumulant(of_pixel, static_cast<double>(out.wide.batch.size()));
+    }
     return out;
 }
 

@@ -34,7 +34,8 @@ struct ChannelStatistics {
     double mean = 0;
     double variance = 0;   ///< of the mean, docs/error.md (4)
     double weight = 0;     ///< docs/error.md (5)
-    double noise = 0;      ///< sum of squares of `deviation`, weighed as docs/error.md (5) says
+    double steady = 0;     ///< the weight by the pixels around, docs/error.md (5)
+    double noise = 0;      ///< sum of squares of `deviation`, weighed by `steady`
     double most_noise = 0; ///< the same, each weighed by the other batches alone
     /// [K] sqrt(passes) times what a batch's mean differs from the mean.
     std::array<double, kBatches> deviation{};
@@ -49,6 +50,7 @@ struct BatchProducts {
     double channels = 0;          ///< 3 * pixels
     double noise = 0;             ///< of ChannelStatistics::noise
     double most_noise = 0;        ///< of ChannelStatistics::most_noise
+    double fourth = 0;            ///< sum over pixels of fourth cumulants, docs/error.md (7)
     Products deviations;          ///< of ChannelStatistics::deviation
     Products first, both, second; ///< first x first, first x second, second x second
 };
@@ -66,12 +68,15 @@ class ChannelReader {
   private:
     double sum(const std::vector<std::int64_t>& sums, std::uint64_t batch, std::size_t pixel,
                std::size_t channel) const;
+    double weight_by_neighbours(const ChannelStatistics& own, std::size_t pixel,
+                                std::size_t channel) const;
     double weight_without(const ChannelStatistics& all, double squares, std::size_t i, double sum,
                           double kept) const;
     void read_narrow(std::size_t pixel, std::size_t channel, ChannelStatistics& out) const;
 
     const Film& film_;
     Batches wide_, narrow_;
+    Image mean_;
     double unit_;
     double dark_ = 0; ///< c of docs/error.md (3)
 };

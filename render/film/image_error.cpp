@@ -24,10 +24,14 @@ NoiseSquare noise_square(const BatchProducts& products, const Spread& spread)
     out.value = products.noise / (others * products.wide.all);
     out.least = std::min(spread.energy / products.wide.all, out.value);
     out.most = std::max(products.most_noise / (others * products.wide.all), out.value);
-    const double freedom = spread.freedom();
-    if (out.value > 0)
-        out.interval = {out.value * f_quantile(-kZ, freedom, freedom * others),
-                        out.value * f_quantile(kZ, freedom, freedom * others)};
+    if (out.value > 0) {
+        const double energy = products.noise / others;
+        const double rare = std::max(products.fourth, 0.0) / (2 * (others + 1) * energy * energy);
+        const double above = 1 / (1 / spread.freedom() + rare);
+        const double below = 1 / (1 / (spread.freedom() * others) + rare);
+        out.interval = {out.value * f_quantile(-kZ, above, below),
+                        out.value * f_quantile(kZ, above, below)};
+    }
     return out;
 }
 

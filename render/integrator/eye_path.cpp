@@ -26,6 +26,7 @@ struct Branch {
     Rgb absorption{0.0f}; ///< of what the ray travels in
     float density = 0.0f; ///< per solid angle, that lobes sent the ray; 0: a mirror, glass, the eye
     int depth = 0;        ///< surfaces behind it
+    bool clear = true;    ///< nothing but mirrors and clear glass is behind it
 };
 
 /// Branches wait on a stack: each of the first kSplitDepth surfaces adds at most one.
@@ -127,6 +128,7 @@ void follow_glossy(const Interaction& at, const Branch& from, RandomSequence& ra
     next.depth = from.depth + 1;
     next.weight *= sample.weight / (sample.eta * sample.eta);
     next.density = sample.density;
+    next.clear = false;
     next.ray = scattered_ray(at, sample);
     if (sample.transmitted)
         next.absorption = absorption_beyond(at);
@@ -134,32 +136,60 @@ void follow_glossy(const Interaction& at, const Branch& from, RandomSequence& ra
         stack.push(next);
 }
 
-} // namespace
-
-Rgb trace_eye_path(const PassMaps& maps, const Ray& ray, RandomSequence& random,
-                   EyeScratch& scratch)
+BranchStack begin(const Ray& ray)
 {
-    Rgb radiance(0.0f);
     BranchStack stack;
     Branch first;
     first.ray = ray;
     stack.push(first);
+    return stack;
+}
+
+} // namespace
+
+Rgb trace_eye_path(const PassMaps& maps, const Ray& ray, SeenLights seen, RandomSequence& random,
+                   EyeScratch& scratch)
+{
+    Rgb radiance(0.0f);
+    BranchStack stack = begin(ray);
     while (stack.size > 0) {
         Branch branch = stack.branches[--stack.size];
+        const bool sees_lights = seen == SeenLights::added || !branch.clear;
         const std::optional<RayHit> hit = maps.scene.rays.nearest(branch.ray);
         if (!hit) {
-            radiance += branch.weight * maps.scene.lights.environment;
+            if (sees_lights)
+                radiance += branch.weight * maps.scene.lights.environment;
             continue;
         }
         branch.weight *= transmittance(branch.absorption, hit->distance);
         const Interaction at = interact(maps.scene, branch.ray, *hit);
-        radiance +=
-            branch.weight * emitted_radiance(at.bsdf, at.point, at.back) *
-            hit_weight(maps.scene, at.point, branch.ray.direction, hit->distance, branch.density);
+        if (sees_lights)
+            radiance += branch.weight * emitted_radiance(at.bsdf, at.point, at.back) *
+                        hit_weight(maps.scene, at.point, branch.ray.direction, hit->distance,
+                                   branch.density);
         radiance += branch.weight * scattered_light(maps, at, random, scratch);
         follow_specular(at, branch, random, stack);
         if (at.bsdf.follows())
             follow_glossy(at, branch, random, stack);
+    }
+    return radiance;
+}
+
+Rgb trace_seen_lights(const RenderScene& scene, const Ray& ray, RandomSequence& random)
+{
+    Rgb radiance(0.0f);
+    BranchStack stack = begin(ray);
+    while (stack.size > 0) {
+        Branch branch = stack.branches[--stack.size];
+        const std::optional<RayHit> hit = scene.rays.nearest(branch.ray);
+        if (!hit) {
+            radiance += branch.weight * scene.lights.environment;
+            continue;
+        }
+        branch.weight *= transmittance(branch.absorption, hit->distance);
+        const Interaction at = interact(scene, branch.ray, *hit);
+        radiance += branch.weight * emitted_radiance(at.bsdf, at.point, at.back);
+        follow_specular(at, branch, random, stack);
     }
     return radiance;
 }

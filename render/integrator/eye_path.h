@@ -27,11 +27,19 @@ struct EyeScratch {
     EstimateScratch global;
 };
 
+/// Whether an eye path is to add the lights that are seen directly, by mirrors and through clear
+/// glass: they may have samples of their own, docs/error.md (16).
+enum class SeenLights : std::uint8_t { added, left_out };
+
 /// Radiance that arrives along an eye ray, W/(m2 sr): emission, and at every diffuse surface seen
 /// directly or through mirrors and glass, light from the lights (if not from photons), the caustic
 /// map and the global map.  docs/light_transport.md (12).
 /// May not be finite if the scene's numbers overflow; the film drops such samples.  Thread-safe.
-Rgb trace_eye_path(const PassMaps& maps, const Ray& ray, RandomSequence& random,
+Rgb trace_eye_path(const PassMaps& maps, const Ray& ray, SeenLights seen, RandomSequence& random,
                    EyeScratch& scratch);
+
+/// What SeenLights::left_out leaves out, alone: rays to surfaces and no more, so that it costs a
+/// small part of an eye path.  Thread-safe.
+Rgb trace_seen_lights(const RenderScene& scene, const Ray& ray, RandomSequence& random);
 
 } // namespace hipmap

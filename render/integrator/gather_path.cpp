@@ -31,13 +31,11 @@ struct Branch {
     Rgb absorption{0.0f}; ///< of what the ray travels in
     float index2 = 1.0f;  ///< square of the index of what the ray travels in
     float density = 0.0f; ///< per solid angle, that lobes sent the ray; 0: a mirror, glass, the eye
+    bool clear = true;    ///< nothing but mirrors and clear glass is behind it
     bool gathers = false; ///< a gathered lobe is behind it
     bool straight = false;     ///< nothing else is since
     float indirect_radius = 0; ///< the first, of the indirect map where that lobe is
     int depth = 0;             ///< surfaces behind it
-
-    /// Light that the ray runs into counts: else it is the caustic map's.
-    bool sees_lights() const { return !gathers || straight; }
 };
 
 float importance(const Branch& branch)
@@ -87,6 +85,7 @@ Branch scatter(const Branch& from, const Interaction& at, Lobes lobes, RandomSeq
     Branch next = after(from);
     next.weight *= sample.weight;
     next.density = sample.density;
+    next.clear = false;
     if (lobes == Lobes::gathered)
         next.gathers = next.straight = true;
     next.ray = scattered_ray(at, sample);
@@ -142,8 +141,9 @@ bool survives(Branch& branch, RandomSequence& random)
 
 class GatherTracer {
   public:
-    GatherTracer(const GatherMaps& maps, RandomSequence& random, GatherScratch& scratch)
-        : maps_(maps), random_(random), scratch_(scratch)
+    GatherTracer(const GatherMaps& maps, SeenLights seen, RandomSequence& random,
+                 GatherScratch& scratch)
+        : maps_(maps), seen_(seen), random_(random), scratch_(scratch)
     {
     }
 
@@ -157,6 +157,14 @@ class GatherTracer {
     }
 
   private:
+    /// Light that the ray runs into counts: else it is the caustic map's, or has its own samples.
+    bool sees_lights(const Branch& branch) const
+    {
+        if (branch.clear)
+            return seen_ == SeenLights::added;
+        return !branch.gathers || branch.straight;
+    }
+
     void add(const Rgb& radiance)
     {
         for (Rgb& sum : radiance_)
@@ -168,13 +176,13 @@ class GatherTracer {
         const RenderScene& scene = maps_.scene;
         const std::optional<RayHit> hit = scene.rays.nearest(branch.ray);
         if (!hit) {
-            if (branch.sees_lights())
+            if (sees_lights(branch))
                 add(branch.weight * scene.lights.environment);
             return;
         }
         branch.weight *= transmittance(branch.absorption, hit->distance);
         const Interaction at = interact(scene, branch.ray, *hit);
-        if (branch.sees_lights())
+        if (sees_lights(branch))
             add(branch.weight * emitted_radiance(at.bsdf, at.point, at.back) *
                 hit_weight(scene, at.point, branch.ray.direction, hit->distance, branch.density));
         Branch gathering = branch;
@@ -270,6 +278,7 @@ class GatherTracer {
     }
 
     const GatherMaps& maps_;
+    const SeenLights seen_;
     RandomSequence& random_;
     GatherScratch& scratch_;
     BranchStack stack_;
@@ -278,10 +287,10 @@ class GatherTracer {
 
 } // namespace
 
-RadianceByRadius trace_gather_path(const GatherMaps& maps, const Ray& ray, RandomSequence& random,
-                                   GatherScratch& scratch)
+RadianceByRadius trace_gather_path(const GatherMaps& maps, const Ray& ray, SeenLights seen,
+                                   RandomSequence& random, GatherScratch& scratch)
 {
-    return GatherTracer(maps, random, scratch).trace(ray);
+    return GatherTracer(maps, seen, random, scratch).trace(ray);
 }
 
 } // namespace hipmap

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "common/math/random.h"
+#include "render/integrator/eye_path.h"
 #include "render/integrator/gather_radius.h"
 #include "render/maps/fixed_radius.h"
 #include "render/maps/photon_irradiance.h"
@@ -38,7 +39,7 @@ using RadianceByRadius = std::array<Rgb, 3>;
 /// diffuse surface, where both maps are read.  Biased by the maps' radii alone, which shrink from
 /// pass to pass.  May not be finite if the scene's numbers overflow; the film drops such samples.
 /// Thread-safe.
-RadianceByRadius trace_gather_path(const GatherMaps& maps, const Ray& ray, RandomSequence& random,
-                                   GatherScratch& scratch);
+RadianceByRadius trace_gather_path(const GatherMaps& maps, const Ray& ray, SeenLights seen,
+                                   RandomSequence& random, GatherScratch& scratch);
 
 } // namespace hipmap

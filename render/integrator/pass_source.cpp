@@ -1,5 +1,6 @@
 #include "render/integrator/pass_source.h"
 
+#include "render/integrator/light_allotment.h"
 #include "render/integrator/pass_photons.h"
 #include "render/integrator/path_tracer.h"
 #include "render/integrator/picture_tiles.h"
@@ -28,19 +29,19 @@ PassMapSet make_maps(const RenderScene& scene, const RenderOptions& options, std
 }
 
 RenderedPass render_pass(const RenderScene& scene, const MapSurfaces& surfaces,
-                         const RenderOptions& options, std::uint64_t pass,
-                         const PassControl& control, RenderStatistics& statistics)
+                         const PictureJob& job, const PassControl& control,
+                         RenderStatistics& statistics)
 {
-    const PassMapSet maps = make_maps(scene, options, pass, statistics);
+    const RenderOptions& options = job.options;
+    const PassMapSet maps = make_maps(scene, options, job.pass, statistics);
     const PassMaps pass_maps{scene, surfaces, maps.caustic, maps.global, options.direct};
-    const SampleAllotment evenly;
     return render_tiles<1, EyeScratch>(
-        {scene.scene.cameras[scene.scene.camera], options, pass, evenly},
-        after(control, kPhotonShare), statistics,
-        [&](const Ray& ray, RandomSequence& random, EyeScratch& scratch) -> Samples<1> {
+        job, after(control, kPhotonShare), statistics,
+        [&](const Ray& ray, SeenLights seen, RandomSequence& random,
+            EyeScratch& scratch) -> Samples<1> {
             if (options.integrator == Integrator::path)
                 return {trace_path(scene, ray, random, options.light)};
-            return {trace_eye_path(pass_maps, ray, random, scratch)};
+            return {trace_eye_path(pass_maps, ray, seen, random, scratch)};
         },
         [&](const EyeScratch& scratch) {
             statistics.caustic.searches += scratch.caustic.search.statistics;
@@ -53,7 +54,8 @@ double pilot_mean(const RenderScene& scene, const MapSurfaces& surfaces,
 {
     RenderStatistics ignored;
     const RenderOptions small = pilot_options(options);
-    const RenderedPass pilot = render_pass(scene, surfaces, small, kPilotPass, {}, ignored);
+    const RenderedPass pilot =
+        render_pass(scene, surfaces, {scene, small, kPilotPass, {}}, {}, ignored);
     return mean_of(pilot.images.radiance);
 }
 
@@ -100,9 +102,14 @@ PassSource make_pass_source(const RenderScene& scene, const RenderOptions& optio
     source.pilot_mean = pilot_mean(scene, *surfaces, options);
     source.bias =
         options.integrator == Integrator::path ? BiasKnowledge::unbiased : BiasKnowledge::unknown;
-    source.render = [&scene, &options, &statistics, surfaces](std::uint64_t pass,
-                                                              const PassControl& control) {
-        return render_pass(scene, *surfaces, options, pass, control, statistics);
+    auto allotment = std::make_shared<SampleAllotment>();
+    if (options.integrator == Integrator::direct)
+        allotment->lights = allot_light_samples(scene, options);
+    source.allotment = checksum(*allotment);
+    source.render = [&scene, &options, &statistics, surfaces,
+                     allotment](std::uint64_t pass, const PassControl& control) {
+        return render_pass(scene, *surfaces, {scene, options, pass, *allotment}, control,
+                           statistics);
     };
     return source;
 }

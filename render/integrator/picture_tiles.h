@@ -4,6 +4,7 @@
 #include "common/math/sampling.h"
 #include "common/rays/camera_ray.h"
 #include "common/stopwatch.h"
+#include "render/integrator/eye_path.h"
 #include "render/integrator/pass_source.h"
 #include "render/integrator/sample_allotment.h"
 
@@ -17,7 +18,7 @@ namespace hipmap {
 
 /// What the samples of one pass are taken by.
 struct PictureJob {
-    const Camera& camera;
+    const RenderScene& scene;
     const RenderOptions& options;
     std::uint64_t pass = 0;
     const SampleAllotment& allotment;
@@ -25,6 +26,10 @@ struct PictureJob {
     std::uint32_t samples(std::uint64_t pixel) const
     {
         return allotment.samples.empty() ? options.samples : allotment.samples[pixel];
+    }
+    std::uint32_t light_samples(std::uint64_t pixel) const
+    {
+        return allotment.lights.empty() ? 0 : allotment.lights[pixel];
     }
 };
 
@@ -39,37 +44,70 @@ inline bool is_finite_rgb(const Rgb& value)
 template <std::size_t images>
 using Samples = std::array<Rgb, images>;
 
+/// Passes of a batch share a sequence, and batches stay independent: docs/error.md (15).
+inline RandomSequence sample_sequence(const PictureJob& job, RandomStream stream,
+                                      std::uint64_t pixel, std::uint32_t samples, std::uint32_t s)
+{
+    return {job.options.seed, stream, job.pass % kBatches, pixel,
+            job.pass / kBatches * samples + s};
+}
+
+/// A ray through somewhere in the pixel.
+inline Ray pixel_ray(const PictureJob& job, int x, int y, RandomSequence& random)
+{
+    const glm::vec2 size(static_cast<float>(job.options.width),
+                         static_cast<float>(job.options.height));
+    const Camera& camera = job.scene.scene.cameras[job.scene.scene.camera];
+    const glm::vec2 at =
+        (glm::vec2(static_cast<float>(x), static_cast<float>(y)) + random.next2()) / size;
+    const glm::vec2 lens = has_lens(camera) ? sample_disc(random.next2()) : glm::vec2(0.0f);
+    return camera_ray(camera, at, size.x / size.y, lens);
+}
+
+/// The mean of the pixel's samples of seen lights alone that are finite.
+inline Rgb sample_seen_lights(const PictureJob& job, int x, int y)
+{
+    const std::uint64_t pixel = static_cast<std::uint64_t>(y) * job.options.width + x;
+    const std::uint32_t samples = job.light_samples(pixel);
+    Rgb sum(0);
+    std::uint32_t kept = 0;
+    for (std::uint32_t s = 0; s < samples; ++s) {
+        RandomSequence random = sample_sequence(job, RandomStream::seen_lights, pixel, samples, s);
+        const Ray ray = pixel_ray(job, x, y, random);
+        const Rgb seen = trace_seen_lights(job.scene, ray, random);
+        if (!is_finite(seen))
+            continue;
+        sum += seen;
+        ++kept;
+    }
+    return sum / static_cast<float>(std::max(1u, kept));
+}
+
 /// Takes the samples of a pixel: the mean of those that are finite, one for each image; `kept` is
 /// their number.
 template <std::size_t images, typename Trace>
 Samples<images> sample_pixel(const PictureJob& job, int x, int y, const Trace& trace,
                              std::uint32_t& kept)
 {
-    const RenderOptions& options = job.options;
-    const float width = static_cast<float>(options.width);
-    const float height = static_cast<float>(options.height);
-    const std::uint64_t pixel = static_cast<std::uint64_t>(y) * options.width + x;
+    const std::uint64_t pixel = static_cast<std::uint64_t>(y) * job.options.width + x;
     const std::uint32_t samples = job.samples(pixel);
+    const bool apart = job.light_samples(pixel) > 0;
     Samples<images> sum{};
     kept = 0;
     for (std::uint32_t s = 0; s < samples; ++s) {
-        // Passes of a batch share a sequence, and batches stay independent: docs/error.md (15).
-        RandomSequence random(options.seed, RandomStream::eye_paths, job.pass % kBatches, pixel,
-                              job.pass / kBatches * samples + s);
-        const glm::vec2 at =
-            (glm::vec2(static_cast<float>(x), static_cast<float>(y)) + random.next2()) /
-            glm::vec2(width, height);
-        const glm::vec2 lens = has_lens(job.camera) ? sample_disc(random.next2()) : glm::vec2(0.0f);
+        RandomSequence random = sample_sequence(job, RandomStream::eye_paths, pixel, samples, s);
+        const Ray ray = pixel_ray(job, x, y, random);
         const Samples<images> sample =
-            trace(camera_ray(job.camera, at, width / height, lens), random);
+            trace(ray, apart ? SeenLights::left_out : SeenLights::added, random);
         if (!std::all_of(sample.begin(), sample.end(), is_finite_rgb))
             continue;
         for (std::size_t i = 0; i < images; ++i)
             sum[i] += sample[i];
         ++kept;
     }
+    const Rgb lights = apart ? sample_seen_lights(job, x, y) : Rgb(0);
     for (Rgb& mean : sum)
-        mean /= static_cast<float>(std::max(1u, kept));
+        mean = mean / static_cast<float>(std::max(1u, kept)) + lights;
     return sum;
 }
 
@@ -100,10 +138,10 @@ std::uint64_t render_tile(const PictureJob& job, int tile, PassImages& out, cons
     return dropped;
 }
 
-/// Fills the images of a pass tile by tile, in parallel.  `trace(ray, random, scratch)` gives the
-/// Samples of a ray; `count(scratch)` hears what the scratch of a tile has counted, one at a time.
-/// A pixel without a finite sample, or of a tile that a stop left out, is not kept.  Adds passes,
-/// samples dropped and time to the statistics.
+/// Fills the images of a pass tile by tile, in parallel.  `trace(ray, seen, random, scratch)` gives
+/// the Samples of a ray; `count(scratch)` hears what the scratch of a tile has counted, one at a
+/// time. A pixel without a finite sample, or of a tile that a stop left out, is not kept.  Adds
+/// passes, samples dropped and time to the statistics.
 template <std::size_t images, typename Scratch, typename Trace, typename Count>
 RenderedPass render_tiles(const PictureJob& job, const PassControl& control,
                           RenderStatistics& statistics, const Trace& trace, const Count& count)
@@ -123,9 +161,9 @@ RenderedPass render_tiles(const PictureJob& job, const PassControl& control,
         if (control.stop != nullptr && control.stop->load())
             return;
         Scratch scratch;
-        const std::uint64_t lost =
-            render_tile<images>(job, tile, out.images, [&](const Ray& ray, RandomSequence& random) {
-                return trace(ray, random, scratch);
+        const std::uint64_t lost = render_tile<images>(
+            job, tile, out.images, [&](const Ray& ray, SeenLights seen, RandomSequence& random) {
+                return trace(ray, seen, random, scratch);
             });
         const std::lock_guard lock(mutex);
         count(scratch);

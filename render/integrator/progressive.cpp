@@ -2,6 +2,7 @@
 
 #include "common/stopwatch.h"
 #include "render/integrator/gather_path.h"
+#include "render/integrator/light_allotment.h"
 #include "render/integrator/pass_photons.h"
 #include "render/integrator/picture_tiles.h"
 
@@ -101,8 +102,8 @@ RenderedPass gather_pass(const RenderScene& scene, const Progressive& shared,
                           photons.irradiance ? &*photons.irradiance : nullptr};
     return render_tiles<3, GatherScratch>(
         job, after(control, kPhotonShare), statistics,
-        [&](const Ray& ray, RandomSequence& random, GatherScratch& scratch) {
-            return trace_gather_path(maps, ray, random, scratch);
+        [&](const Ray& ray, SeenLights seen, RandomSequence& random, GatherScratch& scratch) {
+            return trace_gather_path(maps, ray, seen, random, scratch);
         },
         [&](const GatherScratch& scratch) { count_searches(scratch, statistics); });
 }
@@ -112,8 +113,7 @@ RenderedPass render_pass(const RenderScene& scene, const Progressive& shared,
                          const PassControl& control, RenderStatistics& statistics)
 {
     const PassMapsByKind photons = make_maps(scene, shared, options, pass, statistics);
-    return gather_pass(scene, shared, photons,
-                       {scene.scene.cameras[scene.scene.camera], options, pass, shared.allotment},
+    return gather_pass(scene, shared, photons, {scene, options, pass, shared.allotment},
                        radius_of_pass(pass), control, statistics);
 }
 
@@ -125,14 +125,14 @@ double render_pilot(const RenderScene& scene, const RenderOptions& options, Prog
     small.width = (options.width + 1) / 2;
     small.height = (options.height + 1) / 2;
     const PassMapsByKind photons = make_maps(scene, shared, small, kPilotPass, ignored);
+    const SampleAllotment evenly{{}, allot_light_samples(scene, small)};
     const auto image_of = [&](std::uint64_t pass) {
-        return gather_pass(scene, shared, photons,
-                           {scene.scene.cameras[scene.scene.camera], small, pass, {}}, 1.0, {},
-                           ignored)
+        return gather_pass(scene, shared, photons, {scene, small, pass, evenly}, 1.0, {}, ignored)
             .images.radiance;
     };
     const Image first = image_of(kPilotPass), second = image_of(kPilotPass - 1);
     shared.allotment = allot_samples(first, second, options.width, options.height, options.samples);
+    shared.allotment.lights = allot_light_samples(scene, options);
     return (mean_of(first) + mean_of(second)) / 2;
 }
 

@@ -102,8 +102,9 @@ SampleAllotment allot_samples(const Image& first, const Image& second, int width
 std::uint64_t checksum(const SampleAllotment& allotment)
 {
     std::uint64_t sum = 0;
-    for (const std::uint16_t samples : allotment.samples)
-        sum = mix_bits(sum + samples + 1);
+    for (const auto* counts : {&allotment.samples, &allotment.lights})
+        for (const std::uint16_t samples : *counts)
+            sum = mix_bits(sum + samples + 1);
     return sum;
 }
 

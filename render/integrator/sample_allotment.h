@@ -11,6 +11,9 @@ namespace hipmap {
 /// image: were they revised by what passes show, neither its mean nor its error would be right.
 struct SampleAllotment {
     std::vector<std::uint16_t> samples; ///< empty: as many everywhere as the options say
+    /// Of lights that the eye sees, alone; 0: they are among the samples above.  Empty: 0
+    /// everywhere.
+    std::vector<std::uint16_t> lights;
 
     bool operator==(const SampleAllotment&) const = default;
 };
