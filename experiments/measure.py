@@ -4,8 +4,8 @@ import dataclasses
 import json
 import pathlib
 import struct
-import subprocess
-import sys
+
+import programs
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 SCENES = {1: "axis_aligned", 2: "hexagonal", 3: "egg_chair"}
@@ -65,12 +65,7 @@ def light_primitives(path):
 
 
 def run_tool(bench, tool, *arguments):
-    command = [str(bench.tools / tool), *map(str, arguments)]
-    done = subprocess.run(command, capture_output=True, text=True, check=False)
-    if done.returncode != 0:
-        lines = done.stderr.splitlines() or ["no message"]
-        sys.exit(f"error: {tool} ended with code {done.returncode}: {lines[-1]}")
-    return done.stdout
+    return programs.run(bench.tools, tool, *arguments).output
 
 
 def partition_path(bench, scene):

@@ -12,7 +12,6 @@ import dataclasses
 import datetime
 import itertools
 import json
-import operator
 import os
 import pathlib
 import platform
@@ -26,6 +25,7 @@ import figures
 import measure
 import pictures
 import questions
+from progress import Progress
 
 QUICK = {"divide": 10, "size": 96, "most_rounds": 1}
 FULL = {"divide": 1, "size": 256, "most_rounds": 3}
@@ -57,30 +57,22 @@ def parse_options():
     return options
 
 
-class Progress:
-    """Says on standard error what was done and how long the rest takes."""
+def weight(bench, setting):
+    """Seconds that a rendering takes, about."""
+    found = bench.size ** 2 * 0.75 * measure.neighbours(bench, setting.test)
+    paths = measure.light_paths(bench, setting.scene, setting.test)
+    return START_SECONDS + PATH_SECONDS * paths + FOUND_SECONDS * found
 
-    def __init__(self, bench, batches):
-        self.bench, self.start = bench, time.monotonic()
-        self.done, self.done_weight = 0, 0.0
-        settings = [setting for batch in batches for setting in batch]
-        times = [measure.rounds(bench, setting.scene, setting.test) for setting in settings]
-        self.total = sum(times)
-        self.total_weight = sum(map(operator.mul, times, map(self.weight, settings)))
 
-    def weight(self, setting):
-        found = self.bench.size ** 2 * 0.75 * measure.neighbours(self.bench, setting.test)
-        paths = measure.light_paths(self.bench, setting.scene, setting.test)
-        return START_SECONDS + PATH_SECONDS * paths + FOUND_SECONDS * found
-
-    def ran(self, setting, row):
-        self.done += 1
-        self.done_weight += self.weight(setting)
-        elapsed = time.monotonic() - self.start
-        left = elapsed * (self.total_weight / self.done_weight - 1)
-        print(f"[{self.done}/{self.total}] scene {setting.scene}, test {setting.test}, "
-              f"{setting.mode}, {setting.tree}: {row['stored']:,} photons; "
-              f"about {left / 60:.1f} min left", file=sys.stderr)
+def follow(bench, batches):
+    """ran(setting, row), which says how far the batches are."""
+    settings = [setting for batch in batches for setting in batch]
+    times = [measure.rounds(bench, setting.scene, setting.test) for setting in settings]
+    progress = Progress(sum(times), sum(count * weight(bench, setting)
+                                        for count, setting in zip(times, settings)))
+    return lambda setting, row: progress.ran(
+        f"scene {setting.scene}, test {setting.test}, {setting.mode}, {setting.tree}: "
+        f"{row['stored']:,} photons", weight(bench, setting))
 
 
 def commit():
@@ -115,11 +107,11 @@ def run_all(bench, options):
     print("measuring creases and filter radii", file=sys.stderr)
     singly = {"creases": questions.run_creases(bench, 10_000 // bench.divide),
               "filter": questions.run_filter(bench, options.scenes, options.tests)}
-    progress = Progress(bench, main + [batch for batches in asked.values() for batch in batches])
+    ran = follow(bench, main + [batch for batches in asked.values() for batch in batches])
     return {**singly,
             "rows": [row for batch in main
-                     for row in measure.measure_together(bench, batch, progress.ran)],
-            "questions": questions.measure_batches(bench, asked, progress.ran)}
+                     for row in measure.measure_together(bench, batch, ran)],
+            "questions": questions.measure_batches(bench, asked, ran)}
 
 
 def write(results, drawn, to):
@@ -166,9 +158,9 @@ def update(options, results_file):
             measure.make_partition(bench, scene)
         batches = list(itertools.starmap(main_batch,
                                          itertools.product(options.scenes, options.tests)))
-        progress = Progress(bench, batches)
+        ran = follow(bench, batches)
         rows = [row for batch in batches
-                for row in measure.measure_together(bench, batch, progress.ran)]
+                for row in measure.measure_together(bench, batch, ran)]
     new = {(row["scene"], row["test"]): row for row in rows}
     kept = [row for row in results["rows"] if (row["scene"], row["test"]) not in new]
     results["about"].setdefault("again", []).extend(

@@ -17,6 +17,7 @@ import time
 
 import report
 import runs
+from progress import Progress
 
 SEEDS = 50
 
@@ -42,19 +43,6 @@ def parse_options():
     whole = options.again or options.seeds >= SEEDS
     options.to = options.to or runs.ROOT / ("docs" if whole else "out/calibration")
     return options
-
-
-class Progress:
-    """Says on standard error what was done and how long the rest takes."""
-
-    def __init__(self, total):
-        self.start, self.done, self.total = time.monotonic(), 0, total
-
-    def ran(self, text):
-        self.done += 1
-        left = (time.monotonic() - self.start) * (self.total / self.done - 1)
-        print(f"[{self.done}/{self.total}] {text}; about {left / 60:.1f} min left",
-              file=sys.stderr, flush=True)
 
 
 def calibrate(lab, scene, integrators, seeds, progress):

@@ -6,10 +6,11 @@ import json
 import math
 import pathlib
 import struct
-import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+sys.path.append(str(ROOT / "experiments"))
+import programs
 SCENES = {path.stem: path for folder in ("assets", "experiments/scenes")
           for path in sorted((ROOT / folder).glob("*.glb"))}
 # Where all light comes through glass, so that paths hardly ever find it.
@@ -84,16 +85,7 @@ class Lab:
     threads: int
 
     def run(self, tool, *arguments):
-        command = [str(self.tools / tool), *map(str, arguments)]
-        try:
-            done = subprocess.run(command, capture_output=True, text=True, check=False)
-        except OSError:
-            sys.exit(f"error: {command[0]} is missing; build it: cmake --build build/release "
-                     "--target preprocess render compare_images")
-        if done.returncode != 0:
-            lines = done.stderr.splitlines() or ["no message"]
-            sys.exit(f"error: {tool} ended with code {done.returncode}: {lines[-1]}")
-        return done.stdout
+        return programs.run(self.tools, tool, *arguments).output
 
     def partition(self, scene):
         return self.folder / f"{scene}.hpm"

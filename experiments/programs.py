@@ -1,0 +1,36 @@
+"""Runs hipmap's programs from outside, as a user would."""
+
+import dataclasses
+import os
+import subprocess
+import sys
+import tempfile
+
+
+@dataclasses.dataclass(frozen=True)
+class Done:
+    """What a program printed on standard output, and the processor's seconds that it took, of all
+    its threads together, user and system."""
+
+    output: str
+    seconds: float
+
+
+def run(folder, program, *arguments):
+    """Runs a program of the folder; ends this one with one line if that fails.  Any thread."""
+    command = [str(folder / program), *map(str, arguments)]
+    with tempfile.TemporaryFile("w+") as output, tempfile.TemporaryFile("w+") as errors:
+        try:
+            process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=output,
+                                       stderr=errors)
+        except OSError:
+            sys.exit(f"error: {command[0]} is missing; build it: cmake --build build/release "
+                     f"--target {program}")
+        _, status, used = os.wait4(process.pid, 0)
+        process.returncode = os.waitstatus_to_exitcode(status)
+        output.seek(0)
+        errors.seek(0)
+        if process.returncode != 0:
+            lines = errors.read().splitlines() or ["no message"]
+            sys.exit(f"error: {program} ended with code {process.returncode}: {lines[-1]}")
+        return Done(output.read(), used.ru_utime + used.ru_stime)
