@@ -2,6 +2,8 @@
 
 import dataclasses
 import os
+import pathlib
+import platform
 import subprocess
 import sys
 import tempfile
@@ -34,3 +36,16 @@ def run(folder, program, *arguments):
             lines = errors.read().splitlines() or ["no message"]
             sys.exit(f"error: {program} ended with code {process.returncode}: {lines[-1]}")
         return Done(output.read(), used.ru_utime + used.ru_stime)
+
+
+def machine():
+    """The processor as it calls itself, and the cores."""
+    name = platform.machine()
+    try:
+        for line in pathlib.Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines():
+            if line.startswith("model name"):
+                name = line.split(":", 1)[1].strip()
+                break
+    except OSError:
+        pass
+    return f"{name}, {os.cpu_count()} cores"

@@ -14,7 +14,6 @@ import itertools
 import json
 import os
 import pathlib
-import platform
 import subprocess
 import sys
 import tempfile
@@ -24,6 +23,7 @@ import document
 import figures
 import measure
 import pictures
+import programs
 import questions
 from progress import Progress
 
@@ -81,19 +81,6 @@ def commit():
     return done.stdout.strip() or "unknown"
 
 
-def machine():
-    """The processor as it calls itself, and the cores."""
-    name = platform.machine()
-    try:
-        for line in pathlib.Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines():
-            if line.startswith("model name"):
-                name = line.split(":", 1)[1].strip()
-                break
-    except OSError:
-        pass
-    return f"{name}, {os.cpu_count()} cores"
-
-
 def main_batch(scene, test):
     """The settings of one scene and test, to be measured in turn."""
     return [measure.Setting(scene, test, mode, tree) for tree in measure.TREES
@@ -133,7 +120,7 @@ def run(options, results_file):
     with tempfile.TemporaryDirectory() as folder:
         bench = measure.Bench(options.tools, pathlib.Path(folder), **settings)
         about = {"date": datetime.date.today().isoformat(), "commit": commit(),
-                 "machine": machine(), **settings}
+                 "machine": programs.machine(), **settings}
         for scene in options.scenes:
             measure.make_partition(bench, scene)
         results = {"about": about, "pictures": {}, **run_all(bench, options)}

@@ -1,0 +1,104 @@
+"""What the results (results.json) say of a scene and a setting."""
+
+import math
+
+import arithmetic
+import plan
+
+
+def runs(results, kind, scene, setting):
+    """Of all seeds: [[[passes, seconds, relMSE]]]."""
+    begin = f"{kind}/{scene.name}/{setting.name}/"
+    return [run for key, run in results["runs"].items() if key.startswith(begin)]
+
+
+def curve(results, kind, scene, setting):
+    """[(seconds, error, its standard error, passes)]"""
+    return arithmetic.mean_curve(runs(results, kind, scene, setting))
+
+
+def curves(results, scene):
+    """By the name of the setting; those that have a point."""
+    found = {name: curve(results, "image", scene, setting)
+             for name, setting in plan.SETTINGS.items()}
+    return {name: points for name, points in found.items() if points}
+
+
+def scenes(results):
+    return [scene for scene in plan.SCENES.values()
+            if f"noise/{scene.name}" in results["runs"]]
+
+
+def reference_noise(results, scene, size):
+    """Error of the reference that is noise."""
+    return math.sqrt(results["runs"][f"noise/{scene.name}"][str(size)])
+
+
+def reference_seconds(results, scene):
+    return sum(results["runs"][f"reference/{scene.name}/{half}"]["seconds"] for half in (0, 1))
+
+
+def quickest(found, names, error):
+    """(name, seconds) of the setting that meets an error first; None: none does."""
+    met = [(arithmetic.seconds_to(found[name], error), name) for name in names if name in found]
+    met = [(seconds, name) for seconds, name in met if seconds is not None]
+    return min(met)[::-1] if met else None
+
+
+def measured_to(found, name):
+    """Seconds of the last point of a curve."""
+    return found[name][-1][0] if name in found else 0.0
+
+
+def against_path(found, name, error):
+    """(seconds, seconds of path, ratio, whether the ratio is only known to be below that).  None:
+    the setting does not meet the error."""
+    seconds = arithmetic.seconds_to(found.get(name, []), error)
+    if seconds is None:
+        return None
+    path = arithmetic.seconds_to(found.get(plan.PATH, []), error)
+    if path is not None:
+        return seconds, path, seconds / path, False
+    end = measured_to(found, plan.PATH)
+    return (seconds, None, seconds / end, True) if end else None
+
+
+MOST_SLOWER = 1.5  # times that the progressive integrator may take without caustics
+WITHIN = 1.5  # times, of a promise
+
+
+def keeps_mark(scene, ratio, only_below):
+    """True, False, or None where that is not known."""
+    most = 1.0 if scene.caustics else MOST_SLOWER
+    if ratio < most:
+        return True
+    return None if only_below else False
+
+
+def kept(quote):
+    """Whether passes and true error are within a factor of what was promised."""
+    if not quote["met"] or quote["error2"] <= 0:
+        return False
+    ratios = (quote["passes"] / quote["promised_passes"],
+              math.sqrt(quote["error2"]) / quote["error"])
+    return all(1 / WITHIN <= ratio <= WITHIN for ratio in ratios)
+
+
+def recommended(results, names, error):
+    """The setting that loses least to the quickest of each scene on the scene where it loses most:
+    (name, times, [its seconds by scene]).  None: none meets the error wherever any does."""
+    worst, taken = {}, {}
+    for scene in scenes(results):
+        found = curves(results, scene)
+        best = quickest(found, names, error)
+        if best is None:
+            continue
+        for name in names:
+            seconds = arithmetic.seconds_to(found.get(name, []), error)
+            worst[name] = max(worst.get(name, 0),
+                              math.inf if seconds is None else seconds / best[1])
+            taken.setdefault(name, []).append(seconds)
+    if not worst or min(worst.values()) == math.inf:
+        return None
+    name = min(worst, key=worst.get)
+    return name, worst[name], taken[name]

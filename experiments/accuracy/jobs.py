@@ -1,0 +1,115 @@
+"""What is to be done, in stages: each needs what the stages before it found."""
+
+import concurrent.futures
+import dataclasses
+import time
+import typing
+
+import plan
+import findings
+from lab import schedule
+
+
+@dataclasses.dataclass(frozen=True)
+class Job:
+    """key: of its result.  weight: the processor's seconds that it takes, about."""
+
+    key: str
+    weight: float
+    do: typing.Callable
+
+
+def probe(lab, kind, scene, setting, size):
+    return Job(f"probe/{kind}/{scene.name}/{setting.name}",
+               0.1 * setting.seconds * lab.study.share,
+               lambda: lab.probe(scene, setting, size))
+
+
+def probes(lab, scene):
+    """What a pass takes, by each setting."""
+    small, large = lab.study.size, lab.study.reference_size
+    yield probe(lab, "reference", scene, plan.reference_of(scene).setting, large)
+    for setting in plan.SETTINGS.values():
+        yield probe(lab, "image", scene, setting, small)
+    for setting in plan.MINUTE_SETTINGS.values() if scene.mark else ():
+        yield probe(lab, "minute", scene, setting, large)
+
+
+def references(lab, notebook, scene):
+    setting = plan.reference_of(scene).setting
+    for half in (0, 1):
+        def make(half=half):
+            return lab.make_half(scene, half,
+                                 notebook[f"probe/reference/{scene.name}/{setting.name}"])
+        yield Job(f"reference/{scene.name}/{half}", setting.seconds * lab.study.share, make)
+
+
+def images(lab, notebook, scene, setting):
+    """All seeds at the same passes."""
+    study, seconds = lab.study, setting.seconds * lab.study.share
+    for seed in range(study.seeds):
+        def render(seed=seed):
+            probed = notebook[f"probe/image/{scene.name}/{setting.name}"]
+            passes = schedule(probed["start"], probed["pass"], seconds)
+            return lab.run(scene, setting, study.size, seed, passes, probed["start"])
+        yield Job(f"image/{scene.name}/{setting.name}/{seed}", seconds, render)
+
+
+def minutes(lab, notebook, scene, setting):
+    """At half the time and at all of it."""
+    study, seconds = lab.study, setting.seconds * lab.study.share
+    for seed in range(study.minute_seeds):
+        def render(seed=seed):
+            probed = notebook[f"probe/minute/{scene.name}/{setting.name}"]
+            last = max(2, round((seconds - probed["start"]) / probed["pass"]))
+            return lab.run(scene, setting, study.reference_size, plan.MINUTE_SEED + seed,
+                           [last // 2, last], probed["start"])
+        yield Job(f"minute/{scene.name}/{setting.name}/{seed}", seconds, render)
+
+
+def quotes(lab, notebook, scene):
+    """Of errors about as small as the smallest of the curve."""
+    for number, part in enumerate(plan.QUOTED_PARTS):
+        def ask(number=number, part=part):
+            curve = findings.curve(notebook.results, "image", scene, plan.SETTINGS[plan.BASE])
+            if not curve:
+                return None
+            error = float(f"{min(1, part * curve[-1][1]):.2g}")
+            return lab.keep_promise(scene, plan.SETTINGS[plan.BASE], error,
+                                    plan.QUOTE_SEED + number)
+        yield Job(f"quote/{scene.name}/{number}", plan.QUOTE_SECONDS * lab.study.share, ask)
+
+
+def noises(lab, scene):
+    yield Job(f"noise/{scene.name}", 0.1, lambda: lab.noise2(scene))
+
+
+def stages(lab, notebook, scenes):
+    """[[Job]]: those of a stage in any order, at the same time."""
+    first = [job for scene in scenes for job in probes(lab, scene)]
+    second = [job for scene in scenes for job in references(lab, notebook, scene)]
+    third = [job for scene in scenes for job in noises(lab, scene)]
+    for scene in scenes:
+        for setting in plan.MINUTE_SETTINGS.values() if scene.mark else ():
+            third += minutes(lab, notebook, scene, setting)
+        for setting in plan.SETTINGS.values():
+            third += images(lab, notebook, scene, setting)
+    return [first, second, third, [job for scene in scenes
+                                   for job in quotes(lab, notebook, scene)]]
+
+
+def do_all(jobs, notebook, progress, workers):
+    """So many at a time.  The first that fails ends all."""
+    def do(job):
+        begun = time.monotonic()
+        notebook.write_down(job.key, job.do(), time.monotonic() - begun)
+        return job
+
+    with concurrent.futures.ThreadPoolExecutor(workers) as pool:
+        running = [pool.submit(do, job) for job in jobs]
+        try:
+            for done in concurrent.futures.as_completed(running):
+                progress.ran(done.result().key, done.result().weight)
+        except BaseException:
+            pool.shutdown(cancel_futures=True)
+            raise
