@@ -9,8 +9,8 @@ namespace hipmap {
 
 namespace {
 
-/// Most shadow rays towards punctual lights; more lights than that are taken in strata.
-constexpr std::size_t kMostPunctual = 16;
+/// Shadow rays towards those punctual lights that a tree chooses from.
+constexpr int kChosenLamps = 4;
 
 /// A light sample in both sets of lobes.
 struct InLobes {
@@ -60,50 +60,52 @@ Rgb from_punctual(const RenderScene& scene, const Interaction& at, const Punctua
     return sent;
 }
 
-/// Of few faces, one is picked by the first of the two numbers that give the point on it, so that
-/// samples that are stratified are so over all of them.
-EmissivePoint sample_light(const RenderScene& scene, RandomSequence& random)
+/// Rough glass takes light from both sides.
+LightReceiver receiver(const Interaction& at)
 {
-    constexpr std::size_t kFew = 64;
-    const LightSet& lights = scene.lights;
-    if (lights.emissive_faces.size() <= kFew)
-        return sample_emissive_point(lights, scene.mesh(), random.next2());
-    const float u_face = random.next();
-    return sample_emissive_point(lights, scene.mesh(), u_face, random.next2());
+    return {at.point.position, at.bsdf.glass > 0 ? glm::vec3(0) : at.normal};
+}
+
+/// Chance per solid angle that sampling the emissive faces finds a point, of that per area.
+float per_solid_angle(float density, const SurfacePoint& on_light, const glm::vec3& direction,
+                      float distance)
+{
+    const float cosine = std::abs(glm::dot(direction, on_light.geometric_normal));
+    return cosine > 0 ? density * distance * distance / cosine : 0;
 }
 
 } // namespace
 
-float emissive_density(const RenderScene& scene, const SurfacePoint& on_light,
-                       const glm::vec3& direction, float distance)
+RaySource source_at(const Interaction& at, float density)
 {
-    const float cosine = std::abs(glm::dot(direction, on_light.geometric_normal));
-    return cosine > 0 ? scene.lights.density[on_light.face] * distance * distance / cosine : 0;
+    return {receiver(at), density};
 }
 
 float hit_weight(const RenderScene& scene, const SurfacePoint& on_light, const glm::vec3& direction,
-                 float distance, float density)
+                 float distance, const RaySource& source)
 {
-    if (density == 0 || scene.lights.density.empty())
+    if (source.density == 0 || scene.lights.density.empty())
         return 1;
-    return power_heuristic(density, emissive_density(scene, on_light, direction, distance));
+    const float density = emissive_density(scene.lights, scene.mesh(), source.at, on_light.face);
+    return power_heuristic(source.density, per_solid_angle(density, on_light, direction, distance));
 }
 
 Rgb punctual_light(const RenderScene& scene, const Interaction& at, const LobeRays& rays,
                    RandomSequence& random)
 {
-    const std::vector<PunctualLight>& lights = scene.lights.punctual;
+    const LightSet& lights = scene.lights;
     Rgb sum(0.0f);
-    if (lights.size() <= kMostPunctual) {
-        for (const PunctualLight& light : lights)
-            sum += from_punctual(scene, at, light, rays);
+    for (const std::uint32_t lamp : lights.other_lamps)
+        sum += from_punctual(scene, at, lights.punctual[lamp], rays);
+    if (lights.lamp_tree.empty())
         return sum;
-    }
-    const float stride = static_cast<float>(lights.size()) / kMostPunctual;
-    for (std::size_t i = 0; i < kMostPunctual; ++i) {
-        const auto pick =
-            static_cast<std::size_t>((static_cast<float>(i) + random.next()) * stride);
-        sum += stride * from_punctual(scene, at, lights[std::min(pick, lights.size() - 1)], rays);
+    const LightReceiver from = receiver(at);
+    for (int i = 0; i < kChosenLamps; ++i) {
+        const double u = (i + double{random.next()}) / kChosenLamps;
+        if (const std::optional<ChosenLight> chosen = choose_light(lights.lamp_tree, from, u))
+            sum += from_punctual(scene, at, lights.punctual[lights.chosen_lamps[chosen->light]],
+                                 rays) /
+                   static_cast<float>(kChosenLamps * chosen->chance);
     }
     return sum;
 }
@@ -113,10 +115,13 @@ Rgb emissive_light(const RenderScene& scene, const Interaction& at, const LobeRa
 {
     if (scene.lights.emissive_faces.empty())
         return Rgb(0);
-    const EmissivePoint light = sample_light(scene, random);
+    const EmissivePoint light =
+        sample_emissive_point(scene.lights, scene.mesh(), receiver(at), random);
+    if (!(light.density > 0))
+        return Rgb(0);
     const Ray shadow = ray_between(at.point, light.surface.position);
     const float distance = glm::length(light.surface.position - at.point.position);
-    const float density = emissive_density(scene, light.surface, shadow.direction, distance);
+    const float density = per_solid_angle(light.density, light.surface, shadow.direction, distance);
     if (!(density > 0))
         return Rgb(0);
     const InLobes lobes = in_lobes(at, shadow.direction, rays);
@@ -149,7 +154,7 @@ Rgb found_light(const RenderScene& scene, const Interaction& at, RandomSequence&
     if (!shines_towards(bsdf, light, -ray.direction))
         return Rgb(0);
     return sample.weight * emission_at(scene, hit->face, hit->barycentric) *
-           hit_weight(scene, light, ray.direction, hit->distance, sample.density);
+           hit_weight(scene, light, ray.direction, hit->distance, source_at(at, sample.density));
 }
 
 Rgb sampled_light(const RenderScene& scene, const Interaction& at, const LobeRays& rays,

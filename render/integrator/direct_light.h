@@ -12,20 +12,23 @@ struct LobeRays {
     float followed = 0.0f;
 };
 
-/// Chance per solid angle, at a point `distance` away, that sampling the emissive faces finds
-/// `on_light`.  direction: between the two, unit.
-float emissive_density(const RenderScene& scene, const SurfacePoint& on_light,
-                       const glm::vec3& direction, float distance);
+/// Where a ray comes from.
+struct RaySource {
+    LightReceiver at;
+    float density = 0.0f; ///< chance per solid angle that lobes sent it; 0: a mirror, glass or the
+                          ///<   eye did, and sampling the lights could not have found its light
+};
 
-/// The part of the light from `on_light` that counts for a ray that ran into it, the rest being
-/// that of `emissive_light` (power heuristic, Veach 1997).  density: chance per solid angle that
-/// the lobes at the ray's origin sent it; 0: nothing else could have found the light, and all
-/// counts.
+/// Of a ray that lobes of the surface sent.
+RaySource source_at(const Interaction& at, float density);
+
+/// The part of the light from `on_light` that counts for a ray that ran into it at `distance`, the
+/// rest being that of `emissive_light` (power heuristic, Veach 1997).  direction: of the ray.
 float hit_weight(const RenderScene& scene, const SurfacePoint& on_light, const glm::vec3& direction,
-                 float distance, float density);
+                 float distance, const RaySource& source);
 
-/// Radiance towards `at.back` of light straight from punctual lights: all of them, or one from each
-/// of 16 strata.
+/// Radiance towards `at.back` of light straight from punctual lights: all of them, or all suns and
+/// some of the others, chosen by a tree.
 Rgb punctual_light(const RenderScene& scene, const Interaction& at, const LobeRays& rays,
                    RandomSequence& random);
 

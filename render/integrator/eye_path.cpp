@@ -24,9 +24,9 @@ struct Branch {
     Ray ray;
     Rgb weight{1.0f};
     Rgb absorption{0.0f}; ///< of what the ray travels in
-    float density = 0.0f; ///< per solid angle, that lobes sent the ray; 0: a mirror, glass, the eye
-    int depth = 0;        ///< surfaces behind it
-    bool clear = true;    ///< nothing but mirrors and clear glass is behind it
+    RaySource source;
+    int depth = 0;     ///< surfaces behind it
+    bool clear = true; ///< nothing but mirrors and clear glass is behind it
 };
 
 /// Branches wait on a stack: each of the first kSplitDepth surfaces adds at most one.
@@ -101,7 +101,7 @@ void follow_specular(const Interaction& at, const Branch& from, RandomSequence& 
     }
     Branch next = from;
     next.depth = from.depth + 1;
-    next.density = 0;
+    next.source = {};
     if (transmit_chance > 0 && transmit > 0) {
         next.ray = transmitted_ray(at, lobes.eta);
         next.absorption = absorption_beyond(at);
@@ -127,7 +127,7 @@ void follow_glossy(const Interaction& at, const Branch& from, RandomSequence& ra
     Branch next = from;
     next.depth = from.depth + 1;
     next.weight *= sample.weight / (sample.eta * sample.eta);
-    next.density = sample.density;
+    next.source = source_at(at, sample.density);
     next.clear = false;
     next.ray = scattered_ray(at, sample);
     if (sample.transmitted)
@@ -166,7 +166,7 @@ Rgb trace_eye_path(const PassMaps& maps, const Ray& ray, SeenLights seen, Random
         if (sees_lights)
             radiance += branch.weight * emitted_radiance(at.bsdf, at.point, at.back) *
                         hit_weight(maps.scene, at.point, branch.ray.direction, hit->distance,
-                                   branch.density);
+                                   branch.source);
         radiance += branch.weight * scattered_light(maps, at, random, scratch);
         follow_specular(at, branch, random, stack);
         if (at.bsdf.follows())

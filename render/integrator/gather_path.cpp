@@ -30,9 +30,9 @@ struct Branch {
     Rgb weight{1.0f};
     Rgb absorption{0.0f}; ///< of what the ray travels in
     float index2 = 1.0f;  ///< square of the index of what the ray travels in
-    float density = 0.0f; ///< per solid angle, that lobes sent the ray; 0: a mirror, glass, the eye
-    bool clear = true;    ///< nothing but mirrors and clear glass is behind it
-    bool gathers = false; ///< a gathered lobe is behind it
+    RaySource source;
+    bool clear = true;         ///< nothing but mirrors and clear glass is behind it
+    bool gathers = false;      ///< a gathered lobe is behind it
     bool straight = false;     ///< nothing else is since
     float indirect_radius = 0; ///< the first, of the indirect map where that lobe is
     int depth = 0;             ///< surfaces behind it
@@ -64,7 +64,7 @@ struct BranchStack {
 Branch after(const Branch& from)
 {
     Branch next = from;
-    next.density = 0;
+    next.source = {};
     next.straight = false;
     ++next.depth;
     return next;
@@ -84,7 +84,7 @@ Branch scatter(const Branch& from, const Interaction& at, Lobes lobes, RandomSeq
     const ScatterSample sample = sample_scatter(at, lobes, random);
     Branch next = after(from);
     next.weight *= sample.weight;
-    next.density = sample.density;
+    next.source = source_at(at, sample.density);
     next.clear = false;
     if (lobes == Lobes::gathered)
         next.gathers = next.straight = true;
@@ -184,7 +184,7 @@ class GatherTracer {
         const Interaction at = interact(scene, branch.ray, *hit);
         if (sees_lights(branch))
             add(branch.weight * emitted_radiance(at.bsdf, at.point, at.back) *
-                hit_weight(scene, at.point, branch.ray.direction, hit->distance, branch.density));
+                hit_weight(scene, at.point, branch.ray.direction, hit->distance, branch.source));
         Branch gathering = branch;
         const bool onward = at.bsdf.gathers() && !add_photons(gathering, at, hit->distance);
         if (onward)

@@ -21,7 +21,7 @@ struct Path {
     Rgb weight{1.0f};
     Rgb absorption{0.0f}; ///< of what the ray travels in
     float index2 = 1.0f;  ///< square of the index of what the ray travels in
-    float density = 0.0f; ///< per solid angle, that lobes sent the ray; 0: a mirror, glass, the eye
+    RaySource source;
     bool gathers = false; ///< a gathered lobe is behind it
     bool straight = true; ///< nothing else is since
 };
@@ -69,7 +69,7 @@ bool follow_lobes(const Interaction& at, Lobes lobes, float chance, RandomSequen
     path.straight = lobes == Lobes::gathered;
     path.gathers = path.gathers || path.straight;
     path.weight *= sample.weight / chance;
-    path.density = chance * sample.density;
+    path.source = source_at(at, chance * sample.density);
     path.ray = scattered_ray(at, sample);
     if (sample.transmitted)
         enter(at, sample.eta, path);
@@ -87,7 +87,7 @@ bool follow(const Interaction& at, const LobeChances& chances, const SpecularLob
     if (drawn < chances.followed)
         return follow_lobes(at, Lobes::followed, chances.followed, random, path);
     drawn -= chances.followed;
-    path.density = 0;
+    path.source = {};
     path.straight = false;
     if (drawn < chances.mirror) {
         path.ray = mirror_ray(at);
@@ -129,9 +129,8 @@ Rgb trace_path(const RenderScene& scene, const Ray& ray, RandomSequence& random,
         path.weight *= transmittance(path.absorption, hit->distance);
         const Interaction at = interact(scene, path.ray, *hit);
         if (sees_lights)
-            radiance +=
-                path.weight * emitted_radiance(at.bsdf, at.point, at.back) *
-                hit_weight(scene, at.point, path.ray.direction, hit->distance, path.density);
+            radiance += path.weight * emitted_radiance(at.bsdf, at.point, at.back) *
+                        hit_weight(scene, at.point, path.ray.direction, hit->distance, path.source);
         const SpecularLobes lobes = specular_lobes(at.bsdf, at.cosine, at.front, at.solid);
         const LobeChances chances = chances_of(path, at, lobes, light);
         const LobeRays rays{chances.gathered,

@@ -9,6 +9,10 @@ namespace hipmap {
 
 namespace {
 
+/// More emissive faces than these, or more lamps, are chosen by a tree.
+constexpr std::size_t kFewFaces = 2;
+constexpr std::size_t kFewLamps = 16;
+
 /// docs/light_transport.md (6): the glTF cone, squared linear fall-off in the cosine.
 float spot_falloff(const PunctualLight& light, float cosine)
 {
@@ -66,6 +70,74 @@ EmissivePoint point_on(const LightSet& lights, const TriangleMesh& mesh, std::si
     return {surface_point(mesh, face, barycentric), barycentric, lights.density[face]};
 }
 
+/// By power, and by a number that gives a point on it as well; what is left of it remains.
+std::size_t select_by(float& u, const LightSet& lights)
+{
+    constexpr float kBelowOne = 0x1.fffffep-1f;
+    const double u_face = u;
+    const std::size_t i = selected_face(lights, u_face);
+    const double first = i == 0 ? 0.0 : lights.cumulative[i - 1];
+    u = std::min(static_cast<float>((u_face - first) / (lights.cumulative[i] - first)), kBelowOne);
+    return i;
+}
+
+LightBounds bounds_of_face(const TriangleMesh& mesh, FaceId face, bool both_sides, double power)
+{
+    LightBounds out;
+    for (int c = 0; c < 3; ++c)
+        out.box.add(mesh.positions[mesh.corners[face][c]]);
+    out.axis = glm::vec3(glm::normalize(scaled_normal(mesh, face)));
+    out.both_sides = both_sides;
+    out.power = power;
+    return out;
+}
+
+void grow_face_tree(LightSet& lights, const TriangleMesh& mesh, const std::vector<Bsdf>& bsdfs)
+{
+    if (lights.emissive_faces.size() <= kFewFaces)
+        return;
+    lights.place_of_face.assign(mesh.face_count(), 0);
+    std::vector<LightBounds> bounds;
+    for (const FaceId face : lights.emissive_faces) {
+        lights.place_of_face[face] = static_cast<std::uint32_t>(bounds.size());
+        const double chance = lights.density[face] * face_area(mesh, face);
+        bounds.push_back(
+            bounds_of_face(mesh, face, bsdfs[mesh.material_of_face[face]].emits_behind, chance));
+    }
+    lights.face_tree = build_light_tree(bounds);
+}
+
+LightBounds bounds_of_lamp(const PunctualLight& light)
+{
+    LightBounds out;
+    out.box.add(light.position);
+    out.axis = light.direction;
+    if (light.kind == LightKind::spot)
+        out.cos_reach = light.cos_outer;
+    else
+        out.cos_spread = -1;
+    out.power = max_channel(light.intensity);
+    return out;
+}
+
+void grow_lamp_tree(LightSet& lights)
+{
+    const bool few = lights.punctual.size() <= kFewLamps;
+    std::vector<LightBounds> bounds;
+    for (std::uint32_t i = 0; i < lights.punctual.size(); ++i) {
+        const PunctualLight& light = lights.punctual[i];
+        if (is_black(light.intensity))
+            continue;
+        if (few || light.kind == LightKind::directional) {
+            lights.other_lamps.push_back(i);
+            continue;
+        }
+        lights.chosen_lamps.push_back(i);
+        bounds.push_back(bounds_of_lamp(light));
+    }
+    lights.lamp_tree = build_light_tree(bounds);
+}
+
 } // namespace
 
 LightSet collect_lights(const Scene& scene, const std::vector<Bsdf>& bsdfs)
@@ -83,6 +155,8 @@ LightSet collect_lights(const Scene& scene, const std::vector<Bsdf>& bsdfs)
         lights.radius = 0.5f * glm::length(box.extent());
     }
     select_by_power(lights, scene, bsdfs);
+    grow_face_tree(lights, mesh, bsdfs);
+    grow_lamp_tree(lights);
     return lights;
 }
 
@@ -92,15 +166,30 @@ EmissivePoint sample_emissive_point(const LightSet& lights, const TriangleMesh& 
     return point_on(lights, mesh, selected_face(lights, u_face), u);
 }
 
-EmissivePoint sample_emissive_point(const LightSet& lights, const TriangleMesh& mesh, glm::vec2 u)
+EmissivePoint sample_emissive_point(const LightSet& lights, const TriangleMesh& mesh,
+                                    const LightReceiver& at, RandomSequence& random)
 {
-    constexpr float kBelowOne = 0x1.fffffep-1f;
-    const double u_face = u.x;
-    const std::size_t i = selected_face(lights, u_face);
-    const double first = i == 0 ? 0.0 : lights.cumulative[i - 1];
-    u.x =
-        std::min(static_cast<float>((u_face - first) / (lights.cumulative[i] - first)), kBelowOne);
-    return point_on(lights, mesh, i, u);
+    if (lights.face_tree.empty()) {
+        glm::vec2 u = random.next2();
+        const std::size_t i = select_by(u.x, lights);
+        return point_on(lights, mesh, i, u);
+    }
+    const std::optional<ChosenLight> chosen = choose_light(lights.face_tree, at, random.next());
+    const glm::vec2 u = random.next2();
+    if (!chosen)
+        return {};
+    EmissivePoint out = point_on(lights, mesh, chosen->light, u);
+    out.density = static_cast<float>(chosen->chance / face_area(mesh, out.surface.face));
+    return out;
+}
+
+float emissive_density(const LightSet& lights, const TriangleMesh& mesh, const LightReceiver& at,
+                       FaceId face)
+{
+    if (lights.face_tree.empty() || lights.density[face] == 0)
+        return lights.density[face];
+    return static_cast<float>(chance_of(lights.face_tree, at, lights.place_of_face[face]) /
+                              face_area(mesh, face));
 }
 
 bool shines_towards(const Bsdf& bsdf, const SurfacePoint& point, const glm::vec3& direction)

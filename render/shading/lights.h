@@ -4,6 +4,7 @@
 #include "common/rays/surface_point.h"
 #include "common/scene/scene.h"
 #include "render/shading/bsdf.h"
+#include "render/shading/light_tree.h"
 
 #include <optional>
 #include <vector>
@@ -19,6 +20,11 @@ struct LightSet {
         cumulative;              ///< [emissive_faces] running sum of selection weights, ends at 1
     std::vector<float> density;  ///< [F or 0] per face: chance of being selected over its area
     double emissive_power = 0.0; ///< largest channel, of all emissive faces together
+    LightTree face_tree;         ///< over emissive_faces; empty if they are few
+    std::vector<std::uint32_t> place_of_face; ///< [F, or 0 if they are few] in emissive_faces
+    LightTree lamp_tree;                      ///< over chosen_lamps
+    std::vector<std::uint32_t> chosen_lamps;  ///< in punctual: if they are many, those with a place
+    std::vector<std::uint32_t> other_lamps;   ///< all of which are sampled
     Rgb environment{0.0f};
     glm::vec3 centre{0.0f}; ///< of a sphere around all faces
     float radius = 0.0f;
@@ -39,9 +45,15 @@ struct EmissivePoint {
 EmissivePoint sample_emissive_point(const LightSet& lights, const TriangleMesh& mesh, double u_face,
                                     const glm::vec2& u);
 
-/// The same by two numbers instead of three, the first of which selects too: for no more than some
-/// tens of faces, as little of it is left then.
-EmissivePoint sample_emissive_point(const LightSet& lights, const TriangleMesh& mesh, glm::vec2 u);
+/// The same for light at a receiver: of many faces, one is chosen by their importance there; of
+/// few, one by power and by the first of the two numbers that give the point on it, so that samples
+/// that are stratified are so over all of them.  density 0: no face can light the receiver.
+EmissivePoint sample_emissive_point(const LightSet& lights, const TriangleMesh& mesh,
+                                    const LightReceiver& at, RandomSequence& random);
+
+/// Chance per square scene unit that this draws a point of an emissive face.
+float emissive_density(const LightSet& lights, const TriangleMesh& mesh, const LightReceiver& at,
+                       FaceId face);
 
 /// Whether the side of a face that `direction` leaves (unit, away from the face) may emit.
 bool shines_towards(const Bsdf& bsdf, const SurfacePoint& point, const glm::vec3& direction);

@@ -4,7 +4,7 @@
 
 NAME.glb is built by NAME.py beside it, those of the folder effects by effects.py beside that folder.
 
-Exits 77 (skipped) after the latter where Blender is not installed, or has no numpy, without which it exports nothing.
+Exits 77 (skipped) after those that need no Blender where Blender is not installed, or has no numpy, without which it exports nothing.
 """
 
 import os
@@ -18,6 +18,7 @@ from glb_file import GlbFile
 SKIPPED = 77
 POSITION_TOLERANCE = 1e-6  # metres, in a scene of 2 m: a last bit or so
 NORMAL_TOLERANCE = 1e-4  # smooth normals are sums in an order that varies
+BY_PYTHON_ALONE = ("hall_of_lamps",)
 
 
 def run_blender(blender, arguments):
@@ -30,6 +31,10 @@ def run_blender(blender, arguments):
 
 
 def build(blender, script, output):
+    """blender: None for a script that needs none."""
+    if blender is None:
+        subprocess.run([sys.executable, "-B", script, output], check=True)
+        return
     run = run_blender(blender, ["--python", script, "--", output])
     assert run.returncode == 0 and os.path.exists(output), f"{script} failed:\n{run.stdout}"
 
@@ -93,6 +98,9 @@ def main():
     for folder in sys.argv[1:]:
         if os.path.exists(os.path.join(folder, "effects.py")):
             rebuild_effects(folder)
+        for name in BY_PYTHON_ALONE:
+            if os.path.exists(os.path.join(folder, name + ".py")):
+                rebuild(None, folder, name)
     blender = shutil.which("blender")
     if blender is None:
         print("SKIP: Blender is not installed")
@@ -101,7 +109,7 @@ def main():
         print("SKIP: Blender's exporter has no numpy (Debian: python3-numpy)")
         return SKIPPED
     for folder in sys.argv[1:]:
-        names = sorted(name[:-4] for name in os.listdir(folder) if name.endswith(".glb"))
+        names = sorted(name[:-4] for name in os.listdir(folder) if name.endswith(".glb") and name[:-4] not in BY_PYTHON_ALONE)
         assert names, f"no scene in {folder}"
         for name in names:
             rebuild(blender, folder, name)

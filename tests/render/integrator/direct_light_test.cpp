@@ -135,3 +135,28 @@ TEST_CASE("direct light: many lights are sampled without bias", "[integrator]")
     const RunningMean mean = irradiance_at(*tiny::ready(scene), 0, 0, 5000);
     CHECK(std::abs(mean.z_score(truth)) < kMostZ);
 }
+
+TEST_CASE("direct light: many lamps that glow are sampled without bias", "[integrator]")
+{
+    // Panels to all sides of the point; those that face away or lie below the floor give nothing.
+    Scene scene = tiny::matt_floor();
+    double truth = 0;
+    RandomSequence random(9, RandomStream::pictures, 0, 0);
+    for (int i = 0; i < 60; ++i) {
+        const glm::vec3 middle(random.next() - 0.5f, 0.5f * random.next() - 0.1f,
+                               random.next() - 0.5f);
+        if (std::abs(middle.y) < 0.06f)
+            continue;
+        const glm::vec3 normal = sample_sphere(random.next2());
+        const glm::vec3 u = 0.05f * glm::normalize(glm::cross(normal, glm::vec3(0.3f, 1, 0.2f)));
+        const glm::vec3 v = glm::cross(normal, u);
+        const std::vector<glm::dvec3> corners{middle, middle + u, middle + u + v, middle + v};
+        const auto radiance = static_cast<float>(1 + i % 5);
+        tiny::add(scene, tiny::parallelogram(middle, u, v), tiny::lamp(Rgb(radiance)));
+        if (glm::dot(normal, middle) < 0 && middle.y > 0)
+            truth += radiance * polygon_irradiance(glm::dvec3(0), {0, 1, 0}, corners);
+    }
+    const auto ready = tiny::ready(scene);
+    const RunningMean mean = irradiance_at(*ready, 0, 0, 20'000);
+    CHECK(std::abs(mean.z_score(truth)) < kMostZ);
+}

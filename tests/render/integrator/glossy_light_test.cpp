@@ -47,8 +47,9 @@ Rgb found_by(const RenderScene& scene, const Interaction& at, Lobes lobes, bool 
     if (!hit)
         return sample.weight * scene.lights.environment;
     const Interaction on = interact(scene, ray, *hit);
-    const float part =
-        weighed ? hit_weight(scene, on.point, ray.direction, hit->distance, sample.density) : 1;
+    const float part = weighed ? hit_weight(scene, on.point, ray.direction, hit->distance,
+                                            source_at(at, sample.density))
+                               : 1;
     return sample.weight * emitted_radiance(on.bsdf, on.point, on.back) * part;
 }
 

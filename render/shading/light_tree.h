@@ -1,0 +1,42 @@
+#pragma once
+
+#include "render/shading/light_bounds.h"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace hipmap {
+
+/// Lights in a binary tree, each leaf one of them; a node comes before its children, the first
+/// child straight before what is below it.
+struct LightTree {
+    struct Node {
+        LightBounds bounds;
+        std::uint32_t parent = 0;
+        std::uint32_t second = 0; ///< child; 0: a leaf
+        std::uint32_t light = 0;  ///< of a leaf
+    };
+    std::vector<Node> nodes;
+    std::vector<std::uint32_t> leaf_of; ///< [lights]
+
+    bool empty() const { return nodes.empty(); }
+};
+
+/// Source: Conty Estevez and Kulla 2018, "Importance Sampling of Many Lights with Adaptive Tree
+/// Splitting", section 4.  O(n log n).  No lights: an empty tree.
+LightTree build_light_tree(const std::vector<LightBounds>& lights);
+
+struct ChosenLight {
+    std::uint32_t light = 0;
+    double chance = 0.0; ///< above zero
+};
+
+/// Goes down the tree, at each node by the importance of its children to the receiver.  u: [0, 1).
+/// Nothing: no light can reach it.  The tree is not empty.  docs/light_transport.md (25).
+std::optional<ChosenLight> choose_light(const LightTree& tree, const LightReceiver& at, double u);
+
+/// The chance with which that chooses the light.  Chances of all lights add up to one, or to zero.
+double chance_of(const LightTree& tree, const LightReceiver& at, std::uint32_t light);
+
+} // namespace hipmap
