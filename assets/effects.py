@@ -242,12 +242,26 @@ def add_depth_of_field(glb):
     glb.root["nodes"][-5]["extras"] = {"hipmap": {"aperture_radius": 0.06, "focus_distance": 2.2}}
 
 
+def add_soft_shadows(glb):
+    """A sphere lamp over a ball, a mirror and a pole."""
+    glb.root["extensions"] = {"KHR_lights_punctual": {"lights": [
+        {"type": "point", "intensity": 683 * 4, "extras": {"hipmap": {"radius": 0.2}}}]}}
+    glb.root["extensionsUsed"].append("KHR_lights_punctual")
+    glb.node("Lamp", translation=[-0.6, 1.7, 0.6],
+             extensions={"KHR_lights_punctual": {"light": 0}})
+    glb.mesh("Ball", 0, sphere((-0.35, 0.3, 0.1), 0.3))
+    mirror = glb.material("Mirror", (0.9, 0.9, 0.9),
+                          base={"metallicFactor": 1, "roughnessFactor": 0})
+    glb.mesh("Mirror ball", mirror, sphere((0.45, 0.35, 0.2), 0.35, 64, 32))
+
+
 SCENES = {
     "alpha": (add_alpha, 20),
     "clearcoat": (add_clearcoat, 20),
     "depth_of_field": (add_depth_of_field, 20),
     "emissive_picture": (add_emissive_picture, 0),
     "normal_maps": (add_normal_maps, 20),
+    "soft_shadows": (add_soft_shadows, 0),
     "vertex_colours": (add_vertex_colours, 20),
 }
 

@@ -54,7 +54,7 @@ void add_preprocess_arguments(CLI::App& app, PreprocessArguments& arguments)
     app.add_option("--threads", arguments.threads, "Threads; 0: all cores [0]")
         ->check(finite_in(0, 4096))
         ->type_name("N");
-    add_scene_arguments(app, arguments.scene_options);
+    add_scene_arguments(app, arguments.scene_options, arguments.sky);
 }
 
 void check_outputs(const PreprocessArguments& arguments)

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "common/command_line/command_line.h"
-#include "common/scene/load_scene.h"
+#include "common/command_line/scene_arguments.h"
 #include "preprocess/partition/connected_edges.h"
 
 #include <filesystem>
@@ -20,6 +19,7 @@ struct PreprocessArguments {
     SplitBy split = SplitBy::angle;
     double weld_metres = 0; ///< 0: identical positions only
     SceneOptions scene_options;
+    SkyOptions sky; ///< what it lights is no matter here
     PictureSize size{768, 0};
     unsigned threads = 0; ///< 0: all cores
 };

@@ -3,6 +3,7 @@
 #include "common/partition/partition_file.h"
 #include "common/scene/print_audit.h"
 #include "common/stopwatch.h"
+#include "render/load_sky.h"
 #include "render/merge.h"
 #include "render/outputs.h"
 #include "render/print_results.h"
@@ -41,6 +42,17 @@ void choose_diffuse_model(const RenderArguments& arguments, LoadedScene& loaded)
         loaded.audit.assumed.push_back(
             "matt surfaces reflect as in the Blender that wrote the file (Burley's diffuse; "
             "--diffuse lambert is glTF's own)");
+}
+
+void choose_sky_picture(const RenderArguments& arguments, LoadedScene& loaded)
+{
+    if (!arguments.sky.picture.empty()) {
+        loaded.scene.environment = Rgb(0);
+        loaded.scene.environment_picture = arguments.sky.picture;
+        loaded.scene.environment_strength = 1;
+    }
+    if (!loaded.scene.environment_picture.empty())
+        loaded.audit.found.push_back("a picture of the sky, " + loaded.scene.environment_picture);
 }
 
 Partition load_partition(const RenderArguments& arguments, const Scene& scene)
@@ -116,6 +128,7 @@ LoadedScene load(RenderArguments& arguments)
 {
     LoadedScene loaded = load_scene(arguments.scene, arguments.scene_options);
     choose_diffuse_model(arguments, loaded);
+    choose_sky_picture(arguments, loaded);
     const Scene& scene = loaded.scene;
     const PictureSize size = complete_size(arguments.size, scene.cameras[scene.camera].aspect);
     arguments.render.width = size.width;
@@ -139,15 +152,16 @@ int render(RenderArguments& arguments)
         explain(run.effects, report);
         return kExitDone;
     }
+    SkyPicture sky = load_sky(loaded.scene, arguments.sky.turn_deg);
     const std::vector<std::string> settings =
-        settings_of(arguments.render, loaded.scene, partition);
+        settings_of(arguments.render, loaded.scene, partition, sky);
     const std::optional<RenderState> found = find_state(arguments, settings);
     print_audit(report, loaded.audit);
     report.line("effects: " + list_effects(run.effects) + " (--explain says why)");
     run.seconds_scene = reading.seconds();
 
     const Stopwatch building;
-    const RenderScene render_scene(loaded.scene, partition);
+    const RenderScene render_scene(loaded.scene, partition, std::move(sky));
     run.seconds_rays = building.seconds();
 
     RenderStatistics statistics;

@@ -245,7 +245,7 @@ void add_render_arguments(CLI::App& app, RenderArguments& arguments)
     add_method(app, arguments);
     add_stops(app, arguments);
     add_picture(app, arguments);
-    add_scene_arguments(app, arguments.scene_options);
+    add_scene_arguments(app, arguments.scene_options, arguments.sky);
 }
 
 void add_merge_arguments(CLI::App& app, MergeArguments& arguments)

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "common/command_line/command_line.h"
-#include "common/scene/load_scene.h"
+#include "common/command_line/scene_arguments.h"
 #include "render/effects/effect_plan.h"
 #include "render/integrator/run_passes.h"
 
@@ -25,6 +24,7 @@ struct RenderArguments {
     bool explain = false; ///< only say what is rendered and why
     std::vector<EffectSwitch> effects;
     SceneOptions scene_options;
+    SkyOptions sky;
     RenderOptions render;                ///< its size is still to be completed
     std::optional<DiffuseModel> diffuse; ///< none: the scene's own
     PictureSize size{512, 0};

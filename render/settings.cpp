@@ -44,13 +44,14 @@ const char* name_of(GatheredIrradiance irradiance)
 }
 
 std::vector<std::string> settings_of(const RenderOptions& options, const Scene& scene,
-                                     const Partition& partition)
+                                     const Partition& partition, const SkyPicture& sky)
 {
     const auto& [integrator, width, height, maps, direct, photons, samples, seed, light,
                  irradiance] = options;
     const auto& [mode, neighbours, local_min, estimate, tiers, directions, tree] = maps;
     const Fingerprint content = content_fingerprint(scene);
     return {"scene=" + hex(content.words[0]) + hex(content.words[1]),
+            "sky=" + (sky.empty() ? "plain" : hex(checksum(sky))),
             "partition=" + hex(partition_checksum(partition)),
             "size=" + std::to_string(width) + "x" + std::to_string(height),
             std::string("integrator=") + name_of(integrator),

@@ -2,6 +2,7 @@
 
 #include "common/partition/partition.h"
 #include "render/options.h"
+#include "render/shading/sky_picture.h"
 
 #include <string>
 #include <vector>
@@ -9,10 +10,10 @@
 namespace hipmap {
 
 /// All that the passes of a render depend on but their number, each as "name=value": states of the
-/// same settings hold passes of one image.  Names as on the command line; scene and partition by
-/// hash.  Cost: linear in the scene.
+/// same settings hold passes of one image.  Names as on the command line; scene, partition
+/// and sky by hash.  Cost: linear in the scene.
 std::vector<std::string> settings_of(const RenderOptions& options, const Scene& scene,
-                                     const Partition& partition);
+                                     const Partition& partition, const SkyPicture& sky);
 
 /// Light paths a pass, by such settings; 0: they do not say.
 std::uint64_t photons_of(const std::vector<std::string>& settings);

@@ -83,6 +83,14 @@ bool note_lights(const Scene& scene, const std::vector<std::size_t>& faces, Scen
             audit.found.push_back(std::string(kind_name(kind)) + list_names(names));
         shines = shines || !names.empty();
     }
+    for (const AreaLight& light : scene.area_lights) {
+        if (is_black(light.radiance)) {
+            dark.push_back(light.name);
+            continue;
+        }
+        audit.found.push_back("area light " + quote_name(light.name));
+        shines = true;
+    }
     for (std::size_t i = 0; i < scene.materials.size(); ++i) {
         if (is_black(scene.materials[i].emission) || faces[i] == 0)
             continue;
@@ -97,6 +105,12 @@ bool note_lights(const Scene& scene, const std::vector<std::size_t>& faces, Scen
 
 void choose_sky(LoadedScene& loaded, bool shines, const SceneOptions& options)
 {
+    if (options.environment)
+        loaded.scene.environment_picture.clear();
+    if (!loaded.scene.environment_picture.empty()) {
+        loaded.scene.environment = Rgb(0);
+        return;
+    }
     if (options.environment) {
         loaded.scene.environment = *options.environment;
         if (!shines && is_black(*options.environment))

@@ -29,7 +29,7 @@ void read_light_size(HipmapExtras extras, RawLight& light)
             extras.fail("angle_deg", "must be 180 or less");
         light.half_angle = 0.5 * *angle * std::numbers::pi / 180;
     }
-    extras.finish("the size");
+    extras.finish("");
 }
 
 void read_lens(HipmapExtras extras, RawCamera& camera)
@@ -67,7 +67,7 @@ void read_empty_extras(const GltfDocument& document, const PlacedNode& at, RawSc
     const std::optional<double> height = extras.positive("area_height");
     const std::string shape = extras.text("area_shape").value_or("rectangle");
     const glm::dvec3 colour = extras.positive_triple("area_color").value_or(glm::dvec3(1.0));
-    extras.finish("the area light");
+    extras.finish("");
     if (!power && !width && !height)
         return;
     if (!power || !width || !(*width > 0) || !(height.value_or(*width) > 0))
@@ -108,7 +108,7 @@ void read_world_extras(const GltfDocument& document, RawScene& scene)
         scene.world_picture = file_beside(scene.path, "scene, custom property 'hipmap'", *picture);
         scene.world_strength = strength;
     }
-    extras.finish(picture ? "the world's picture" : "");
+    extras.finish("");
 }
 
 void read_medium_extras(const json& from, Material& material, RawScene& scene)

@@ -25,8 +25,10 @@ void drop_effects(Scene& scene, const EffectPlan& plan)
     if (!plan.has(Effect::depth_of_field))
         for (Camera& camera : scene.cameras)
             camera.aperture_radius = 0;
-    if (!plan.has(Effect::environment))
+    if (!plan.has(Effect::environment)) {
         scene.environment = Rgb(0);
+        scene.environment_picture.clear();
+    }
 }
 
 } // namespace hipmap

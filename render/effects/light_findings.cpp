@@ -15,18 +15,17 @@ std::string gathering_materials(const SceneFacts& facts)
         [](const Material&, const Bsdf& bsdf, bool) { return bsdf.gathers(); });
 }
 
-/// Lamps with a size, which only the file knows of.
-std::string sized_lamps(const Scene& scene)
+/// Names of what shines and has a size, in quotes.
+std::vector<std::string> lights_with_size(const SceneFacts& facts)
 {
-    std::vector<std::string> names;
-    for (const PunctualLight& light : scene.lights)
-        if (light.radius > 0 || light.half_angle > 0)
-            names.push_back(light.name);
-    for (const AreaLight& light : scene.area_lights)
-        names.push_back(light.name);
-    return names.empty()
-               ? ""
-               : "; the size of " + list_names(names) + " is in the file, not rendered yet";
+    std::vector<std::string> out;
+    for (const PunctualLight& light : facts.scene.lights)
+        if (!is_black(light.intensity) && (light.radius > 0 || light.half_angle > 0))
+            out.push_back(light.name);
+    for (const AreaLight& light : facts.scene.area_lights)
+        if (!is_black(light.radiance))
+            out.push_back(light.name);
+    return out;
 }
 
 } // namespace
@@ -40,12 +39,19 @@ Finding find_soft_shadows(const SceneFacts& facts)
 {
     std::string lights = facts.materials_where(
         [](const Material& material, const Bsdf&, bool) { return !is_black(material.emission); });
-    if (!is_black(facts.scene.environment))
-        lights += lights.empty() ? "the sky" : " and the sky";
-    const std::string lamps = sized_lamps(facts.scene);
+    const auto add = [&lights](const std::string& more) {
+        if (!more.empty())
+            lights += (lights.empty() ? "" : " and ") + more;
+    };
+    const std::vector<std::string> lamps = lights_with_size(facts);
+    if (!lamps.empty())
+        add("the lamps " + list_names(lamps));
+    if (!is_black(facts.scene.environment) || !facts.scene.environment_picture.empty())
+        add("the sky");
     if (lights.empty())
-        return {false, (facts.shines ? "all light comes from points and suns" : kDark) + lamps, ""};
-    return {true, "light comes from the whole of " + lights + lamps,
+        return {false, facts.shines ? "all light comes from points and suns without size" : kDark,
+                ""};
+    return {true, "light comes from the whole of " + lights,
             "a shadow ray to a point drawn on what glows, from each surface"};
 }
 
@@ -79,8 +85,8 @@ Finding find_caustics(const SceneFacts& facts)
 Finding find_environment(const SceneFacts& facts)
 {
     if (!facts.scene.environment_picture.empty())
-        return {!is_black(facts.scene.environment),
-                "a picture of the sky is in the file, not rendered yet", "a uniform sky instead"};
+        return {true, "a picture of the sky shines",
+                "light paths from it, a shadow ray towards it; rays that leave the scene see it"};
     if (is_black(facts.scene.environment))
         return {false, "the sky is dark", ""};
     return {true, "the sky shines evenly", "light paths from it; rays that leave the scene see it"};

@@ -32,9 +32,11 @@ SceneFacts gather_facts(const Scene& scene, const Partition& partition)
         facts.shines = facts.shines || !is_black(scene.materials[material].emission);
     }
     facts.shines =
-        facts.shines || !is_black(scene.environment) ||
+        facts.shines || !is_black(scene.environment) || !scene.environment_picture.empty() ||
         std::any_of(scene.lights.begin(), scene.lights.end(),
-                    [](const PunctualLight& light) { return !is_black(light.intensity); });
+                    [](const PunctualLight& light) { return !is_black(light.intensity); }) ||
+        std::any_of(scene.area_lights.begin(), scene.area_lights.end(),
+                    [](const AreaLight& light) { return !is_black(light.radiance); });
     return facts;
 }
 

@@ -1,9 +1,11 @@
 #include "render/integrator/direct_light.h"
 
+#include "render/shading/lamps.h"
 #include "render/shading/scatter.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace hipmap {
 
@@ -36,25 +38,34 @@ InLobes in_lobes(const Interaction& at, const glm::vec3& direction, const LobeRa
     return out;
 }
 
-Rgb from_punctual(const RenderScene& scene, const Interaction& at, const PunctualLight& light,
-                  const LobeRays& rays)
+/// What the lobes send of the light found with `density` in a direction.
+Rgb weighed(const InLobes& lobes, const LobeRays& rays, float density)
 {
+    return lobes.gathered.value * power_heuristic(density, rays.gathered * lobes.gathered.density) +
+           lobes.followed.value * power_heuristic(density, rays.followed * lobes.followed.density);
+}
+
+/// chosen: how many samples of it there are, on average.
+Rgb from_lamp(const RenderScene& scene, const Interaction& at, std::uint32_t lamp, double chosen,
+              const LobeRays& rays, RandomSequence& random)
+{
+    const bool sized = has_size(scene.lights, lamp);
+    const std::optional<LampSample> sample =
+        sample_lamp(scene.lights, lamp, at.point.position, sized ? random.next2() : glm::vec2(0));
+    if (!sample)
+        return Rgb(0);
     Ray shadow;
-    Rgb arriving;
-    if (light.kind == LightKind::directional) {
-        shadow.direction = -light.direction;
+    if (sample->is_far) {
+        shadow.direction = sample->direction;
         shadow.origin = offset_origin(at.point, shadow.direction);
-        arriving = light.intensity;
     } else {
-        shadow = ray_between(at.point, light.position);
-        const glm::vec3 way = light.position - at.point.position;
-        const float distance2 = glm::dot(way, way);
-        if (!(distance2 > 0))
-            return Rgb(0);
-        arriving = light_intensity(light, -shadow.direction) / distance2;
+        shadow = ray_between(at.point, sample->point);
     }
     const InLobes lobes = in_lobes(at, shadow.direction, rays);
-    const Rgb sent = (lobes.gathered.value + lobes.followed.value) * arriving;
+    const Rgb value = sample->density > 0
+                          ? weighed(lobes, rays, static_cast<float>(chosen * sample->density))
+                          : lobes.gathered.value + lobes.followed.value;
+    const Rgb sent = value * sample->light / static_cast<float>(chosen);
     if (is_black(sent) || scene.rays.occluded(shadow))
         return Rgb(0);
     return sent;
@@ -76,6 +87,11 @@ float per_solid_angle(float density, const SurfacePoint& on_light, const glm::ve
 
 } // namespace
 
+float distance_of(const std::optional<RayHit>& hit)
+{
+    return hit ? hit->distance : std::numeric_limits<float>::infinity();
+}
+
 RaySource source_at(const Interaction& at, float density)
 {
     return {receiver(at), density};
@@ -90,22 +106,77 @@ float hit_weight(const RenderScene& scene, const SurfacePoint& on_light, const g
     return power_heuristic(source.density, per_solid_angle(density, on_light, direction, distance));
 }
 
-Rgb punctual_light(const RenderScene& scene, const Interaction& at, const LobeRays& rays,
-                   RandomSequence& random)
+Rgb met_lamps(const RenderScene& scene, const Ray& ray, float distance, const Rgb& absorption,
+              const RaySource& source)
+{
+    const LightSet& lights = scene.lights;
+    Rgb sum(0.0f);
+    if (source.eye || (lights.sized_lamps.empty() && !lights.chosen_have_size))
+        return sum;
+    const auto add = [&](std::uint32_t lamp, const auto& chosen) {
+        const std::optional<LampHit> hit = meet_lamp(lights, lamp, ray);
+        if (!hit || !(hit->distance <= distance))
+            return;
+        Rgb part = hit->radiance;
+        if (source.density > 0)
+            part *= power_heuristic(source.density, chosen() * hit->density);
+        if (!is_black(absorption))
+            part *= transmittance(absorption, hit->distance);
+        sum += part;
+    };
+    for (const std::uint32_t lamp : lights.sized_lamps)
+        add(lamp, [] { return 1.0f; });
+    if (lights.chosen_have_size)
+        over_lights_along(lights.lamp_tree, ray.origin, ray.direction, [&](std::uint32_t place) {
+            add(lights.chosen_lamps[place], [&] {
+                return static_cast<float>(kChosenLamps *
+                                          chance_of(lights.lamp_tree, source.at, place));
+            });
+        });
+    return sum;
+}
+
+Rgb met_sky(const RenderScene& scene, const glm::vec3& direction, const RaySource& source)
+{
+    const LightSet& lights = scene.lights;
+    const Rgb radiance = sky_radiance(lights, direction);
+    if (lights.sky.empty() || source.density == 0)
+        return radiance;
+    return radiance * power_heuristic(source.density, sky_density(lights.sky, direction));
+}
+
+Rgb sky_light(const RenderScene& scene, const Interaction& at, const LobeRays& rays,
+              RandomSequence& random)
+{
+    const SkyPicture& sky = scene.lights.sky;
+    if (sky.empty())
+        return Rgb(0);
+    Ray shadow;
+    shadow.direction = sample_sky(sky, random.next2());
+    shadow.origin = offset_origin(at.point, shadow.direction);
+    const float density = sky_density(sky, shadow.direction);
+    if (!(density > 0))
+        return Rgb(0);
+    const Rgb sent = weighed(in_lobes(at, shadow.direction, rays), rays, density) *
+                     sky_radiance(sky, shadow.direction) / density;
+    return is_black(sent) || scene.rays.occluded(shadow) ? Rgb(0) : sent;
+}
+
+Rgb lamp_light(const RenderScene& scene, const Interaction& at, const LobeRays& rays,
+               RandomSequence& random)
 {
     const LightSet& lights = scene.lights;
     Rgb sum(0.0f);
     for (const std::uint32_t lamp : lights.other_lamps)
-        sum += from_punctual(scene, at, lights.punctual[lamp], rays);
+        sum += from_lamp(scene, at, lamp, 1, rays, random);
     if (lights.lamp_tree.empty())
         return sum;
     const LightReceiver from = receiver(at);
     for (int i = 0; i < kChosenLamps; ++i) {
         const double u = (i + double{random.next()}) / kChosenLamps;
         if (const std::optional<ChosenLight> chosen = choose_light(lights.lamp_tree, from, u))
-            sum += from_punctual(scene, at, lights.punctual[lights.chosen_lamps[chosen->light]],
-                                 rays) /
-                   static_cast<float>(kChosenLamps * chosen->chance);
+            sum += from_lamp(scene, at, lights.chosen_lamps[chosen->light],
+                             kChosenLamps * chosen->chance, rays, random);
     }
     return sum;
 }
@@ -124,12 +195,7 @@ Rgb emissive_light(const RenderScene& scene, const Interaction& at, const LobeRa
     const float density = per_solid_angle(light.density, light.surface, shadow.direction, distance);
     if (!(density > 0))
         return Rgb(0);
-    const InLobes lobes = in_lobes(at, shadow.direction, rays);
-    const auto weighed = [density](const Scattered& lobe, float chance) {
-        return lobe.value * power_heuristic(density, chance * lobe.density);
-    };
-    const Rgb sent =
-        weighed(lobes.gathered, rays.gathered) + weighed(lobes.followed, rays.followed);
+    const Rgb sent = weighed(in_lobes(at, shadow.direction, rays), rays, density);
     const Rgb out = sent / density * light_radiance(scene, light, -shadow.direction);
     if (is_black(out) || scene.rays.occluded(shadow))
         return Rgb(0);
@@ -138,29 +204,33 @@ Rgb emissive_light(const RenderScene& scene, const Interaction& at, const LobeRa
 
 Rgb found_light(const RenderScene& scene, const Interaction& at, RandomSequence& random)
 {
-    if (scene.lights.emissive_faces.empty() && is_black(scene.lights.environment))
+    if (!can_be_met(scene.lights))
         return Rgb(0);
     const ScatterSample sample = sample_scatter(at, Lobes::gathered, random);
     if (is_black(sample.weight))
         return Rgb(0);
     const Ray ray = scattered_ray(at, sample);
+    const RaySource source = source_at(at, sample.density);
     const std::optional<RayHit> hit = scene.rays.nearest(ray);
+    const Rgb lamps = met_lamps(scene, ray, distance_of(hit), Rgb(0), source);
     if (!hit)
-        return sample.weight * scene.lights.environment;
+        return sample.weight * (lamps + met_sky(scene, ray.direction, source));
     const Bsdf& bsdf = scene.bsdfs[scene.mesh().material_of_face[hit->face]];
     if (is_black(bsdf.emission))
-        return Rgb(0);
+        return sample.weight * lamps;
     const SurfacePoint light = surface_point(scene.mesh(), hit->face, hit->barycentric);
     if (!shines_towards(bsdf, light, -ray.direction))
-        return Rgb(0);
-    return sample.weight * emission_at(scene, hit->face, hit->barycentric) *
-           hit_weight(scene, light, ray.direction, hit->distance, source_at(at, sample.density));
+        return sample.weight * lamps;
+    return sample.weight *
+           (lamps + emission_at(scene, hit->face, hit->barycentric) *
+                        hit_weight(scene, light, ray.direction, hit->distance, source));
 }
 
 Rgb sampled_light(const RenderScene& scene, const Interaction& at, const LobeRays& rays,
                   RandomSequence& random)
 {
-    return punctual_light(scene, at, rays, random) + emissive_light(scene, at, rays, random);
+    return lamp_light(scene, at, rays, random) + emissive_light(scene, at, rays, random) +
+           sky_light(scene, at, rays, random);
 }
 
 } // namespace hipmap

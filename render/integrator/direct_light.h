@@ -17,7 +17,11 @@ struct RaySource {
     LightReceiver at;
     float density = 0.0f; ///< chance per solid angle that lobes sent it; 0: a mirror, glass or the
                           ///<   eye did, and sampling the lights could not have found its light
+    bool eye = false;     ///< it comes straight from the eye, which does not see lamps
 };
+
+/// How far a ray goes: infinitely if it hits nothing.
+float distance_of(const std::optional<RayHit>& hit);
 
 /// Of a ray that lobes of the surface sent.
 RaySource source_at(const Interaction& at, float density);
@@ -27,18 +31,31 @@ RaySource source_at(const Interaction& at, float density);
 float hit_weight(const RenderScene& scene, const SurfacePoint& on_light, const glm::vec3& direction,
                  float distance, const RaySource& source);
 
-/// Radiance towards `at.back` of light straight from punctual lights: all of them, or all suns and
-/// some of the others, chosen by a tree.
-Rgb punctual_light(const RenderScene& scene, const Interaction& at, const LobeRays& rays,
-                   RandomSequence& random);
+/// Radiance along a ray from the lamps with a size that lie on its way of `distance`; infinite: it
+/// leaves the scene and may run into suns.  Each counts as `hit_weight` has it.  Lamps hide
+/// nothing. absorption: of what the ray travels in.
+Rgb met_lamps(const RenderScene& scene, const Ray& ray, float distance, const Rgb& absorption,
+              const RaySource& source);
+
+/// Radiance of the sky along a ray that leaves the scene, counted as `hit_weight` has it.
+Rgb met_sky(const RenderScene& scene, const glm::vec3& direction, const RaySource& source);
+
+/// Radiance towards `at.back` of light straight from lamps: all of them, or all suns and some of
+/// the others, chosen by a tree; those with a size weighed against the rays of the lobes.
+Rgb lamp_light(const RenderScene& scene, const Interaction& at, const LobeRays& rays,
+               RandomSequence& random);
 
 /// The same from the emissive faces by one point on them, weighed by the power heuristic against
 /// the rays of the lobes.  Zero if there are none.
 Rgb emissive_light(const RenderScene& scene, const Interaction& at, const LobeRays& rays,
                    RandomSequence& random);
 
-/// Both.  Light straight from the lights is this and what the rays of the lobes find, by
-/// `hit_weight`, docs/light_transport.md (11).  Thread-safe.
+/// The same from a picture of the sky.  Zero if it is uniform: rays of the lobes find that.
+Rgb sky_light(const RenderScene& scene, const Interaction& at, const LobeRays& rays,
+              RandomSequence& random);
+
+/// All of them.  Light straight from the lights is this and what the rays of the lobes find, by
+/// `hit_weight` and `met_lamps`, docs/light_transport.md (11).  Thread-safe.
 Rgb sampled_light(const RenderScene& scene, const Interaction& at, const LobeRays& rays,
                   RandomSequence& random);
 

@@ -141,8 +141,17 @@ BranchStack begin(const Ray& ray)
     BranchStack stack;
     Branch first;
     first.ray = ray;
+    first.source.eye = true;
     stack.push(first);
     return stack;
+}
+
+/// From the lamps that the branch runs into before it hits a surface, or else from the sky.
+Rgb light_on_way(const RenderScene& scene, const Branch& branch, const std::optional<RayHit>& hit)
+{
+    const Rgb lamps =
+        met_lamps(scene, branch.ray, distance_of(hit), branch.absorption, branch.source);
+    return hit ? lamps : lamps + met_sky(scene, branch.ray.direction, branch.source);
 }
 
 } // namespace
@@ -156,11 +165,10 @@ Rgb trace_eye_path(const PassMaps& maps, const Ray& ray, SeenLights seen, Random
         Branch branch = stack.branches[--stack.size];
         const bool sees_lights = seen == SeenLights::added || !branch.clear;
         const std::optional<RayHit> hit = maps.scene.rays.nearest(branch.ray);
-        if (!hit) {
-            if (sees_lights)
-                radiance += branch.weight * maps.scene.lights.environment;
+        if (sees_lights)
+            radiance += branch.weight * light_on_way(maps.scene, branch, hit);
+        if (!hit)
             continue;
-        }
         branch.weight *= transmittance(branch.absorption, hit->distance);
         const Interaction at = interact(maps.scene, branch.ray, *hit);
         if (sees_lights)
@@ -182,10 +190,9 @@ Rgb trace_seen_lights(const RenderScene& scene, const Ray& ray, RandomSequence& 
     while (stack.size > 0) {
         Branch branch = stack.branches[--stack.size];
         const std::optional<RayHit> hit = scene.rays.nearest(branch.ray);
-        if (!hit) {
-            radiance += branch.weight * scene.lights.environment;
+        radiance += branch.weight * light_on_way(scene, branch, hit);
+        if (!hit)
             continue;
-        }
         branch.weight *= transmittance(branch.absorption, hit->distance);
         const Interaction at = interact(scene, branch.ray, *hit);
         radiance += branch.weight * emitted_radiance(at.bsdf, at.point, at.back);

@@ -150,6 +150,7 @@ class GatherTracer {
     RadianceByRadius trace(const Ray& ray)
     {
         stack_.branches[0].ray = ray;
+        stack_.branches[0].source.eye = true;
         stack_.size = 1;
         while (stack_.size > 0)
             follow(stack_.branches[--stack_.size]);
@@ -175,9 +176,12 @@ class GatherTracer {
     {
         const RenderScene& scene = maps_.scene;
         const std::optional<RayHit> hit = scene.rays.nearest(branch.ray);
+        if (sees_lights(branch))
+            add(branch.weight *
+                met_lamps(scene, branch.ray, distance_of(hit), branch.absorption, branch.source));
         if (!hit) {
             if (sees_lights(branch))
-                add(branch.weight * scene.lights.environment);
+                add(branch.weight * met_sky(scene, branch.ray.direction, branch.source));
             return;
         }
         branch.weight *= transmittance(branch.absorption, hit->distance);

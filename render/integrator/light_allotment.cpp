@@ -60,7 +60,7 @@ bool uneven_around(const std::vector<Range>& ranges, int x, int y, int width, in
 std::vector<std::uint16_t> allot_light_samples(const RenderScene& scene,
                                                const RenderOptions& options)
 {
-    if (scene.lights.emissive_faces.empty() && is_black(scene.lights.environment))
+    if (!can_be_met(scene.lights))
         return {};
     const int width = options.width, height = options.height;
     const PictureJob job{scene, options, kPilotPass, {}};

@@ -121,11 +121,17 @@ Rgb trace_path(const RenderScene& scene, const Ray& ray, RandomSequence& random,
     Rgb radiance(0.0f);
     Path path;
     path.ray = ray;
+    path.source.eye = true;
     for (int depth = 0; survives(depth, path, random); ++depth) {
         const std::optional<RayHit> hit = scene.rays.nearest(path.ray);
         const bool sees_lights = light.caustic || !path.gathers || path.straight;
+        if (sees_lights)
+            radiance += path.weight *
+                        met_lamps(scene, path.ray, distance_of(hit), path.absorption, path.source);
         if (!hit)
-            return sees_lights ? radiance + path.weight * scene.lights.environment : radiance;
+            return sees_lights
+                       ? radiance + path.weight * met_sky(scene, path.ray.direction, path.source)
+                       : radiance;
         path.weight *= transmittance(path.absorption, hit->distance);
         const Interaction at = interact(scene, path.ray, *hit);
         if (sees_lights)

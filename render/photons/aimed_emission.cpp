@@ -1,7 +1,9 @@
 #include "render/photons/aimed_emission.h"
 
 #include "common/math/sampling.h"
+#include "render/shading/lamps.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace hipmap {
@@ -16,11 +18,30 @@ EmittedPath aim_from_light(const PunctualLight& light, const Targets& targets,
     LightCone cone;
     if (light.kind == LightKind::spot)
         cone = {light.direction, std::acos(light.cos_outer)};
-    const AimedRay aimed = aim_from_point(targets, light.position, cone, random);
     EmittedPath out;
     out.ray.origin = light.position;
+    glm::vec3 normal(0.0f);
+    if (light.radius > 0) {
+        normal = sample_sphere(random.next2());
+        out.ray.origin += light.radius * normal;
+    }
+    const AimedRay aimed = aim_from_point(targets, out.ray.origin, cone, random);
     out.ray.direction = aimed.direction;
     out.power = light_intensity(light, aimed.direction) * aimed.weight;
+    if (light.radius > 0) // radiance times cosine times area
+        out.power *= 4 * std::max(0.0f, glm::dot(normal, aimed.direction));
+    return out;
+}
+
+EmittedPath aim_from_area(const AreaLight& light, const Targets& targets, RandomSequence& random)
+{
+    EmittedPath out;
+    out.ray.origin = point_on(light, random.next2());
+    const AimedRay aimed =
+        aim_from_point(targets, out.ray.origin, {light.direction, kPi / 2}, random);
+    out.ray.direction = aimed.direction;
+    const float cosine = std::max(0.0f, glm::dot(light.direction, aimed.direction));
+    out.power = light.radiance * (static_cast<float>(lamp_area(light)) * cosine * aimed.weight);
     return out;
 }
 
@@ -35,6 +56,16 @@ EmittedPath aim_along(const LightSet& lights, const glm::vec3& direction, const 
     out.ray.direction = direction;
     out.power = light * aimed.weight;
     return out;
+}
+
+EmittedPath aim_from_sun(const LightSet& lights, const PunctualLight& light, const Targets& targets,
+                         RandomSequence& random)
+{
+    const glm::vec3 direction =
+        light.half_angle > 0 ? leave_sun(light, random.next2()) : light.direction;
+    const float across = kPi * lights.radius * lights.radius;
+    return aim_along(lights, direction, light_power(light, lights.radius) / across, targets,
+                     random);
 }
 
 EmittedPath aim_from_face(const RenderScene& scene, double u_face, const Targets& targets,
@@ -67,14 +98,15 @@ EmittedPath emit_aimed_path(const RenderScene& scene, const EmissionPlan& plan,
     EmittedPath out;
     if (share.light < lights.punctual.size()) {
         const PunctualLight& light = lights.punctual[share.light];
-        out = light.kind == LightKind::directional
-                  ? aim_along(lights, light.direction, light.intensity, targets, random)
-                  : aim_from_light(light, targets, random);
-    } else if (share.light == lights.punctual.size()) {
+        out = light.kind == LightKind::directional ? aim_from_sun(lights, light, targets, random)
+                                                   : aim_from_light(light, targets, random);
+    } else if (share.light < lamp_count(lights)) {
+        out = aim_from_area(lights.area[share.light - lights.punctual.size()], targets, random);
+    } else if (share.light == lamp_count(lights)) {
         out = aim_from_face(scene, stratum(share, random), targets, random);
     } else {
-        const glm::vec3 direction = sample_sphere(random.next2());
-        out = aim_along(lights, direction, lights.environment * (4 * kPi), targets, random);
+        const SkyLight sky = sample_sky_light(lights, random.next2());
+        out = aim_along(lights, sky.direction, sky.light, targets, random);
     }
     out.power /= static_cast<float>(share.paths);
     return out;

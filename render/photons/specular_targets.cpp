@@ -3,6 +3,7 @@
 #include "common/math/bounds.h"
 #include "common/math/frame.h"
 #include "common/math/sampling.h"
+#include "render/shading/lamps.h"
 #include "render/shading/material_traits.h"
 
 #include <algorithm>
@@ -100,13 +101,6 @@ bool in_cone(const TargetSphere& target, float height, const glm::vec3& origin,
     const glm::vec3 axis = glm::normalize(target.centre - origin);
     const glm::vec3 sine = glm::cross(axis, direction); // steadier than the cosine in thin cones
     return glm::dot(axis, direction) > 0 && glm::dot(sine, sine) < height * (2 - height);
-}
-
-/// Unit vector whose height over the xy plane is `below` less than 1.
-glm::vec3 direction_below_pole(float below, float u)
-{
-    const float sine = std::sqrt(below * (2 - below)), phi = 2 * kPi * u;
-    return {sine * std::cos(phi), sine * std::sin(phi), 1 - below};
 }
 
 bool in_cylinder(const TargetSphere& target, const glm::vec3& point, const glm::vec3& direction)

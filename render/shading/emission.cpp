@@ -2,6 +2,7 @@
 
 #include "common/math/frame.h"
 #include "common/math/sampling.h"
+#include "render/shading/lamps.h"
 
 #include <algorithm>
 #include <cmath>
@@ -56,9 +57,22 @@ EmittedPath emit_from_punctual(const LightSet& lights, const PunctualLight& ligh
         out.ray.origin = light.position;
         out.ray.direction = sample_sphere(random.next2());
     } else {
-        out.ray = ray_into_scene(lights, light.direction, random.next2());
+        const glm::vec3 direction =
+            light.half_angle > 0 ? leave_sun(light, random.next2()) : light.direction;
+        out.ray = ray_into_scene(lights, direction, random.next2());
     }
+    if (light.kind != LightKind::directional && light.radius > 0)
+        out.ray.origin = leave_ball(light, out.ray.direction, random.next2());
     out.power = light_power(light, lights.radius);
+    return out;
+}
+
+EmittedPath emit_from_area(const AreaLight& light, RandomSequence& random)
+{
+    EmittedPath out;
+    out.ray.origin = point_on(light, random.next2());
+    out.ray.direction = Frame(light.direction).to_world(sample_cosine_hemisphere(random.next2()));
+    out.power = light.radiance * static_cast<float>(kPi * lamp_area(light));
     return out;
 }
 
@@ -81,23 +95,34 @@ EmittedPath emit_from_face(const RenderScene& scene, double u_face, RandomSequen
 EmittedPath emit_from_sky(const LightSet& lights, RandomSequence& random)
 {
     EmittedPath out;
-    out.ray = ray_into_scene(lights, sample_sphere(random.next2()), random.next2());
-    out.power = lights.environment * (4 * kPi * kPi * lights.radius * lights.radius);
+    const SkyLight sky = sample_sky_light(lights, random.next2());
+    out.ray = ray_into_scene(lights, sky.direction, random.next2());
+    out.power = sky.light * (kPi * lights.radius * lights.radius);
     return out;
 }
 
 std::vector<double> powers_of(const LightSet& lights)
 {
     std::vector<double> out;
-    for (const PunctualLight& light : lights.punctual)
-        out.push_back(max_channel(light_power(light, lights.radius)));
+    for (std::size_t lamp = 0; lamp < lamp_count(lights); ++lamp)
+        out.push_back(max_channel(lamp_power(lights, lamp)));
     out.push_back(lights.emissive_power);
-    out.push_back(4.0 * kPi * kPi * lights.radius * lights.radius *
-                  max_channel(lights.environment));
+    const double flux =
+        lights.sky.empty() ? 4.0 * kPi * max_channel(lights.environment) : lights.sky.flux;
+    out.push_back(kPi * lights.radius * lights.radius * flux);
     return out;
 }
 
 } // namespace
+
+SkyLight sample_sky_light(const LightSet& lights, const glm::vec2& u)
+{
+    if (lights.sky.empty())
+        return {sample_sphere(u), lights.environment * (4 * kPi)};
+    const glm::vec3 back = sample_sky(lights.sky, u);
+    const float density = sky_density(lights.sky, back);
+    return {-back, density > 0 ? sky_radiance(lights.sky, back) / density : Rgb(0)};
+}
 
 EmissionPlan plan_emission(const LightSet& lights, std::uint64_t paths)
 {
@@ -143,7 +168,9 @@ EmittedPath emit_path(const RenderScene& scene, const EmissionPlan& plan, std::u
     EmittedPath out;
     if (share.light < lights.punctual.size()) {
         out = emit_from_punctual(lights, lights.punctual[share.light], random);
-    } else if (share.light == lights.punctual.size()) {
+    } else if (share.light < lamp_count(lights)) {
+        out = emit_from_area(lights.area[share.light - lights.punctual.size()], random);
+    } else if (share.light == lamp_count(lights)) {
         // Stratified over the faces: the paths walk through the running sum of powers.
         out = emit_from_face(scene, stratum(share, random), random);
     } else {

@@ -103,6 +103,17 @@ double importance(const LightBounds& lights, const LightReceiver& at)
     return lights.power * std::max(beyond.cosine, 0.0) * std::max(arriving, 0.0) / bounded2;
 }
 
+bool may_meet(const Bounds<glm::vec3>& box, const glm::vec3& origin, const glm::vec3& direction)
+{
+    constexpr double kMargin = 1 + 1e-5; // for the rounding of a unit vector
+    const glm::dvec3 low(box.low), high(box.high), half = 0.5 * (high - low);
+    const glm::dvec3 way = 0.5 * (low + high) - glm::dvec3(origin);
+    const double along = glm::dot(way, glm::dvec3(direction));
+    const double radius2 = kMargin * glm::dot(half, half), distance2 = glm::dot(way, way);
+    return distance2 <= radius2 ||
+           (along > 0 && distance2 - along * along <= radius2 + 1e-6 * distance2);
+}
+
 double spread_cost(const LightBounds& lights)
 {
     const double spread = std::acos(std::clamp(double{lights.cos_spread}, -1.0, 1.0));

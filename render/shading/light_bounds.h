@@ -30,6 +30,9 @@ LightBounds together(const LightBounds& a, const LightBounds& b);
 /// being in the very place of a light without size.
 double importance(const LightBounds& lights, const LightReceiver& at);
 
+/// Whether a ray may run into what is in the box: into the sphere around it.  direction: unit.
+bool may_meet(const Bounds<glm::vec3>& box, const glm::vec3& origin, const glm::vec3& direction);
+
 /// What a group of lights costs a sampler that cannot tell them apart, up to a factor: power times
 /// the square of its size times the solid angle it shines into.  Source: Conty Estevez and Kulla
 /// 2018, section 4.4; by the diagonal instead of the area of the box, which is zero for lamps in a

@@ -47,6 +47,7 @@ class TreeBuilder {
         if (lights.size() == 1) {
             tree_.nodes[here].bounds = lights_[lights[0]];
             tree_.nodes[here].light = lights[0];
+            tree_.nodes[here].end = here + 1;
             tree_.leaf_of[lights[0]] = here;
             return;
         }
@@ -55,6 +56,7 @@ class TreeBuilder {
         const auto second = static_cast<std::uint32_t>(tree_.nodes.size());
         build(lights.subspan(first), here);
         tree_.nodes[here].second = second;
+        tree_.nodes[here].end = static_cast<std::uint32_t>(tree_.nodes.size());
         tree_.nodes[here].bounds =
             together(tree_.nodes[here + 1].bounds, tree_.nodes[second].bounds);
     }

@@ -15,6 +15,7 @@ struct LightTree {
         LightBounds bounds;
         std::uint32_t parent = 0;
         std::uint32_t second = 0; ///< child; 0: a leaf
+        std::uint32_t end = 0;    ///< after what is below the node
         std::uint32_t light = 0;  ///< of a leaf
     };
     std::vector<Node> nodes;
@@ -38,5 +39,19 @@ std::optional<ChosenLight> choose_light(const LightTree& tree, const LightReceiv
 
 /// The chance with which that chooses the light.  Chances of all lights add up to one, or to zero.
 double chance_of(const LightTree& tree, const LightReceiver& at, std::uint32_t light);
+
+/// Calls visit(light) for every light whose box a ray may run into.  direction: unit.
+template <typename Visit>
+void over_lights_along(const LightTree& tree, const glm::vec3& origin, const glm::vec3& direction,
+                       const Visit& visit)
+{
+    for (std::uint32_t here = 0; here < tree.nodes.size();) {
+        const LightTree::Node& node = tree.nodes[here];
+        const bool met = may_meet(node.bounds.box, origin, direction);
+        if (met && node.second == 0)
+            visit(node.light);
+        here = met ? here + 1 : node.end;
+    }
+}
 
 } // namespace hipmap

@@ -2,8 +2,10 @@
 
 #include "common/math/bounds.h"
 #include "common/math/sampling.h"
+#include "render/shading/lamps.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace hipmap {
 
@@ -107,33 +109,28 @@ void grow_face_tree(LightSet& lights, const TriangleMesh& mesh, const std::vecto
     lights.face_tree = build_light_tree(bounds);
 }
 
-LightBounds bounds_of_lamp(const PunctualLight& light)
+bool is_sun(const LightSet& lights, std::size_t lamp)
 {
-    LightBounds out;
-    out.box.add(light.position);
-    out.axis = light.direction;
-    if (light.kind == LightKind::spot)
-        out.cos_reach = light.cos_outer;
-    else
-        out.cos_spread = -1;
-    out.power = max_channel(light.intensity);
-    return out;
+    return lamp < lights.punctual.size() && lights.punctual[lamp].kind == LightKind::directional;
 }
 
 void grow_lamp_tree(LightSet& lights)
 {
-    const bool few = lights.punctual.size() <= kFewLamps;
+    const bool few = lamp_count(lights) <= kFewLamps;
     std::vector<LightBounds> bounds;
-    for (std::uint32_t i = 0; i < lights.punctual.size(); ++i) {
-        const PunctualLight& light = lights.punctual[i];
-        if (is_black(light.intensity))
+    for (std::uint32_t lamp = 0; lamp < lamp_count(lights); ++lamp) {
+        if (is_black(lamp_power(lights, lamp)))
             continue;
-        if (few || light.kind == LightKind::directional) {
-            lights.other_lamps.push_back(i);
+        const bool sized = has_size(lights, lamp);
+        if (few || is_sun(lights, lamp)) {
+            lights.other_lamps.push_back(lamp);
+            if (sized)
+                lights.sized_lamps.push_back(lamp);
             continue;
         }
-        lights.chosen_lamps.push_back(i);
-        bounds.push_back(bounds_of_lamp(light));
+        lights.chosen_lamps.push_back(lamp);
+        lights.chosen_have_size = lights.chosen_have_size || sized;
+        bounds.push_back(bounds_of_lamp(lights, lamp));
     }
     lights.lamp_tree = build_light_tree(bounds);
 }
@@ -145,6 +142,7 @@ LightSet collect_lights(const Scene& scene, const std::vector<Bsdf>& bsdfs)
     const TriangleMesh& mesh = scene.mesh;
     LightSet lights;
     lights.punctual = scene.lights;
+    lights.area = scene.area_lights;
     lights.environment = scene.environment;
     Bounds<glm::vec3> box;
     for (const glm::uvec3& corners : mesh.corners)
@@ -158,6 +156,22 @@ LightSet collect_lights(const Scene& scene, const std::vector<Bsdf>& bsdfs)
     grow_face_tree(lights, mesh, bsdfs);
     grow_lamp_tree(lights);
     return lights;
+}
+
+bool has_sky(const LightSet& lights)
+{
+    return !lights.sky.empty() || !is_black(lights.environment);
+}
+
+bool can_be_met(const LightSet& lights)
+{
+    return has_sky(lights) || !lights.emissive_faces.empty() || !lights.sized_lamps.empty() ||
+           lights.chosen_have_size;
+}
+
+Rgb sky_radiance(const LightSet& lights, const glm::vec3& direction)
+{
+    return lights.sky.empty() ? lights.environment : sky_radiance(lights.sky, direction);
 }
 
 EmissivePoint sample_emissive_point(const LightSet& lights, const TriangleMesh& mesh, double u_face,
@@ -218,7 +232,9 @@ Rgb light_power(const PunctualLight& light, float scene_radius)
         return light.intensity *
                (2 * kPi * ((1 - light.cos_inner) + (light.cos_inner - light.cos_outer) / 3));
     case LightKind::directional:
-        return light.intensity * (kPi * scene_radius * scene_radius);
+        // Its disc sends a little more than passes through a plane across its middle.
+        return light.intensity * (kPi * scene_radius * scene_radius) *
+               (2 / (1 + std::cos(light.half_angle)));
     }
     return Rgb(0);
 }

@@ -5,6 +5,7 @@
 #include "common/scene/scene.h"
 #include "render/shading/bsdf.h"
 #include "render/shading/light_tree.h"
+#include "render/shading/sky_picture.h"
 
 #include <optional>
 #include <vector>
@@ -15,6 +16,7 @@ namespace hipmap {
 /// are scene units, so that power / area in square scene units is W/m2).
 struct LightSet {
     std::vector<PunctualLight> punctual;
+    std::vector<AreaLight> area;
     std::vector<FaceId> emissive_faces;
     std::vector<double>
         cumulative;              ///< [emissive_faces] running sum of selection weights, ends at 1
@@ -23,15 +25,27 @@ struct LightSet {
     LightTree face_tree;         ///< over emissive_faces; empty if they are few
     std::vector<std::uint32_t> place_of_face; ///< [F, or 0 if they are few] in emissive_faces
     LightTree lamp_tree;                      ///< over chosen_lamps
-    std::vector<std::uint32_t> chosen_lamps;  ///< in punctual: if they are many, those with a place
+    std::vector<std::uint32_t> chosen_lamps;  ///< lamps (lamps.h), if they are many, but for suns
     std::vector<std::uint32_t> other_lamps;   ///< all of which are sampled
-    Rgb environment{0.0f};
-    glm::vec3 centre{0.0f}; ///< of a sphere around all faces
+    std::vector<std::uint32_t> sized_lamps;   ///< those of the others that rays can run into
+    bool chosen_have_size = false;            ///< some of chosen_lamps are such
+    Rgb environment{0.0f};                    ///< of a uniform sky
+    SkyPicture sky;                           ///< instead of that, unless empty
+    glm::vec3 centre{0.0f};                   ///< of a sphere around all faces
     float radius = 0.0f;
 };
 
-/// Borrows nothing.  Emissive faces are selected in proportion to their power, by
-/// pictures and vertices' colours on average over each.  O(F).
+/// Light comes from beyond the scene, but for suns.
+bool has_sky(const LightSet& lights);
+
+/// There is some light that a ray may run into.
+bool can_be_met(const LightSet& lights);
+
+/// Its radiance from a direction (unit, away from the scene).
+Rgb sky_radiance(const LightSet& lights, const glm::vec3& direction);
+
+/// Borrows nothing; without a picture of the sky.  Emissive faces are selected in proportion to
+/// their power, by pictures and vertices' colours on average over each.  O(F).
 LightSet collect_lights(const Scene& scene, const std::vector<Bsdf>& bsdfs);
 
 /// A point of an emissive face.
@@ -64,7 +78,7 @@ Rgb emitted_radiance(const Bsdf& bsdf, const SurfacePoint& point, const glm::vec
 /// Radiant intensity of a spot or point light along `direction` (unit, away from it).
 Rgb light_intensity(const PunctualLight& light, const glm::vec3& direction);
 
-/// Power of a punctual light that can reach a scene within LightSet's sphere.
+/// Power of a punctual light that can reach a scene within LightSet's sphere, whatever its size.
 Rgb light_power(const PunctualLight& light, float scene_radius);
 
 } // namespace hipmap

@@ -3,14 +3,17 @@
 #include "render/shading/coverage.h"
 #include "render/shading/material_traits.h"
 
+#include <utility>
+
 namespace hipmap {
 
-RenderScene::RenderScene(const Scene& from_scene, const Partition& from_partition)
+RenderScene::RenderScene(const Scene& from_scene, const Partition& from_partition, SkyPicture sky)
     : scene(from_scene), partition(from_partition), coverage(coverage_of(from_scene)),
       rays(from_scene.mesh, coverage),
       bsdfs(make_bsdfs(from_scene.materials, from_scene.diffuse_model)),
       varying(varying_materials(from_scene)), lights(collect_lights(from_scene, bsdfs))
 {
+    lights.sky = std::move(sky);
     for (const Material& material : scene.materials)
         bumpy.push_back(find_texture(material.textures, TextureUse::normal) != nullptr);
     for (const MaterialId material : mesh().material_of_face)

@@ -25,7 +25,8 @@ struct RenderScene {
     bool directional = false; ///< photons are weighed by the direction they came from: some surface
                               ///<   gathers by a lobe that is not separable
 
-    RenderScene(const Scene& from_scene, const Partition& from_partition);
+    /// sky: the picture that the scene names, or an empty one.
+    RenderScene(const Scene& from_scene, const Partition& from_partition, SkyPicture sky = {});
 
     const TriangleMesh& mesh() const { return scene.mesh; }
 };

@@ -3,6 +3,7 @@
 #include "tests/support/tiny_rooms.h"
 
 #include <algorithm>
+#include <numbers>
 
 namespace hipmap {
 
@@ -20,12 +21,13 @@ Scene floor_seen(float side)
     return scene;
 }
 
-ClosedForm under_point_light()
+/// All of a sphere lights the floor as a point does.
+ClosedForm under_point_light(const std::string& name, float radius)
 {
     constexpr double kSide = 0.5, kHeight = 0.4, kIntensity = 3;
-    ClosedForm out{"point light over a floor", "ρ/π I Ω/A", floor_seen(kSide), 0,
-                   PhotonsRead::direct,        kPhotons};
+    ClosedForm out{name, "ρ/π I Ω/A", floor_seen(kSide), 0, PhotonsRead::direct, kPhotons};
     PunctualLight light;
+    light.radius = radius;
     light.position = {0, kHeight, 0};
     light.intensity = Rgb(kIntensity);
     out.scene.lights = {light};
@@ -58,11 +60,12 @@ ClosedForm under_spot()
     return out;
 }
 
-ClosedForm under_sun()
+/// So does a disc in the sky as a sun of its irradiance.
+ClosedForm under_sun(const std::string& name, float half_angle)
 {
-    ClosedForm out{"sun on a floor",    "ρ/π E cos θ", floor_seen(0.5f), 0,
-                   PhotonsRead::direct, kPhotons};
+    ClosedForm out{name, "ρ/π E cos θ", floor_seen(0.5f), 0, PhotonsRead::direct, kPhotons};
     PunctualLight sun;
+    sun.half_angle = half_angle;
     sun.kind = LightKind::directional;
     sun.direction = glm::normalize(glm::vec3(1, -2, 0));
     sun.intensity = Rgb(5);
@@ -87,6 +90,52 @@ ClosedForm under_square_lamp()
                    PhotonsRead::direct,          kPhotons};
     tiny::add(out.scene, tiny::floor_at(kHeight, -kSide), tiny::lamp(Rgb(2)));
     out.expected = kHalf * 2 * facing_squares(kSide / kHeight);
+    return out;
+}
+
+ClosedForm under_rectangle_light()
+{
+    constexpr double kSide = 0.4, kHeight = 0.3;
+    ClosedForm out{"square under a square area light",
+                   "ρ L F",
+                   floor_seen(kSide),
+                   0,
+                   PhotonsRead::direct,
+                   kPhotons};
+    AreaLight light;
+    light.centre = {0, kHeight, 0};
+    light.half_right = {kSide / 2, 0, 0};
+    light.half_up = {0, 0, kSide / 2};
+    light.direction = kDown;
+    light.radiance = Rgb(2);
+    out.scene.area_lights = {light};
+    out.expected = kHalf * 2 * facing_squares(kSide / kHeight);
+    return out;
+}
+
+ClosedForm under_disc_light()
+{
+    constexpr double kSide = 0.4, kHeight = 0.3, kRadius = 0.2;
+    ClosedForm out{"floor under a round area light",
+                   "ρ L/2 (1 - (h²+a²-r²)/√((h²+a²+r²)²-4a²r²))",
+                   floor_seen(kSide),
+                   0,
+                   PhotonsRead::direct,
+                   kPhotons};
+    AreaLight light;
+    light.is_disc = true;
+    light.centre = {0, kHeight, 0};
+    light.half_right = {kRadius, 0, 0};
+    light.half_up = {0, 0, kRadius};
+    light.direction = kDown;
+    light.radiance = Rgb(2);
+    out.scene.area_lights = {light};
+    // Howell's catalogue, B-13.
+    out.expected = mean_over_square(kSide, [=](double x, double z) {
+        const double a2 = x * x + z * z, h2 = kHeight * kHeight, r2 = kRadius * kRadius;
+        const double sum = h2 + a2 + r2;
+        return kHalf * 2 * 0.5 * (1 - (h2 + a2 - r2) / std::sqrt(sum * sum - 4 * a2 * r2));
+    });
     return out;
 }
 
@@ -168,11 +217,15 @@ std::vector<ClosedForm> lit_forms()
 {
     const Rgb albedo(0.7f, 0.5f, 0.3f);
     return {
-        under_point_light(),
+        under_point_light("point light over a floor", 0),
+        under_point_light("sphere light over a floor", 0.2f),
         under_spot(),
-        under_sun(),
+        under_sun("sun on a floor", 0),
+        under_sun("sun of 60 degrees on a floor", 0.5f * std::numbers::pi_v<float> / 3),
         under_sky(),
         under_square_lamp(),
+        under_rectangle_light(),
+        under_disc_light(),
         under_triangle_lamp(),
         lit_by_a_wall(),
         {"glowing box", "e/(1 - ρ)", tiny::glowing_box(albedo), 1, PhotonsRead::others, kPhotons},

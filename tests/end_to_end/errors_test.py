@@ -5,6 +5,7 @@
 
 import os
 import signal
+import struct
 import subprocess
 import sys
 
@@ -46,6 +47,17 @@ class Errors(ToolsTestCase):
                     naming="a.glb")
         self.refuse("preprocess", self.write("a.blend", b"BLENDER"), "-o", self.path("a.hpm"),
                     naming="a.blend")
+
+    def test_sky(self):
+        def refuse(environment, naming):
+            self.refuse("render", Tools.scene, partition, "-o", self.path("a.png"), "--environment",
+                        environment, naming=naming)
+
+        partition = self.partition()
+        refuse("-1", "no radiance from 0")
+        refuse(self.path("sky.hdr"), "sky.hdr")
+        refuse(self.write("sky.exr", b"no picture"), "sky.exr")
+        refuse(self.write("dark.pfm", b"Pf\n2 1\n-1\n" + struct.pack("<2f", 1, -1)), "(1, 0)")
 
     def test_partition_of_another_scene(self):
         self.partition()

@@ -134,8 +134,24 @@ TEST_CASE("effect plan: an effect is on if and only if the scene calls for it", 
     CHECK(on_in(plan_of(through_lens)) == Effects{Effect::indirect, Effect::depth_of_field});
     Scene under_sky = plain_floor();
     under_sky.environment = Rgb(1);
-    CHECK(on_in(plan_of(under_sky)) ==
-          Effects{Effect::soft_shadows, Effect::indirect, Effect::environment});
+    const Effects of_sky{Effect::soft_shadows, Effect::indirect, Effect::environment};
+    CHECK(on_in(plan_of(under_sky)) == of_sky);
+    under_sky.environment = Rgb(0);
+    under_sky.environment_picture = "sky.hdr";
+    under_sky.lights.clear();
+    CHECK(on_in(plan_of(under_sky)) == of_sky);
+    Scene under_ball = plain_floor();
+    under_ball.lights[0].radius = 0.1f;
+    under_ball.lights[0].name = "Bulb";
+    CHECK(on_in(plan_of(under_ball)) == Effects{Effect::soft_shadows, Effect::indirect});
+    CHECK(plan_of(under_ball).effects[0].reason ==
+          "light comes from the whole of the lamps 'Bulb'");
+    Scene under_panel = plain_floor();
+    under_panel.lights.clear();
+    CHECK(on_in(plan_of(under_panel)) == Effects{});
+    under_panel.area_lights.resize(1);
+    under_panel.area_lights[0].radiance = Rgb(1);
+    CHECK(on_in(plan_of(under_panel)) == Effects{Effect::soft_shadows, Effect::indirect});
 }
 
 TEST_CASE("effect plan: without light or matt surfaces there are no caustics", "[effects]")
@@ -226,15 +242,18 @@ TEST_CASE("effect plan: what is left out is not in the scene that is rendered", 
     Scene scene = with_ball(glass);
     tiny::add(scene, tiny::floor_at(0.1f, 0.2f), with_texture(TextureUse::base_color));
     scene.environment = Rgb(1);
+    scene.environment_picture = "sky.hdr";
     const Scene before = scene;
     drop_effects(scene, plan_of(scene));
     CHECK(scene.materials[1].absorption == before.materials[1].absorption);
     CHECK(scene.materials[2].textures.size() == 1);
     CHECK(scene.environment == before.environment);
+    CHECK_FALSE(scene.environment_picture.empty());
     EffectOptions options;
     options.switches = parse_effect_switches("-absorption,-textures,-environment");
     drop_effects(scene, plan_of(scene, options));
     CHECK(scene.materials[1].absorption == Rgb(0));
     CHECK(scene.materials[2].textures.empty());
     CHECK(scene.environment == Rgb(0));
+    CHECK(scene.environment_picture.empty());
 }

@@ -1,0 +1,29 @@
+#include "render/load_sky.h"
+
+#include "common/image/read_image.h"
+#include "common/input_error.h"
+
+#include <algorithm>
+#include <numbers>
+
+namespace hipmap {
+
+SkyPicture load_sky(const Scene& scene, double turn_deg)
+{
+    if (scene.environment_picture.empty())
+        return {};
+    const Image picture = read_image(scene.environment_picture);
+    for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+        const Rgb& pixel = picture.pixels[i];
+        const auto width = static_cast<std::size_t>(picture.width);
+        if (!(std::min({pixel.x, pixel.y, pixel.z}) >= 0))
+            throw InputError(
+                scene.environment_picture + ": pixel (" + std::to_string(i % width) + ", " +
+                std::to_string(i / width) +
+                ") is below zero; a sky has no such radiance, write the picture again");
+    }
+    return make_sky_picture(picture, scene.environment_strength,
+                            static_cast<float>(turn_deg * std::numbers::pi / 180));
+}
+
+} // namespace hipmap

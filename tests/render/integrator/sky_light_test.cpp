@@ -1,0 +1,126 @@
+#include "render/integrator/direct_light.h"
+#include "tests/support/mean_luminance.h"
+#include "tests/support/render_image.h"
+#include "tests/support/statistics.h"
+#include "tests/support/tiny_rooms.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+using namespace hipmap;
+
+namespace {
+
+/// A picture of a dim sky with a sun of 2 x 2 pixels, and the irradiance of a floor by it.
+struct SunnySky {
+    Image picture{64, 32};
+    double irradiance = 0;
+};
+
+SunnySky sunny_sky(float sky, float sun)
+{
+    SunnySky out;
+    for (int y = 0; y < 32; ++y)
+        for (int x = 0; x < 64; ++x) {
+            const bool in_sun = (y == 7 || y == 8) && (x == 20 || x == 21);
+            out.picture.at(x, y) = Rgb(in_sun ? sun : sky);
+            // The integral of cosine over the pixel.
+            const double upper = std::cos(M_PI * y / 32), lower = std::cos(M_PI * (y + 1) / 32);
+            if (y < 16)
+                out.irradiance += out.picture.at(x, y).y * (2 * M_PI / 64) * 0.5 *
+                                  (upper * upper - lower * lower);
+        }
+    return out;
+}
+
+std::unique_ptr<tiny::ReadyScene> under(const Image& picture, Scene scene)
+{
+    auto out = tiny::ready(std::move(scene));
+    out->render = std::make_unique<RenderScene>(out->scene, out->partition,
+                                                make_sky_picture(picture, 1, 0.4f));
+    return out;
+}
+
+RunningMean irradiance_of_floor(const tiny::ReadyScene& ready, int samples)
+{
+    Ray down;
+    down.origin = {0, 0.05f, 0};
+    down.direction = {0, -1, 0};
+    const Interaction at = interact(*ready.render, down, *ready.render->rays.nearest(down));
+    RunningMean mean;
+    for (int i = 0; i < samples; ++i) {
+        RandomSequence random(17, RandomStream::eye_paths, 0, static_cast<std::uint64_t>(i));
+        const Rgb light = sampled_light(*ready.render, at, {1, 0}, random) +
+                          found_light(*ready.render, at, random);
+        mean.add(light.y * M_PI / 0.5);
+    }
+    return mean;
+}
+
+} // namespace
+
+TEST_CASE("sky light: a picture of one radiance lights as the uniform sky does", "[integrator]")
+{
+    Image even(16, 8);
+    for (Rgb& pixel : even.pixels)
+        pixel = Rgb(0.25f);
+    const RunningMean mean = irradiance_of_floor(*under(even, tiny::matt_floor()), 20'000);
+    CHECK(std::abs(mean.z_score(M_PI * 0.25)) < kMostZ);
+}
+
+TEST_CASE("sky light: a small sun in a picture lights by its cosine", "[integrator]")
+{
+    const SunnySky sky = sunny_sky(0.1f, 500);
+    const RunningMean mean = irradiance_of_floor(*under(sky.picture, tiny::matt_floor()), 20'000);
+    CHECK(std::abs(mean.z_score(sky.irradiance)) < kMostZ);
+    CHECK(mean.standard_error() < 0.005 * sky.irradiance); // which rays of lobes alone are far from
+}
+
+TEST_CASE("sky light: photons from a picture carry its power", "[integrator]")
+{
+    const SunnySky sky = sunny_sky(0.1f, 500);
+    const auto ready = under(sky.picture, tiny::matt_floor());
+    const LightSet& lights = ready->render->lights;
+    const EmissionPlan plan = plan_emission(lights, 40'000);
+    RunningMean power; // that comes down onto the floor
+    for (std::uint64_t i = 0; i < plan.paths; ++i) {
+        RandomSequence random(5, RandomStream::photons, 0, i);
+        const EmittedPath path = emit_path(*ready->render, plan, i, random);
+        const bool down = path.ray.direction.y < 0 && ready->render->rays.nearest(path.ray);
+        power.add(down ? path.power.y * static_cast<double>(plan.paths) : 0);
+    }
+    CHECK(std::abs(power.z_score(sky.irradiance)) < kMostZ); // the floor has area 1
+}
+
+TEST_CASE("sky light: the integrators agree under a picture, with a glass and a mirror ball",
+          "[integrator]")
+{
+    const SunnySky sky = sunny_sky(0.5f, 100);
+    const auto ready =
+        under(sky.picture, tiny::with_glass_and_mirror(
+                               [] {
+                                   Scene scene = tiny::make_scene(tiny::floor_at(-0.45f, 2));
+                                   scene.materials[0] = tiny::matt({0.7f, 0.6f, 0.5f});
+                                   scene.cameras[0].position = {0, 0, 0.9f};
+                                   scene.cameras[0].tan_half_height = 0.5f;
+                                   return scene;
+                               }(),
+                               Rgb(0.9f)));
+    ImageOptions options;
+    options.width = options.height = 16;
+    options.photons = 20'000;
+    RunningMean progressive, paths;
+    for (options.seed = 0; options.seed < 12; ++options.seed) {
+        options.integrator = Integrator::progressive;
+        options.samples = 8;
+        progressive.add(mean_luminance(render_image(*ready->render, options, {}).image));
+        options.integrator = Integrator::path;
+        options.samples = 100;
+        paths.add(mean_luminance(render_image(*ready->render, options, {}).image));
+    }
+    const double noise = std::hypot(progressive.standard_error(), paths.standard_error());
+    INFO("progressive " << progressive.mean() << ", paths " << paths.mean() << ", noise " << noise);
+    CHECK(std::abs(progressive.mean() - paths.mean()) < 0.01 * paths.mean() + kMostZ * noise);
+    CHECK(noise < 0.03 * paths.mean());
+}
