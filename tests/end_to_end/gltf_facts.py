@@ -1,0 +1,145 @@
+"""What a glTF file says of its materials and lights, read without hipmap's loader."""
+
+import base64
+import json
+import os
+import struct
+from collections import Counter
+
+from glb_file import COMPONENTS
+
+FORMATS = {5120: "b", 5121: "B", 5122: "h", 5123: "H", 5125: "I", 5126: "f"}
+RENDERED = ("transmissionTexture", "specularTexture", "specularColorTexture", "clearcoatTexture",
+            "clearcoatRoughnessTexture")
+
+
+class GltfFacts:
+    """materials: the numbers of those that faces wear, by name."""
+
+    def __init__(self, path):
+        with open(path, "rb") as file:
+            data = file.read()
+        self.folder, self.binary = os.path.dirname(path), b""
+        if data[:4] == b"glTF":
+            length = struct.unpack_from("<I", data, 12)[0]
+            self.binary = data[28 + length:]
+            data = data[20:20 + length]
+        self.json = json.loads(data)
+        self.primitives = [p for mesh in self.meshes() for p in mesh["primitives"]
+                           if p.get("mode", 4) >= 4]
+        worn = {p.get("material", -1) for p in self.primitives}
+        self.materials = [self.material(i) for i in sorted(worn)]
+
+    def nodes(self):
+        """Those of the scene shown."""
+        scene = self.json["scenes"][self.json.get("scene", 0)]
+        waiting = list(scene.get("nodes", []))
+        while waiting:
+            node = self.json["nodes"][waiting.pop()]
+            waiting.extend(node.get("children", []))
+            yield node
+
+    def meshes(self):
+        return [self.json["meshes"][i] for i in sorted({n["mesh"] for n in self.nodes()
+                                                        if "mesh" in n})]
+
+    def lamps(self):
+        return [n for n in self.nodes() if "KHR_lights_punctual" in n.get("extensions", {})]
+
+    def has_lens(self):
+        """The first camera, by hipmap's own key."""
+        cameras = [n for n in self.nodes() if "camera" in n]
+        lens = cameras[0].get("extras", {}).get("hipmap", {}) if cameras else {}
+        return lens.get("aperture_radius", 0) > 0 and lens.get("focus_distance", 0) > 0
+
+    def values(self, index):
+        """Rows of an accessor that is neither sparse nor compressed."""
+        accessor = self.json["accessors"][index]
+        view = self.json["bufferViews"][accessor["bufferView"]]
+        buffer = self.json["buffers"][view["buffer"]]
+        data, uri = self.binary, buffer.get("uri", "")
+        if uri.startswith("data:"):
+            data = base64.b64decode(uri.partition(",")[2])
+        elif uri:
+            with open(os.path.join(self.folder, uri), "rb") as file:
+                data = file.read()
+        layout = struct.Struct(f"<{COMPONENTS[accessor['type']]}"
+                               f"{FORMATS[accessor['componentType']]}")
+        start = view.get("byteOffset", 0) + accessor.get("byteOffset", 0)
+        stride = view.get("byteStride", layout.size)
+        return [layout.unpack_from(data, start + i * stride) for i in range(accessor["count"])]
+
+    def vertex_colours(self):
+        """Some are not white."""
+        for primitive in self.primitives:
+            index = primitive["attributes"].get("COLOR_0")
+            if index is not None:
+                kind = self.json["accessors"][index]["componentType"]
+                white = {5121: 255, 5123: 65535}.get(kind, 1)
+                if any(v != white for row in self.values(index) for v in row):
+                    return True
+        return False
+
+    def closed(self, material):
+        """Some mesh that wears it has two faces at each edge."""
+        for mesh in self.meshes():
+            edges = Counter()
+            if all(p.get("material", -1) != material for p in mesh["primitives"]):
+                continue
+            for primitive in mesh["primitives"]:
+                positions = self.values(primitive["attributes"]["POSITION"])
+                corners = [row[0] for row in self.values(primitive["indices"])]
+                for i in range(0, len(corners), 3):
+                    points = [positions[c] for c in corners[i:i + 3]]
+                    for a, b in zip(points, points[1:] + points[:1]):
+                        edges[min(a, b), max(a, b)] += 1
+            if edges and set(edges.values()) == {2}:
+                return True
+        return False
+
+    def material(self, index):
+        """The numbers of one, with glTF's defaults; those of layers in `extensions`."""
+        written = self.json["materials"][index] if index >= 0 else {}
+        base = written.get("pbrMetallicRoughness", {})
+        extensions = written.get("extensions", {})
+
+        def number(extension, key, otherwise):
+            return extensions.get("KHR_materials_" + extension, {}).get(key, otherwise)
+
+        textures = {key for holder in (written, base, *extensions.values())
+                    for key in holder if key.endswith("Texture")}
+        unlit = "KHR_materials_unlit" in extensions
+        metallic = 0 if unlit else base.get("metallicFactor", 1)
+        transmission = 0 if unlit else number("transmission", "transmissionFactor", 0)
+        step = number("ior", "ior", 1.5)
+        f0 = ((step - 1) / (step + 1)) ** 2 * max(number("specular", "specularColorFactor", [1]))
+        f0 *= 0 if unlit else number("specular", "specularFactor", 1)
+        attenuation = extensions.get("KHR_materials_volume", {})
+        return {
+            "name": written.get("name") or (f"material {index}" if index >= 0
+                                            else "(no material)"),
+            "textures": textures, "unlit": unlit, "roughness": base.get("roughnessFactor", 1),
+            "matt": (1 - metallic) * (1 - transmission) > 0 and
+                    not unlit and any(base.get("baseColorFactor", [1, 1, 1])[:3]),
+            "reflects": (metallic > 0 and any(base.get("baseColorFactor", [1])[:3])) or
+                        ((1 - metallic) * (1 - transmission) > 0 and f0 > 0),
+            "glass": (1 - metallic) * transmission > 0,
+            "solid": (1 - metallic) * transmission > 0 and self.closed(index),
+            "absorbs": "attenuationDistance" in attenuation and
+                       min(attenuation.get("attenuationColor", [1])) < 1,
+            "glows": any(base.get("baseColorFactor", [1, 1, 1])[:3] if unlit
+                         else written.get("emissiveFactor", [0])),
+            "alpha_mode": written.get("alphaMode", "OPAQUE"),
+            "alpha": base.get("baseColorFactor", [1] * 4)[3],
+            "cutoff": written.get("alphaCutoff", 0.5),
+            "coat": number("clearcoat", "clearcoatFactor", 0),
+            "coat_roughness": number("clearcoat", "clearcoatRoughnessFactor", 0),
+            "dispersion": number("dispersion", "dispersion", 0),
+        }
+
+    def rendered_pictures(self, material):
+        """Pictures that are multiplied into the factors."""
+        plain = {"baseColorTexture", "metallicRoughnessTexture", "emissiveTexture"}
+        if material["unlit"]:
+            plain = {"baseColorTexture"}
+        return material["textures"] & (plain | set(RENDERED))
