@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 namespace hipmap {
 
@@ -125,15 +126,36 @@ ChannelStatistics ChannelReader::read(std::size_t pixel, std::size_t channel) co
     if (out.batches > 1)
         out.variance = squares / ((out.batches - 1) * out.passes);
     out.weight = relative_weight(out.mean, out.variance, dark_);
+    out.unbiased = out.mean;
+    if (film_.bias == BiasKnowledge::from_radii)
+        read_narrow(pixel, channel, out);
+    out.bias_weight = relative_weight(out.unbiased, out.variance, dark_);
     out.steady = weight_by_neighbours(out, pixel, channel);
     out.noise = out.steady * squares;
     for (std::size_t i = 0; i < wide_.batch.size() && out.batches > 1; ++i)
         if (kept[i] > 0)
             out.most_noise += weight_without(out, squares, i, sums[i], kept[i]) * out.deviation[i] *
                               out.deviation[i];
-    if (film_.bias == BiasKnowledge::from_radii)
-        read_narrow(pixel, channel, out);
     return out;
+}
+
+/// What the mean would be without the bias that is plain to see; where it is not, the mean.
+double ChannelReader::without_bias(const ChannelStatistics& biased) const
+{
+    constexpr double kPlain = 1; // standard errors
+    const auto size = static_cast<double>(narrow_.batch.size());
+    if (size < 2)
+        return biased.mean;
+    double sum = 0, squares = 0;
+    for (const double difference : biased.first)
+        sum += difference;
+    for (std::size_t i = 0; i < narrow_.batch.size(); ++i)
+        squares += (biased.first[i] - sum / size) * (biased.first[i] - sum / size);
+    const double sure = sum / size - kPlain * std::sqrt(squares / (size * (size - 1)));
+    if (!(sure > 0) || !(biased.mean > 0))
+        return biased.mean;
+    // The law of small radii would take off too much where the bias is most of what there is.
+    return biased.mean * biased.mean / (biased.mean + sure / (1 - kNarrowing * kNarrowing));
 }
 
 /// By what the pixels around have, as far as the channel's own noise allows for it.
@@ -143,7 +165,8 @@ double ChannelReader::weight_by_neighbours(const ChannelStatistics& own, std::si
     const int width = film_.width, at = static_cast<int>(pixel);
     const double around = median_around(mean_, at % width, at / width, static_cast<int>(channel));
     const double noise = std::sqrt(own.variance);
-    const double value = std::clamp(around, std::max(own.mean - noise, 0.0), own.mean + noise);
+    const double value =
+        std::clamp(around, std::max(own.unbiased - noise, 0.0), own.unbiased + noise);
     const double square = value * value + dark_;
     return square > 0 ? 1 / square : 0;
 }
@@ -180,6 +203,7 @@ void ChannelReader::read_narrow(std::size_t pixel, std::size_t channel,
         out.first[i] = (wide - narrow) / kept;
         out.second[i] = (narrow - narrower) / kept;
     }
+    out.unbiased = without_bias(out);
 }
 
 BatchProducts batch_products(const Film& film)
@@ -200,9 +224,9 @@ BatchProducts batch_products(const Film& film)
             out.noise += found.noise;
             out.most_noise += found.most_noise;
             add_products(out.deviations, found.weight, found.deviation, found.deviation);
-            add_products(out.first, found.weight, found.first, found.first);
-            add_products(out.both, found.weight, found.first, found.second);
-            add_products(out.second, found.weight, found.second, found.second);
+            add_products(out.first, found.bias_weight, found.first, found.first);
+            add_products(out.both, found.bias_weight, found.first, found.second);
+            add_products(out.second, found.bias_weight, found.second, found.second);
         }
         out.fourth += fourth_cumulant(of_pixel, static_cast<double>(out.wide.batch.size()));
     }

@@ -32,11 +32,13 @@ struct ChannelStatistics {
     double passes = 0;  ///< that kept a sample
     double batches = 0; ///< with such passes
     double mean = 0;
-    double variance = 0;   ///< of the mean, docs/error.md (4)
-    double weight = 0;     ///< docs/error.md (5)
-    double steady = 0;     ///< the weight by the pixels around, docs/error.md (5)
-    double noise = 0;      ///< sum of squares of `deviation`, weighed by `steady`
-    double most_noise = 0; ///< the same, each weighed by the other batches alone
+    double variance = 0;    ///< of the mean, docs/error.md (4)
+    double weight = 0;      ///< docs/error.md (5)
+    double unbiased = 0;    ///< the mean less what bias is plain, docs/error.md (9)
+    double bias_weight = 0; ///< by that
+    double steady = 0;      ///< the weight by the pixels around, docs/error.md (5)
+    double noise = 0;       ///< sum of squares of `deviation`, weighed by `steady`
+    double most_noise = 0;  ///< the same, each weighed by the other batches alone
     /// [K] sqrt(passes) times what a batch's mean differs from the mean.
     std::array<double, kBatches> deviation{};
     /// By narrow batch: mean of radiance less that of narrow; of narrow less that of narrower.
@@ -68,6 +70,7 @@ class ChannelReader {
   private:
     double sum(const std::vector<std::int64_t>& sums, std::uint64_t batch, std::size_t pixel,
                std::size_t channel) const;
+    double without_bias(const ChannelStatistics& biased) const;
     double weight_by_neighbours(const ChannelStatistics& own, std::size_t pixel,
                                 std::size_t channel) const;
     double weight_without(const ChannelStatistics& all, double squares, std::size_t i, double sum,
