@@ -16,7 +16,10 @@ void print_photons(const RenderStatistics& statistics, Report& report)
     if (statistics.aimed > 0)
         line << " and " << statistics.aimed << " aimed at specular surfaces";
     line << " left " << statistics.global.stored << " global and " << statistics.caustic.stored
-         << " caustic photons; last pass: " << statistics.global.shared_maps << " global and "
+         << " caustic photons";
+    if (statistics.volume_photons > 0)
+        line << ", and " << statistics.volume_photons << " in media";
+    line << "; last pass: " << statistics.global.shared_maps << " global and "
          << statistics.caustic.shared_maps << " caustic maps with photons";
     if (const std::uint64_t maps = statistics.global.local_maps + statistics.caustic.local_maps)
         line << ", " << maps << " local maps";

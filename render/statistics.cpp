@@ -146,6 +146,7 @@ Json photons_json(const RenderStatistics& render, const RenderOptions& options)
     Json json = {{"emitted", render.emitted},
                  {"aimed", render.aimed},
                  {"stored", render.caustic.stored + render.global.stored},
+                 {"in_media", render.volume_photons},
                  {"dropped", render.dropped_photons},
                  {"paths_cut", render.cut_paths},
                  {"caustic", kind_json(render.caustic, options.maps)},

@@ -98,6 +98,15 @@ bool note_lights(const Scene& scene, const std::vector<std::size_t>& faces, Scen
                               counted(faces[i], "face"));
         shines = true;
     }
+    for (std::size_t i = 0; i < scene.materials.size(); ++i)
+        if (!is_black(scene.materials[i].medium_emission) && faces[i] > 0) {
+            audit.found.push_back("glowing medium in " + quote_name(scene.materials[i].name));
+            shines = true;
+        }
+    if (scene.around.glows()) {
+        audit.found.push_back("a glowing medium around the scene");
+        shines = true;
+    }
     if (!dark.empty())
         audit.warnings.push_back("no power in light " + list_names(dark) + ": it lights nothing");
     return shines;

@@ -91,17 +91,25 @@ void add_texture(Hasher& hasher, const TextureSlot& slot)
 void add_material(Hasher& hasher, const Material& material)
 {
     const auto& [name, base_color, metallic, roughness, emission, double_sided, transmission, ior,
-                 specular, specular_color, absorption, thickness, scattering, phase_anisotropy,
-                 dispersion, clearcoat, clearcoat_roughness, sheen_color, sheen_roughness,
-                 anisotropy, anisotropy_rotation, alpha, alpha_mode, alpha_cutoff, unlit,
-                 textures] = material;
+                 specular, specular_color, absorption, thickness, scattering, medium_emission,
+                 phase, boundary, dispersion, clearcoat, clearcoat_roughness, sheen_color,
+                 sheen_roughness, anisotropy, anisotropy_rotation, alpha, alpha_mode, alpha_cutoff,
+                 unlit, textures] = material;
     hasher.add(base_color, metallic, roughness, emission, double_sided, transmission, ior, specular,
-               specular_color, absorption, thickness, scattering, phase_anisotropy, dispersion,
-               clearcoat, clearcoat_roughness, sheen_color, sheen_roughness, anisotropy,
-               anisotropy_rotation, alpha, alpha_mode, alpha_cutoff, unlit);
+               specular_color, absorption, thickness, scattering, medium_emission, phase.kind,
+               phase.g, boundary, dispersion, clearcoat, clearcoat_roughness, sheen_color,
+               sheen_roughness, anisotropy, anisotropy_rotation, alpha, alpha_mode, alpha_cutoff,
+               unlit);
     hasher.add(static_cast<std::uint64_t>(textures.size()));
     for (const TextureSlot& slot : textures)
         add_texture(hasher, slot);
+}
+
+void add_medium(Hasher& hasher, const Medium& medium)
+{
+    const auto& [absorption, scattering, emission, phase] = medium;
+    const auto& [kind, g] = phase;
+    hasher.add(absorption, scattering, emission, kind, g);
 }
 
 void add_picture(Hasher& hasher, const TextureImage& picture)
@@ -152,7 +160,7 @@ Fingerprint fingerprint(const Scene& scene)
 Fingerprint content_fingerprint(const Scene& scene)
 {
     const auto& [frame, mesh, materials, images, lights, area_lights, environment, picture,
-                 strength, cameras, camera, diffuse_model] = scene;
+                 strength, around, cameras, camera, diffuse_model] = scene;
     Hasher hasher;
     add_geometry(hasher, scene);
     add_rest_of_mesh(hasher, mesh);
@@ -161,6 +169,7 @@ Fingerprint content_fingerprint(const Scene& scene)
     add_each(hasher, lights, [](Hasher& h, const PunctualLight& light) { add_light(h, light); });
     add_each(hasher, area_lights, [](Hasher& h, const AreaLight& light) { add_light(h, light); });
     hasher.add(environment, strength, diffuse_model);
+    add_medium(hasher, around);
     hasher.add_array(std::vector<char>(picture.begin(), picture.end()));
     add_camera(hasher, cameras[camera]);
     return hasher.digest();

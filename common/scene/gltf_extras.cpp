@@ -39,6 +39,36 @@ void read_lens(HipmapExtras extras, RawCamera& camera)
     extras.finish("");
 }
 
+PhaseKind phase_named(const std::string& name, HipmapExtras& extras)
+{
+    if (name == "isotropic")
+        return PhaseKind::isotropic;
+    if (name == "schlick")
+        return PhaseKind::schlick;
+    if (name != "henyey-greenstein")
+        extras.fail("phase", R"(must be "isotropic", "henyey-greenstein" or "schlick")");
+    return PhaseKind::henyey_greenstein;
+}
+
+/// Per metre; what no key names stays as it is.
+void read_medium(HipmapExtras& extras, Medium& medium)
+{
+    constexpr double kMostG = 0.99;
+    const auto read = [&](const char* key, Rgb& to) {
+        if (const std::optional<glm::dvec3> value = extras.positive_triple(key))
+            to = Rgb(*value);
+    };
+    read("absorption", medium.absorption);
+    read("scattering", medium.scattering);
+    read("emission", medium.emission);
+    const std::optional<double> g = extras.within("g", kMostG);
+    const std::string phase = extras.text("phase").value_or(g ? "henyey-greenstein" : "isotropic");
+    medium.phase = {phase_named(phase, extras), static_cast<float>(g.value_or(0.0))};
+    if (medium.phase.kind == PhaseKind::isotropic && medium.phase.g != 0)
+        extras.fail("g", "has no meaning for the phase \"isotropic\"");
+    extras.finish("");
+}
+
 } // namespace
 
 void read_light_extras(const GltfDocument& document, std::size_t node, std::size_t light,
@@ -108,19 +138,25 @@ void read_world_extras(const GltfDocument& document, RawScene& scene)
         scene.world_picture = file_beside(scene.path, "scene, custom property 'hipmap'", *picture);
         scene.world_strength = strength;
     }
+    if (std::optional<HipmapExtras> keys = extras.object("medium"))
+        read_medium(*keys, scene.around);
     extras.finish("");
 }
 
 void read_medium_extras(const json& from, Material& material, RawScene& scene)
 {
     HipmapExtras extras(from, "material " + quote_name(material.name), scene);
-    if (const std::optional<glm::dvec3> absorption = extras.positive_triple("absorption"))
-        material.absorption = Rgb(*absorption);
-    if (const std::optional<glm::dvec3> scattering = extras.positive_triple("scattering"))
-        material.scattering = Rgb(*scattering);
-    if (const std::optional<double> g = extras.signed_fraction("phase_anisotropy"))
-        material.phase_anisotropy = static_cast<float>(*g);
-    extras.finish(is_black(material.scattering) ? "" : "the medium");
+    Medium medium = material.inside();
+    if (std::optional<HipmapExtras> keys = extras.object("medium"))
+        read_medium(*keys, medium);
+    material.absorption = medium.absorption;
+    material.scattering = medium.scattering;
+    material.medium_emission = medium.emission;
+    material.phase = medium.phase;
+    material.boundary = extras.flag("boundary").value_or(true);
+    if (!material.boundary)
+        material.alpha_mode = AlphaMode::opaque; // of a surface that is not there
+    extras.finish("");
 }
 
 } // namespace hipmap

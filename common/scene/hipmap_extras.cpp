@@ -70,14 +70,36 @@ std::optional<std::string> HipmapExtras::text(const char* key)
     return value->get<std::string>();
 }
 
-std::optional<double> HipmapExtras::signed_fraction(const char* key)
+std::optional<bool> HipmapExtras::flag(const char* key)
 {
     const json* const value = find(key);
     if (!value)
         return std::nullopt;
-    if (!value->is_number() || !(std::abs(value->get<double>()) <= 1))
-        fail(key, "must be a number from -1 to 1");
+    if (!value->is_boolean())
+        fail(key, "must be true or false");
+    return value->get<bool>();
+}
+
+std::optional<double> HipmapExtras::within(const char* key, double limit)
+{
+    const json* const value = find(key);
+    if (!value)
+        return std::nullopt;
+    if (!value->is_number() || !(std::abs(value->get<double>()) <= limit))
+        fail(key, "must be a number from " + short_number(-limit) + " to " + short_number(limit));
     return value->get<double>();
+}
+
+std::optional<HipmapExtras> HipmapExtras::object(const char* key)
+{
+    const json* const value = find(key);
+    if (!value)
+        return std::nullopt;
+    if (!value->is_object())
+        fail(key, "must be an object, as {\"scattering\": [1, 1, 1]}");
+    HipmapExtras out(place_ + ", " + quote_name(key), scene_);
+    out.values_ = *value;
+    return out;
 }
 
 void HipmapExtras::finish(const std::string& effect) const

@@ -25,8 +25,13 @@ class HipmapExtras {
     std::optional<glm::dvec3> positive_triple(const char* key);
     std::optional<std::string> text(const char* key);
 
-    /// A number from -1 to 1.
-    std::optional<double> signed_fraction(const char* key);
+    std::optional<bool> flag(const char* key);
+
+    /// A number from -limit to limit.
+    std::optional<double> within(const char* key, double limit);
+
+    /// An object in the object, with keys of its own; its `finish` is the caller's to call.
+    std::optional<HipmapExtras> object(const char* key);
 
     /// Warns of the keys that nobody has asked for, and says that `effect` is not rendered yet if
     /// any other was there.
@@ -35,6 +40,8 @@ class HipmapExtras {
     [[noreturn]] void fail(const std::string& key, const std::string& what) const;
 
   private:
+    HipmapExtras(std::string place, RawScene& scene) : place_(std::move(place)), scene_(scene) {}
+
     const nlohmann::json* find(const char* key);
 
     nlohmann::json values_ = nlohmann::json::object();

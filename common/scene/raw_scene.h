@@ -62,7 +62,7 @@ struct RawScene {
     std::vector<MaterialId> material_of_face; ///< [F]
     std::vector<ObjectId> object_of_face;     ///< [F]
     std::vector<RawObject> objects;
-    std::vector<Material> materials; ///< absorption and scattering per metre, thickness in metres
+    std::vector<Material> materials; ///< media per metre, thickness in metres
     std::vector<TextureImage> images;
     std::vector<RawLight> lights;
     std::vector<RawAreaLight> area_lights;
@@ -70,6 +70,7 @@ struct RawScene {
     glm::dvec3 world{0.0};               ///< radiance of the sky, W/(m2 sr)
     std::filesystem::path world_picture; ///< empty: none
     double world_strength = 1.0;
+    Medium around; ///< per metre
     DiffuseModel diffuse_model = DiffuseModel::lambert;
     SceneAudit audit;
 };

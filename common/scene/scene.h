@@ -1,6 +1,7 @@
 #pragma once
 
 #include "common/math/rgb.h"
+#include "common/scene/medium.h"
 #include "common/scene/mesh.h"
 #include "common/scene/texture.h"
 
@@ -34,12 +35,14 @@ struct Material {
     float ior = 1.5f;
     float specular = 1.0f; ///< KHR_materials_specular
     Rgb specular_color{1.0f};
-    Rgb absorption{0.0f};   ///< of the inside, per scene unit (Beer-Lambert)
-    float thickness = 0.0f; ///< KHR_materials_volume, scene units; the mesh has one of its own
-    Rgb scattering{0.0f};   ///< of the inside, per scene unit
-    float phase_anisotropy = 0.0f; ///< of that, Henyey-Greenstein's g, -1 to 1
-    float dispersion = 0.0f;       ///< KHR_materials_dispersion: 20 / Abbe number
-    float clearcoat = 0.0f;        ///< KHR_materials_clearcoat
+    Rgb absorption{0.0f};      ///< of the inside, per scene unit (Beer-Lambert)
+    float thickness = 0.0f;    ///< KHR_materials_volume, scene units; the mesh has one of its own
+    Rgb scattering{0.0f};      ///< of the inside, per scene unit
+    Rgb medium_emission{0.0f}; ///< of the inside, as Medium has it
+    PhaseFunction phase;       ///< of the inside
+    bool boundary = true;      ///< false: nothing but where its inside begins, rays go on
+    float dispersion = 0.0f;   ///< KHR_materials_dispersion: 20 / Abbe number
+    float clearcoat = 0.0f;    ///< KHR_materials_clearcoat
     float clearcoat_roughness = 0.0f;
     Rgb sheen_color{0.0f}; ///< KHR_materials_sheen
     float sheen_roughness = 0.0f;
@@ -50,6 +53,13 @@ struct Material {
     float alpha_cutoff = 0.5f;
     bool unlit = false;                ///< its colour is in `emission`, whatever the light
     std::vector<TextureSlot> textures; ///< one of a use at most
+
+    Medium inside() const { return {absorption, scattering, medium_emission, phase}; }
+    /// Its inside does more than absorb, or is all there is of it.
+    bool holds_medium() const
+    {
+        return !is_black(scattering) || !is_black(medium_emission) || !boundary;
+    }
 };
 
 enum class LightKind : std::uint8_t { point, spot, directional };
@@ -116,6 +126,7 @@ struct Scene {
     Rgb environment{0.0f};             ///< radiance of a uniform sky, W/(m2 sr)
     std::string environment_picture;   ///< path of an HDR picture of the sky; empty: none
     float environment_strength = 1.0f; ///< its factor
+    Medium around;                     ///< what is in no closed mesh, docs/media.md
     std::vector<Camera> cameras;       ///< at least one
     std::size_t camera = 0;            ///< the one to render from
     DiffuseModel diffuse_model = DiffuseModel::lambert; ///< of the program the author saw it in

@@ -78,12 +78,13 @@ class UnitConverter {
         Material out = metres;
         out.absorption = Rgb(glm::dvec3(metres.absorption) * frame_.metres_per_unit);
         out.scattering = Rgb(glm::dvec3(metres.scattering) * frame_.metres_per_unit);
+        out.medium_emission = Rgb(glm::dvec3(metres.medium_emission) * frame_.metres_per_unit);
         out.thickness = static_cast<float>(metres.thickness / frame_.metres_per_unit);
         demand(is_finite(out.base_color) && is_finite(out.emission) && is_finite(out.absorption) &&
                    is_finite(out.specular_color) && std::isfinite(out.ior) &&
-                   is_finite(out.scattering) && std::isfinite(out.thickness) &&
-                   std::isfinite(out.dispersion) && std::isfinite(out.anisotropy_rotation) &&
-                   std::isfinite(out.alpha_cutoff),
+                   is_finite(out.scattering) && is_finite(out.medium_emission) &&
+                   std::isfinite(out.thickness) && std::isfinite(out.dispersion) &&
+                   std::isfinite(out.anisotropy_rotation) && std::isfinite(out.alpha_cutoff),
                "material", out.name);
         return out;
     }
@@ -132,6 +133,16 @@ class UnitConverter {
     {
         demand(is_finite(Rgb(radiance)), "world of", "the scene");
         return Rgb(radiance);
+    }
+
+    Medium around(const Medium& metres) const
+    {
+        Medium out = metres;
+        for (Rgb Medium::*per : {&Medium::absorption, &Medium::scattering, &Medium::emission}) {
+            out.*per = Rgb(glm::dvec3(metres.*per) * frame_.metres_per_unit);
+            demand(is_finite(out.*per), "medium of", "the scene");
+        }
+        return out;
     }
 
     Camera camera(const RawCamera& metres) const
@@ -238,6 +249,7 @@ Scene to_scene_units(RawScene& raw, LightUnits units)
     for (const RawAreaLight& light : raw.area_lights)
         scene.area_lights.push_back(convert.area_light(light));
     scene.environment = convert.world(raw.world);
+    scene.around = convert.around(raw.around);
     scene.environment_picture = raw.world_picture.string();
     scene.environment_strength = static_cast<float>(raw.world_strength);
     scene.diffuse_model = raw.diffuse_model;

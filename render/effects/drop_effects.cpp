@@ -4,15 +4,33 @@
 
 namespace hipmap {
 
+namespace {
+
+/// What has a surface keeps it and what it absorbs; what has none lets everything through.
+void drop_medium(Material& material)
+{
+    material.scattering = material.medium_emission = Rgb(0);
+    if (material.boundary)
+        return;
+    material.boundary = true;
+    material.alpha_mode = AlphaMode::mask;
+    material.alpha = 0;
+    material.alpha_cutoff = 1;
+}
+
+} // namespace
+
 void drop_effects(Scene& scene, const EffectPlan& plan)
 {
     for (Material& material : scene.materials) {
-        if (!plan.has(Effect::absorption))
+        if (!plan.has(Effect::absorption) && !material.holds_medium())
             material.absorption = Rgb(0);
         if (!plan.has(Effect::clearcoat))
             material.clearcoat = 0;
         if (!plan.has(Effect::alpha))
             material.alpha_mode = AlphaMode::opaque;
+        if (!plan.has(Effect::media))
+            drop_medium(material);
         if (!plan.has(Effect::normal_maps))
             std::erase_if(material.textures,
                           [](const TextureSlot& slot) { return slot.use == TextureUse::normal; });
@@ -25,6 +43,8 @@ void drop_effects(Scene& scene, const EffectPlan& plan)
     if (!plan.has(Effect::depth_of_field))
         for (Camera& camera : scene.cameras)
             camera.aperture_radius = 0;
+    if (!plan.has(Effect::media))
+        scene.around = {};
     if (!plan.has(Effect::environment)) {
         scene.environment = Rgb(0);
         scene.environment_picture.clear();

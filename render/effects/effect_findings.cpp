@@ -84,10 +84,10 @@ Finding find_refraction(const SceneFacts& facts)
 
 Finding find_absorption(const SceneFacts& facts)
 {
-    const std::string names =
-        facts.materials_where([](const Material&, const Bsdf& bsdf, bool solid) {
-            return solid && bsdf.glass > 0 && !is_black(bsdf.absorption);
-        });
+    const std::string names = facts.materials_where([](const Material& material, const Bsdf& bsdf,
+                                                       bool solid) {
+        return solid && bsdf.glass > 0 && !is_black(bsdf.absorption) && !material.holds_medium();
+    });
     if (names.empty())
         return {false, "no solid glass has an attenuation colour", ""};
     return {true, names + " absorb light on its way through", "an exponential for each ray inside"};
@@ -101,18 +101,27 @@ Finding find_dispersion(const SceneFacts& facts)
 
 Finding find_media(const SceneFacts& facts)
 {
-    return not_rendered_yet(
-        names_of(facts,
-                 [](const Material& m) { return m.transmission > 0 && !is_black(m.scattering); }),
-        "nothing that light passes through scatters it");
+    const std::string names = facts.materials_where([](const Material& m, const Bsdf&, bool solid) {
+        return (m.holds_medium() && solid && m.transmission > 0) || !m.boundary;
+    });
+    const bool around = !facts.scene.around.is_clear();
+    if (names.empty() && !around)
+        return {false, "nothing that light passes through scatters it or glows", ""};
+    const std::string inside = names.empty() ? "" : names + " have an inside that light passes";
+    return {true,
+            (around ? "the scene has one around it" : "") +
+                std::string(around && !names.empty() ? "; " : "") + inside,
+            "distances drawn along every ray, and photons in them"};
 }
 
 Finding find_subsurface(const SceneFacts& facts)
 {
-    return not_rendered_yet(
-        names_of(facts,
-                 [](const Material& m) { return m.transmission == 0 && !is_black(m.scattering); }),
-        "no opaque material scatters light beneath its surface");
+    return not_rendered_yet(names_of(facts,
+                                     [](const Material& m) {
+                                         return m.transmission == 0 && m.boundary &&
+                                                !is_black(m.scattering);
+                                     }),
+                            "no opaque material scatters light beneath its surface");
 }
 
 Finding find_textures(const SceneFacts& facts)

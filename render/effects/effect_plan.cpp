@@ -26,7 +26,7 @@ constexpr std::array<Row, kEffects> kRows = {{
     {Effect::caustics, "caustics", find_caustics, true},
     {Effect::absorption, "absorption", find_absorption, true},
     {Effect::dispersion, "dispersion", find_dispersion, false},
-    {Effect::media, "media", find_media, false},
+    {Effect::media, "media", find_media, true},
     {Effect::subsurface, "subsurface", find_subsurface, false},
     {Effect::textures, "textures", find_textures, true},
     {Effect::normal_maps, "normal-maps", find_normal_maps, true},
@@ -76,7 +76,8 @@ bool is_switched_off(Effect effect, const std::vector<EffectSwitch>& switches)
 PlannedEffect plan_effect(const Row& row, const SceneFacts& facts, const EffectOptions& options)
 {
     const Finding found = row.find(facts);
-    const bool by_bounces = row.effect == Effect::indirect || row.effect == Effect::caustics;
+    const bool by_bounces = row.effect == Effect::indirect || row.effect == Effect::caustics ||
+                            row.effect == Effect::media;
     PlannedEffect out{row.effect, found.on, found.reason, found.on ? found.cost : ""};
     if (found.on && by_bounces && !options.bounces)
         out = {row.effect, false,

@@ -29,10 +29,12 @@ SceneFacts gather_facts(const Scene& scene, const Partition& partition)
         facts.worn[material] = 1;
         if (partition.closed[face] != 0)
             facts.solid[material] = 1;
-        facts.shines = facts.shines || !is_black(scene.materials[material].emission);
+        facts.shines = facts.shines || !is_black(scene.materials[material].emission) ||
+                       !is_black(scene.materials[material].medium_emission);
     }
     facts.shines =
         facts.shines || !is_black(scene.environment) || !scene.environment_picture.empty() ||
+        scene.around.glows() ||
         std::any_of(scene.lights.begin(), scene.lights.end(),
                     [](const PunctualLight& light) { return !is_black(light.intensity); }) ||
         std::any_of(scene.area_lights.begin(), scene.area_lights.end(),

@@ -66,9 +66,7 @@ Rgb from_lamp(const RenderScene& scene, const Interaction& at, std::uint32_t lam
                           ? weighed(lobes, rays, static_cast<float>(chosen * sample->density))
                           : lobes.gathered.value + lobes.followed.value;
     const Rgb sent = value * sample->light / static_cast<float>(chosen);
-    if (is_black(sent) || scene.rays.occluded(shadow))
-        return Rgb(0);
-    return sent;
+    return is_black(sent) ? sent : sent * unoccluded(scene, at, shadow);
 }
 
 /// Rough glass takes light from both sides.
@@ -83,6 +81,36 @@ float per_solid_angle(float density, const SurfacePoint& on_light, const glm::ve
 {
     const float cosine = std::abs(glm::dot(direction, on_light.geometric_normal));
     return cosine > 0 ? density * distance * distance / cosine : 0;
+}
+
+/// The lamps with a size along a ray; `left(distance)` is what is left of light from there.
+template <typename Left>
+Rgb add_lamps(const RenderScene& scene, const Ray& ray, float distance, const RaySource& source,
+              const Left& left)
+{
+    const LightSet& lights = scene.lights;
+    Rgb sum(0.0f);
+    if (source.eye || (lights.sized_lamps.empty() && !lights.chosen_have_size))
+        return sum;
+    const auto add = [&](std::uint32_t lamp, const auto& chosen) {
+        const std::optional<LampHit> hit = meet_lamp(lights, lamp, ray);
+        if (!hit || !(hit->distance <= distance))
+            return;
+        Rgb part = hit->radiance;
+        if (source.density > 0)
+            part *= power_heuristic(source.density, chosen() * hit->density);
+        sum += part * left(hit->distance);
+    };
+    for (const std::uint32_t lamp : lights.sized_lamps)
+        add(lamp, [] { return 1.0f; });
+    if (lights.chosen_have_size)
+        over_lights_along(lights.lamp_tree, ray.origin, ray.direction, [&](std::uint32_t place) {
+            add(lights.chosen_lamps[place], [&] {
+                return static_cast<float>(kChosenLamps *
+                                          chance_of(lights.lamp_tree, source.at, place));
+            });
+        });
+    return sum;
 }
 
 } // namespace
@@ -109,31 +137,19 @@ float hit_weight(const RenderScene& scene, const SurfacePoint& on_light, const g
 Rgb met_lamps(const RenderScene& scene, const Ray& ray, float distance, const Rgb& absorption,
               const RaySource& source)
 {
-    const LightSet& lights = scene.lights;
-    Rgb sum(0.0f);
-    if (source.eye || (lights.sized_lamps.empty() && !lights.chosen_have_size))
-        return sum;
-    const auto add = [&](std::uint32_t lamp, const auto& chosen) {
-        const std::optional<LampHit> hit = meet_lamp(lights, lamp, ray);
-        if (!hit || !(hit->distance <= distance))
-            return;
-        Rgb part = hit->radiance;
-        if (source.density > 0)
-            part *= power_heuristic(source.density, chosen() * hit->density);
-        if (!is_black(absorption))
-            part *= transmittance(absorption, hit->distance);
-        sum += part;
-    };
-    for (const std::uint32_t lamp : lights.sized_lamps)
-        add(lamp, [] { return 1.0f; });
-    if (lights.chosen_have_size)
-        over_lights_along(lights.lamp_tree, ray.origin, ray.direction, [&](std::uint32_t place) {
-            add(lights.chosen_lamps[place], [&] {
-                return static_cast<float>(kChosenLamps *
-                                          chance_of(lights.lamp_tree, source.at, place));
-            });
-        });
-    return sum;
+    return add_lamps(scene, ray, distance, source,
+                     [&](float to_lamp) { return transmittance(absorption, to_lamp); });
+}
+
+Rgb met_lamps_in_media(const RenderScene& scene, const Ray& ray, const Interiors& inside,
+                       const RaySource& source)
+{
+    return add_lamps(scene, ray, std::numeric_limits<float>::infinity(), source,
+                     [&](float to_lamp) {
+                         Ray way = ray;
+                         way.far = to_lamp;
+                         return let_through(*scene.media, way, inside);
+                     });
 }
 
 Rgb met_sky(const RenderScene& scene, const glm::vec3& direction, const RaySource& source)
@@ -159,7 +175,7 @@ Rgb sky_light(const RenderScene& scene, const Interaction& at, const LobeRays& r
         return Rgb(0);
     const Rgb sent = weighed(in_lobes(at, shadow.direction, rays), rays, density) *
                      sky_radiance(sky, shadow.direction) / density;
-    return is_black(sent) || scene.rays.occluded(shadow) ? Rgb(0) : sent;
+    return is_black(sent) ? sent : sent * unoccluded(scene, at, shadow);
 }
 
 Rgb lamp_light(const RenderScene& scene, const Interaction& at, const LobeRays& rays,
@@ -197,9 +213,7 @@ Rgb emissive_light(const RenderScene& scene, const Interaction& at, const LobeRa
         return Rgb(0);
     const Rgb sent = weighed(in_lobes(at, shadow.direction, rays), rays, density);
     const Rgb out = sent / density * light_radiance(scene, light, -shadow.direction);
-    if (is_black(out) || scene.rays.occluded(shadow))
-        return Rgb(0);
-    return out;
+    return is_black(out) ? out : out * unoccluded(scene, at, shadow);
 }
 
 Rgb found_light(const RenderScene& scene, const Interaction& at, RandomSequence& random)
@@ -211,19 +225,22 @@ Rgb found_light(const RenderScene& scene, const Interaction& at, RandomSequence&
         return Rgb(0);
     const Ray ray = scattered_ray(at, sample);
     const RaySource source = source_at(at, sample.density);
-    const std::optional<RayHit> hit = scene.rays.nearest(ray);
-    const Rgb lamps = met_lamps(scene, ray, distance_of(hit), Rgb(0), source);
+    Rgb weight = sample.weight;
+    const std::optional<RayHit> hit = first_surface(scene, at, ray, weight);
+    const Interiors inside = interiors_towards(scene, at, ray.direction);
+    const Rgb lamps = sample.weight * (at.inside == nullptr
+                                           ? met_lamps(scene, ray, distance_of(hit), Rgb(0), source)
+                                           : met_lamps_in_media(scene, ray, inside, source));
     if (!hit)
-        return sample.weight * (lamps + met_sky(scene, ray.direction, source));
+        return lamps + weight * met_sky(scene, ray.direction, source);
     const Bsdf& bsdf = scene.bsdfs[scene.mesh().material_of_face[hit->face]];
     if (is_black(bsdf.emission))
-        return sample.weight * lamps;
+        return lamps;
     const SurfacePoint light = surface_point(scene.mesh(), hit->face, hit->barycentric);
     if (!shines_towards(bsdf, light, -ray.direction))
-        return sample.weight * lamps;
-    return sample.weight *
-           (lamps + emission_at(scene, hit->face, hit->barycentric) *
-                        hit_weight(scene, light, ray.direction, hit->distance, source));
+        return lamps;
+    return lamps + weight * emission_at(scene, hit->face, hit->barycentric) *
+                       hit_weight(scene, light, ray.direction, hit->distance, source);
 }
 
 Rgb sampled_light(const RenderScene& scene, const Interaction& at, const LobeRays& rays,

@@ -37,6 +37,11 @@ float hit_weight(const RenderScene& scene, const SurfacePoint& on_light, const g
 Rgb met_lamps(const RenderScene& scene, const Ray& ray, float distance, const Rgb& absorption,
               const RaySource& source);
 
+/// The same through the media of the scene, which must have some, until a surface hides the lamps.
+/// inside: what the ray starts in.
+Rgb met_lamps_in_media(const RenderScene& scene, const Ray& ray, const Interiors& inside,
+                       const RaySource& source);
+
 /// Radiance of the sky along a ray that leaves the scene, counted as `hit_weight` has it.
 Rgb met_sky(const RenderScene& scene, const glm::vec3& direction, const RaySource& source);
 

@@ -1,6 +1,7 @@
 #include "render/integrator/eye_path.h"
 
 #include "render/integrator/direct_light.h"
+#include "render/integrator/media_beams.h"
 #include "render/shading/scatter.h"
 
 #include <array>
@@ -27,6 +28,7 @@ struct Branch {
     RaySource source;
     int depth = 0;     ///< surfaces behind it
     bool clear = true; ///< nothing but mirrors and clear glass is behind it
+    Interiors inside;  ///< what the ray travels in, where there are media
 };
 
 /// Branches wait on a stack: each of the first kSplitDepth surfaces adds at most one.
@@ -84,8 +86,15 @@ bool survives(Branch& branch, RandomSequence& random)
     return true;
 }
 
-void follow_specular(const Interaction& at, const Branch& from, RandomSequence& random,
-                     BranchStack& stack)
+void go_beyond(const RenderScene& scene, const Interaction& at, Branch& branch)
+{
+    branch.absorption = absorption_beyond(at);
+    if (scene.media)
+        cross(*scene.media, at.point.face, at.front, branch.inside);
+}
+
+void follow_specular(const RenderScene& scene, const Interaction& at, const Branch& from,
+                     RandomSequence& random, BranchStack& stack)
 {
     const SpecularLobes lobes = specular_lobes(at.bsdf, at.cosine, at.front, at.solid);
     const float mirror = max_channel(from.weight * lobes.mirror);
@@ -104,7 +113,7 @@ void follow_specular(const Interaction& at, const Branch& from, RandomSequence& 
     next.source = {};
     if (transmit_chance > 0 && transmit > 0) {
         next.ray = transmitted_ray(at, lobes.eta);
-        next.absorption = absorption_beyond(at);
+        go_beyond(scene, at, next);
         // Radiance scales with the square of the index, docs/light_transport.md (4).
         next.weight = from.weight * lobes.transmit / (transmit_chance * lobes.eta * lobes.eta);
         if (survives(next, random))
@@ -113,15 +122,36 @@ void follow_specular(const Interaction& at, const Branch& from, RandomSequence& 
     if (mirror_chance > 0 && mirror > 0) {
         next.ray = mirror_ray(at);
         next.absorption = from.absorption;
+        next.inside = from.inside;
         next.weight = from.weight * lobes.mirror / mirror_chance;
         if (survives(next, random))
             stack.push(next);
     }
 }
 
+/// The first surface on the way; takes what media absorb, and adds what they glow and scatter by
+/// the photons in them; null: nothing of that.
+std::optional<RayHit> see(const RenderScene& scene, const VolumeMap* photons, Branch& branch,
+                          Rgb& radiance)
+{
+    if (!scene.media) {
+        const std::optional<RayHit> hit = scene.rays.nearest(branch.ray);
+        if (hit)
+            branch.weight *= transmittance(branch.absorption, hit->distance);
+        return hit;
+    }
+    static const VolumeMap kNoPhotons;
+    std::array<Rgb, 3> seen{};
+    const std::optional<RayHit> hit =
+        see_media({*scene.media, photons != nullptr ? *photons : kNoPhotons, {1, 1, 1}}, branch.ray,
+                  photons != nullptr, {branch.inside, branch.weight, seen});
+    radiance += seen[0];
+    return hit;
+}
+
 /// One ray in a direction drawn from the followed lobes.
-void follow_glossy(const Interaction& at, const Branch& from, RandomSequence& random,
-                   BranchStack& stack)
+void follow_glossy(const RenderScene& scene, const Interaction& at, const Branch& from,
+                   RandomSequence& random, BranchStack& stack)
 {
     const ScatterSample sample = sample_scatter(at, Lobes::followed, random);
     Branch next = from;
@@ -131,27 +161,33 @@ void follow_glossy(const Interaction& at, const Branch& from, RandomSequence& ra
     next.clear = false;
     next.ray = scattered_ray(at, sample);
     if (sample.transmitted)
-        next.absorption = absorption_beyond(at);
+        go_beyond(scene, at, next);
     if (max_channel(next.weight) > 0 && survives(next, random))
         stack.push(next);
 }
 
-BranchStack begin(const Ray& ray)
+BranchStack begin(const RenderScene& scene, const Ray& ray)
 {
     BranchStack stack;
     Branch first;
     first.ray = ray;
     first.source.eye = true;
+    if (scene.media)
+        first.inside = interiors_at(*scene.media, ray.origin);
     stack.push(first);
     return stack;
 }
 
 /// From the lamps that the branch runs into before it hits a surface, or else from the sky.
-Rgb light_on_way(const RenderScene& scene, const Branch& branch, const std::optional<RayHit>& hit)
+/// start: the branch before what is on the way has changed it.
+Rgb light_on_way(const RenderScene& scene, const Branch& start, const Branch& branch,
+                 const std::optional<RayHit>& hit)
 {
     const Rgb lamps =
-        met_lamps(scene, branch.ray, distance_of(hit), branch.absorption, branch.source);
-    return hit ? lamps : lamps + met_sky(scene, branch.ray.direction, branch.source);
+        scene.media ? met_lamps_in_media(scene, start.ray, start.inside, start.source)
+                    : met_lamps(scene, start.ray, distance_of(hit), start.absorption, start.source);
+    const Rgb sky = hit ? Rgb(0) : met_sky(scene, branch.ray.direction, branch.source);
+    return start.weight * lamps + branch.weight * sky;
 }
 
 } // namespace
@@ -160,25 +196,26 @@ Rgb trace_eye_path(const PassMaps& maps, const Ray& ray, SeenLights seen, Random
                    EyeScratch& scratch)
 {
     Rgb radiance(0.0f);
-    BranchStack stack = begin(ray);
+    BranchStack stack = begin(maps.scene, ray);
     while (stack.size > 0) {
         Branch branch = stack.branches[--stack.size];
         const bool sees_lights = seen == SeenLights::added || !branch.clear;
-        const std::optional<RayHit> hit = maps.scene.rays.nearest(branch.ray);
+        const Branch start = branch;
+        const std::optional<RayHit> hit = see(maps.scene, maps.volume, branch, radiance);
         if (sees_lights)
-            radiance += branch.weight * light_on_way(maps.scene, branch, hit);
+            radiance += light_on_way(maps.scene, start, branch, hit);
         if (!hit)
             continue;
-        branch.weight *= transmittance(branch.absorption, hit->distance);
-        const Interaction at = interact(maps.scene, branch.ray, *hit);
+        Interaction at = interact(maps.scene, branch.ray, *hit);
+        at.inside = maps.volume != nullptr ? &branch.inside : nullptr;
         if (sees_lights)
             radiance += branch.weight * emitted_radiance(at.bsdf, at.point, at.back) *
                         hit_weight(maps.scene, at.point, branch.ray.direction, hit->distance,
                                    branch.source);
         radiance += branch.weight * scattered_light(maps, at, random, scratch);
-        follow_specular(at, branch, random, stack);
+        follow_specular(maps.scene, at, branch, random, stack);
         if (at.bsdf.follows())
-            follow_glossy(at, branch, random, stack);
+            follow_glossy(maps.scene, at, branch, random, stack);
     }
     return radiance;
 }
@@ -186,17 +223,17 @@ Rgb trace_eye_path(const PassMaps& maps, const Ray& ray, SeenLights seen, Random
 Rgb trace_seen_lights(const RenderScene& scene, const Ray& ray, RandomSequence& random)
 {
     Rgb radiance(0.0f);
-    BranchStack stack = begin(ray);
+    BranchStack stack = begin(scene, ray);
     while (stack.size > 0) {
         Branch branch = stack.branches[--stack.size];
-        const std::optional<RayHit> hit = scene.rays.nearest(branch.ray);
-        radiance += branch.weight * light_on_way(scene, branch, hit);
+        const Branch start = branch;
+        const std::optional<RayHit> hit = see(scene, nullptr, branch, radiance);
+        radiance += light_on_way(scene, start, branch, hit);
         if (!hit)
             continue;
-        branch.weight *= transmittance(branch.absorption, hit->distance);
         const Interaction at = interact(scene, branch.ray, *hit);
         radiance += branch.weight * emitted_radiance(at.bsdf, at.point, at.back);
-        follow_specular(at, branch, random, stack);
+        follow_specular(scene, at, branch, random, stack);
     }
     return radiance;
 }

@@ -2,6 +2,7 @@
 
 #include "common/math/random.h"
 #include "render/maps/estimate.h"
+#include "render/maps/volume_map.h"
 #include "render/shading/interaction.h"
 
 namespace hipmap {
@@ -19,6 +20,7 @@ struct PassMaps {
     const PhotonMaps& caustic;
     const PhotonMaps& global;
     DirectLight direct = DirectLight::shadow_rays;
+    const VolumeMap* volume = nullptr; ///< null: the scene has no media
 };
 
 /// What one thread needs for eye paths.

@@ -5,6 +5,7 @@
 #include "render/integrator/gather_radius.h"
 #include "render/maps/fixed_radius.h"
 #include "render/maps/photon_irradiance.h"
+#include "render/maps/volume_map.h"
 #include "render/shading/interaction.h"
 
 namespace hipmap {
@@ -21,6 +22,7 @@ struct GatherMaps {
     bool bounces = true; ///< false: rays of gathered lobes only look for lights
     const PhotonIrradiance* irradiance = nullptr; ///< of `global`, read where gather rays end;
                                                   ///< null: estimates
+    const VolumeMap* volume = nullptr; ///< of the pass, of radii shrunk; null: there are no media
 };
 
 /// What one thread needs for gather paths.

@@ -32,13 +32,15 @@ std::vector<Photon> weigh_bounces(const TracedPhotons& traced, const FirstRadii&
         [&](const tbb::blocked_range<std::size_t>& range) {
             for (std::size_t i = range.begin(); i < range.end(); ++i) {
                 const BouncedPhoton& bounced = traced.bounces[i];
+                out[i] = bounced.photon;
+                if (bounced.from == kNoPhoton) // gather rays do not find what media scatter
+                    continue;
                 const Photon& from =
                     (bounced.from_caustic ? traced.caustic : traced.global)[bounced.from];
                 const float y = radius_at(bounced.from_caustic ? first.caustic : first.global,
                                           surfaces, query_at(from, surfaces));
                 const float x =
                     radius_at(first.indirect, surfaces, query_at(bounced.photon, surfaces));
-                out[i] = bounced.photon;
                 out[i].power *= 1 - gather_weight(y, x);
             }
         });

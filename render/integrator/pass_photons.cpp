@@ -12,15 +12,42 @@ constexpr std::uint64_t kPathsPerCausticPath = 4;
 
 } // namespace
 
-PhotonOptions photon_options(const RenderOptions& options, std::uint64_t pass)
+PhotonOptions photon_options(const RenderScene& scene, const RenderOptions& options,
+                             std::uint64_t pass)
 {
     PhotonOptions out{options.photons, options.seed, pass, options.direct == DirectLight::photons,
                       options.photons / kPathsPerCausticPath};
     out.light = options.light;
+    out.media = scene.media.has_value();
     if (options.maps.mode == MapMode::none || options.integrator == Integrator::path) {
         out.light = {false, false};
-        out.store_direct = false;
+        out.store_direct = out.media = false;
     }
+    return out;
+}
+
+VolumeRadii volume_radii(const RenderScene& scene, const TracedPhotons& pilot,
+                         const RenderOptions& options)
+{
+    // A ray passes many more discs than there are photons in a ball of the same radius.
+    constexpr std::uint32_t kShare = 4;
+    if (!scene.media)
+        return {};
+    return find_volume_radii(pilot.volume, std::max(2u, options.maps.neighbours / kShare),
+                             scene.media->radius);
+}
+
+std::optional<VolumeMap> build_volume(const RenderScene& scene, const TracedPhotons& traced,
+                                      const VolumeRadii& first, float shrink,
+                                      RenderStatistics& statistics)
+{
+    if (!scene.media)
+        return std::nullopt;
+    const Stopwatch watch;
+    VolumeMap out = build_volume_map(traced.volume, first, shrink);
+    statistics.volume_photons += out.photons.size();
+    statistics.seconds_maps += watch.seconds();
+    statistics.processor_maps += watch.processor_seconds();
     return out;
 }
 

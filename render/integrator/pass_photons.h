@@ -4,13 +4,25 @@
 
 namespace hipmap {
 
+/// The maps of one pass; its volume map is there if the scene has media.
 struct PassMapSet {
     PhotonMaps caustic;
     PhotonMaps global;
+    std::optional<VolumeMap> volume;
 };
 
 /// What the photons of a pass are traced by.
-PhotonOptions photon_options(const RenderOptions& options, std::uint64_t pass);
+PhotonOptions photon_options(const RenderScene& scene, const RenderOptions& options,
+                             std::uint64_t pass);
+
+/// Radii by the photons of a pilot, docs/media.md (9).
+VolumeRadii volume_radii(const RenderScene& scene, const TracedPhotons& pilot,
+                         const RenderOptions& options);
+
+/// Builds the volume map of a pass and counts it; none if the scene has no media.
+std::optional<VolumeMap> build_volume(const RenderScene& scene, const TracedPhotons& traced,
+                                      const VolumeRadii& first, float shrink,
+                                      RenderStatistics& statistics);
 
 /// Traces photons and counts them.
 TracedPhotons trace_pass(const RenderScene& scene, const PhotonOptions& options,

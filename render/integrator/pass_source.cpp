@@ -20,8 +20,9 @@ constexpr double kPhotonShare = 0.2;
 PassMapSet make_maps(const RenderScene& scene, const RenderOptions& options, std::uint64_t pass,
                      RenderStatistics& statistics)
 {
-    TracedPhotons traced = trace_pass(scene, photon_options(options, pass), statistics);
+    TracedPhotons traced = trace_pass(scene, photon_options(scene, options, pass), statistics);
     PassMapSet maps;
+    maps.volume = build_volume(scene, traced, volume_radii(scene, traced, options), 1, statistics);
     maps.caustic = build_maps(scene, std::exchange(traced.caustic, {}), options.maps,
                               statistics.caustic, statistics); // which frees them
     maps.global = build_maps(scene, traced.global, options.maps, statistics.global, statistics);
@@ -34,7 +35,8 @@ RenderedPass render_pass(const RenderScene& scene, const MapSurfaces& surfaces,
 {
     const RenderOptions& options = job.options;
     const PassMapSet maps = make_maps(scene, options, job.pass, statistics);
-    const PassMaps pass_maps{scene, surfaces, maps.caustic, maps.global, options.direct};
+    const PassMaps pass_maps{scene,       surfaces,       maps.caustic,
+                             maps.global, options.direct, maps.volume ? &*maps.volume : nullptr};
     return render_tiles<1, EyeScratch>(
         job, after(control, kPhotonShare), statistics,
         [&](const Ray& ray, SeenLights seen, RandomSequence& random,

@@ -1,149 +1,31 @@
 #include "render/integrator/path_tracer.h"
 
 #include "render/integrator/direct_light.h"
-#include "render/shading/scatter.h"
-
-#include <algorithm>
+#include "render/integrator/media_path.h"
 
 namespace hipmap {
-
-namespace {
-
-/// From here on Russian roulette ends faint paths.
-constexpr int kRouletteDepth = 4;
-
-/// The largest chance to go on that roulette gives: between perfect mirrors nothing else would end.
-constexpr float kMostChance = 0.98f;
-
-/// A path on its way from the eye.
-struct Path {
-    Ray ray;
-    Rgb weight{1.0f};
-    Rgb absorption{0.0f}; ///< of what the ray travels in
-    float index2 = 1.0f;  ///< square of the index of what the ray travels in
-    RaySource source;
-    bool gathers = false; ///< a gathered lobe is behind it
-    bool straight = true; ///< nothing else is since
-};
-
-/// Chances of the lobes of a surface; they add up to one, or are all zero if it is black.
-struct LobeChances {
-    float gathered = 0.0f, followed = 0.0f, mirror = 0.0f, transmit = 0.0f;
-};
-
-LobeChances chances_of(const Path& path, const Interaction& at, const SpecularLobes& lobes,
-                       const LightClasses& light)
-{
-    LobeChances out;
-    if (at.bsdf.gathers() && (light.indirect || !path.gathers))
-        out.gathered = max_channel(path.weight * scattered_share(at, Lobes::gathered));
-    if (at.bsdf.follows())
-        out.followed = max_channel(path.weight * scattered_share(at, Lobes::followed));
-    out.mirror = max_channel(path.weight * lobes.mirror);
-    out.transmit = max_channel(path.weight * lobes.transmit);
-    const float sum = out.gathered + out.followed + out.mirror + out.transmit;
-    if (!(sum > 0))
-        return {};
-    out.gathered /= sum;
-    out.followed /= sum;
-    out.mirror /= sum;
-    out.transmit /= sum;
-    return out;
-}
-
-void enter(const Interaction& at, float eta, Path& path)
-{
-    // Radiance scales with the square of the index, docs/light_transport.md (4).
-    path.weight /= eta * eta;
-    path.index2 *= eta * eta;
-    path.absorption = absorption_beyond(at);
-}
-
-/// False: the direction drawn leads nowhere.
-bool follow_lobes(const Interaction& at, Lobes lobes, float chance, RandomSequence& random,
-                  Path& path)
-{
-    const ScatterSample sample = sample_scatter(at, lobes, random);
-    if (is_black(sample.weight))
-        return false;
-    path.straight = lobes == Lobes::gathered;
-    path.gathers = path.gathers || path.straight;
-    path.weight *= sample.weight / chance;
-    path.source = source_at(at, chance * sample.density);
-    path.ray = scattered_ray(at, sample);
-    if (sample.transmitted)
-        enter(at, sample.eta, path);
-    return true;
-}
-
-/// Draws a lobe and sends the path along it; false: it ends here.
-bool follow(const Interaction& at, const LobeChances& chances, const SpecularLobes& lobes,
-            RandomSequence& random, Path& path)
-{
-    float drawn = random.next();
-    if (drawn < chances.gathered)
-        return follow_lobes(at, Lobes::gathered, chances.gathered, random, path);
-    drawn -= chances.gathered;
-    if (drawn < chances.followed)
-        return follow_lobes(at, Lobes::followed, chances.followed, random, path);
-    drawn -= chances.followed;
-    path.source = {};
-    path.straight = false;
-    if (drawn < chances.mirror) {
-        path.ray = mirror_ray(at);
-        path.weight *= lobes.mirror / chances.mirror;
-        return true;
-    }
-    if (!(chances.transmit > 0))
-        return false;
-    path.ray = transmitted_ray(at, lobes.eta);
-    path.weight *= lobes.transmit / chances.transmit;
-    enter(at, lobes.eta, path);
-    return true;
-}
-
-bool survives(int depth, Path& path, RandomSequence& random)
-{
-    if (depth < kRouletteDepth)
-        return true;
-    const float chance = std::min(kMostChance, path.index2 * max_channel(path.weight));
-    if (!(random.next() < chance))
-        return false;
-    path.weight /= chance;
-    return true;
-}
-
-} // namespace
 
 Rgb trace_path(const RenderScene& scene, const Ray& ray, RandomSequence& random,
                const LightClasses& light)
 {
+    if (scene.media)
+        return trace_media_path(scene, ray, random, light);
     Rgb radiance(0.0f);
     Path path;
     path.ray = ray;
     path.source.eye = true;
     for (int depth = 0; survives(depth, path, random); ++depth) {
         const std::optional<RayHit> hit = scene.rays.nearest(path.ray);
-        const bool sees_lights = light.caustic || !path.gathers || path.straight;
-        if (sees_lights)
+        if (path.sees_lights(light))
             radiance += path.weight *
                         met_lamps(scene, path.ray, distance_of(hit), path.absorption, path.source);
         if (!hit)
-            return sees_lights
+            return path.sees_lights(light)
                        ? radiance + path.weight * met_sky(scene, path.ray.direction, path.source)
                        : radiance;
         path.weight *= transmittance(path.absorption, hit->distance);
         const Interaction at = interact(scene, path.ray, *hit);
-        if (sees_lights)
-            radiance += path.weight * emitted_radiance(at.bsdf, at.point, at.back) *
-                        hit_weight(scene, at.point, path.ray.direction, hit->distance, path.source);
-        const SpecularLobes lobes = specular_lobes(at.bsdf, at.cosine, at.front, at.solid);
-        const LobeChances chances = chances_of(path, at, lobes, light);
-        const LobeRays rays{chances.gathered,
-                            light.caustic || !path.gathers ? chances.followed : 0};
-        if (rays.gathered + rays.followed > 0)
-            radiance += path.weight * sampled_light(scene, at, rays, random);
-        if (!follow(at, chances, lobes, random, path))
+        if (!pass_surface(scene, at, hit->distance, light, random, path, radiance))
             return radiance;
     }
     return radiance;

@@ -19,6 +19,7 @@ constexpr double kPhotonShare = 0.3;
 struct Progressive {
     MapSurfaces surfaces;
     FirstRadii first;
+    VolumeRadii first_volume;
     SampleAllotment allotment;
 };
 
@@ -26,6 +27,7 @@ struct Progressive {
 struct PassMapsByKind {
     PhotonMaps caustic, global, indirect;
     std::optional<PhotonIrradiance> irradiance; ///< of `global`
+    std::optional<VolumeMap> volume;            ///< if the scene has media
 };
 
 /// It is Lambert's alone.
@@ -37,14 +39,14 @@ bool precomputes(const RenderScene& scene, const RenderOptions& options)
 TracedPhotons trace_linked(const RenderScene& scene, const RenderOptions& options,
                            std::uint64_t pass, RenderStatistics& statistics)
 {
-    PhotonOptions photons = photon_options(options, pass);
+    PhotonOptions photons = photon_options(scene, options, pass);
     photons.store_direct = photons.light.indirect; // for gather rays
     photons.link_bounces = photons.light.indirect;
     return trace_pass(scene, photons, statistics);
 }
 
 /// By photons of their own, as many as a pass has.
-FirstRadii first_radii(const RenderScene& scene, const RenderOptions& options)
+void find_first_radii(const RenderScene& scene, const RenderOptions& options, Progressive& shared)
 {
     RenderStatistics ignored;
     const TracedPhotons traced = trace_linked(scene, options, kPilotPass, ignored);
@@ -56,7 +58,8 @@ FirstRadii first_radii(const RenderScene& scene, const RenderOptions& options)
         return build_radius_field(
             build_photon_maps(photons, scene.mesh(), scene.partition, options.maps));
     };
-    return {field(traced.caustic), field(traced.global), field(indirect)};
+    shared.first = {field(traced.caustic), field(traced.global), field(indirect)};
+    shared.first_volume = volume_radii(scene, traced, options);
 }
 
 void count_searches(const GatherScratch& scratch, RenderStatistics& statistics)
@@ -67,7 +70,7 @@ void count_searches(const GatherScratch& scratch, RenderStatistics& statistics)
 }
 
 PassMapsByKind make_maps(const RenderScene& scene, const Progressive& shared,
-                         const RenderOptions& options, std::uint64_t pass,
+                         const RenderOptions& options, std::uint64_t pass, double shrink,
                          RenderStatistics& statistics)
 {
     const TracedPhotons traced = trace_linked(scene, options, pass, statistics);
@@ -77,10 +80,12 @@ PassMapsByKind make_maps(const RenderScene& scene, const Progressive& shared,
     const auto maps_of = [&](const std::vector<Photon>& photons, KindStatistics& kind) {
         return build_maps(scene, photons, options.maps, kind, statistics);
     };
-    PassMapsByKind maps{maps_of(traced.caustic, statistics.caustic),
-                        maps_of(traced.global, statistics.global),
-                        maps_of(weighed, statistics.indirect),
-                        {}};
+    PassMapsByKind maps{
+        maps_of(traced.caustic, statistics.caustic),
+        maps_of(traced.global, statistics.global),
+        maps_of(weighed, statistics.indirect),
+        {},
+        build_volume(scene, traced, shared.first_volume, static_cast<float>(shrink), statistics)};
     if (precomputes(scene, options))
         maps.irradiance = estimate_at_photons(maps.global, shared.surfaces, {});
     return maps;
@@ -99,7 +104,8 @@ RenderedPass gather_pass(const RenderScene& scene, const Progressive& shared,
                           shared.first,
                           static_cast<float>(shrink),
                           job.options.light.indirect,
-                          photons.irradiance ? &*photons.irradiance : nullptr};
+                          photons.irradiance ? &*photons.irradiance : nullptr,
+                          photons.volume ? &*photons.volume : nullptr};
     return render_tiles<3, GatherScratch>(
         job, after(control, kPhotonShare), statistics,
         [&](const Ray& ray, SeenLights seen, RandomSequence& random, GatherScratch& scratch) {
@@ -112,9 +118,10 @@ RenderedPass render_pass(const RenderScene& scene, const Progressive& shared,
                          const RenderOptions& options, std::uint64_t pass,
                          const PassControl& control, RenderStatistics& statistics)
 {
-    const PassMapsByKind photons = make_maps(scene, shared, options, pass, statistics);
-    return gather_pass(scene, shared, photons, {scene, options, pass, shared.allotment},
-                       radius_of_pass(pass), control, statistics);
+    const double shrink = radius_of_pass(pass);
+    const PassMapsByKind photons = make_maps(scene, shared, options, pass, shrink, statistics);
+    return gather_pass(scene, shared, photons, {scene, options, pass, shared.allotment}, shrink,
+                       control, statistics);
 }
 
 /// Allots samples by two images from the same photons; returns the mean of their channels.
@@ -124,7 +131,7 @@ double render_pilot(const RenderScene& scene, const RenderOptions& options, Prog
     RenderOptions small = pilot_options(options);
     small.width = (options.width + 1) / 2;
     small.height = (options.height + 1) / 2;
-    const PassMapsByKind photons = make_maps(scene, shared, small, kPilotPass, ignored);
+    const PassMapsByKind photons = make_maps(scene, shared, small, kPilotPass, 1, ignored);
     const SampleAllotment evenly{{}, allot_light_samples(scene, small)};
     const auto image_of = [&](std::uint64_t pass) {
         return gather_pass(scene, shared, photons, {scene, small, pass, evenly}, 1.0, {}, ignored)
@@ -141,8 +148,9 @@ double render_pilot(const RenderScene& scene, const RenderOptions& options, Prog
 PassSource make_progressive_source(const RenderScene& scene, const RenderOptions& options,
                                    RenderStatistics& statistics)
 {
-    const std::shared_ptr<Progressive> shared(new Progressive{
-        MapSurfaces(scene.mesh(), scene.partition), first_radii(scene, options), {}});
+    const std::shared_ptr<Progressive> shared(
+        new Progressive{MapSurfaces(scene.mesh(), scene.partition), {}, {}, {}});
+    find_first_radii(scene, options, *shared);
     PassSource source;
     source.width = options.width;
     source.height = options.height;

@@ -54,7 +54,8 @@ struct RenderStatistics {
     KindStatistics caustic;
     KindStatistics global;
     KindStatistics indirect; ///< integrator progressive: the global ones that came by a bounce
-    PowerBalance power;      ///< of the last pass
+    std::uint64_t volume_photons = 0; ///< in media, summed over the passes
+    PowerBalance power;               ///< of the last pass
     double seconds_photons = 0;
     double seconds_maps = 0;
     double seconds_image = 0;

@@ -2,6 +2,7 @@
 
 #include "common/math/frame.h"
 #include "common/math/sampling.h"
+#include "render/photons/media_flight.h"
 #include "render/shading/scatter.h"
 
 #include <utility>
@@ -12,27 +13,6 @@ namespace {
 
 /// Russian roulette ends paths long before this; between perfect mirrors nothing else would.
 constexpr int kMostBounces = 512;
-
-/// A light path under way.
-struct LightPath {
-    Ray ray;
-    Rgb power{0.0f};
-    Rgb absorption{0.0f}; ///< of what the ray travels in
-    bool specular = false;
-    int diffuse = 0;                ///< diffuse bounces
-    std::uint64_t last = kNoPhoton; ///< photon of the chunk left at the last diffuse surface
-    bool last_caustic = false;
-};
-
-/// Whether nothing more of a path is wanted.
-bool is_done(const LightPath& path, const Wanted& wanted)
-{
-    if (!wanted.after_specular && path.specular && path.diffuse == 0)
-        return true;
-    const bool bounces = wanted.bounces && path.last != kNoPhoton;
-    return !wanted.indirect && path.diffuse > (bounces ? 1 : 0);
-}
-
 enum class Event { absorb, diffuse, gathered, followed, mirror, transmit };
 constexpr int kLobes = 5;
 
@@ -64,9 +44,13 @@ void store(const Interaction& at, LightPath& path, bool directional, const Wante
            TracedPhotons& out)
 {
     const std::uint64_t from = std::exchange(path.last, kNoPhoton);
-    const bool caustic = path.specular && path.diffuse == 0;
-    const bool keep = caustic ? wanted.caustic : path.diffuse > 0 ? wanted.indirect : wanted.direct;
-    const bool link = wanted.bounces && from != kNoPhoton;
+    const bool media_last = std::exchange(path.media_last, false);
+    const bool caustic = (path.specular || path.from_media) && path.diffuse == 0;
+    const bool keep = caustic            ? wants_undiffused(path, wanted)
+                      : path.diffuse > 0 ? wanted.indirect
+                                         : wanted.direct;
+    const bool by_media = media_last && path.diffuse > 0 && wanted.indirect;
+    const bool link = wanted.bounces && (from != kNoPhoton || by_media);
     if (!keep && !link)
         return;
     const float geometric = glm::dot(at.back, at.normal);
@@ -156,8 +140,57 @@ bool scatter(const Interaction& at, LightPath& path, RandomSequence& random, Pow
         path.specular = true;
         break;
     }
+    if (path.specular && path.diffuse == 0 && !path.from_media)
+        path.first_specular = true;
     path.power *= particle_correction(at, path.ray.direction);
     return true;
+}
+
+/// Brings the path to the next surface where there are no media but glass that absorbs; none: it
+/// has left the scene.
+std::optional<RayHit> fly(const RenderScene& scene, LightPath& path, TracedPhotons& out)
+{
+    const std::optional<RayHit> hit = scene.rays.nearest(path.ray);
+    if (!hit) {
+        out.power.escaped += glm::dvec3(path.power);
+        return hit;
+    }
+    const Rgb arriving = path.power * transmittance(path.absorption, hit->distance);
+    out.power.absorbed += glm::dvec3(path.power - arriving);
+    path.power = arriving;
+    return hit;
+}
+
+template <bool media>
+void trace(const RenderScene& scene, const Wanted& wanted, RandomSequence& random, LightPath& path,
+           TracedPhotons& out)
+{
+    for (int bounce = 0; bounce < kMostBounces; ++bounce) {
+        std::optional<RayHit> hit;
+        if constexpr (media)
+            hit = fly_through_media(*scene.media, wanted, random, path, out);
+        else
+            hit = fly(scene, path, out);
+        if (!hit)
+            return;
+        Interaction at = interact(scene, path.ray, *hit);
+        if constexpr (media)
+            at.inside = &path.inside;
+        if (at.bsdf.gathers() && scene.partition.map_of_face[hit->face] != kNone)
+            store(at, path, scene.directional, wanted, out);
+        else if (at.bsdf.gathers())
+            path.last = kNoPhoton;
+        if (!scatter(at, path, random, out.power))
+            return;
+        if constexpr (media)
+            if (glm::dot(path.ray.direction, at.normal) < 0)
+                cross(*scene.media, hit->face, at.front, path.inside);
+        if (is_done(path, wanted)) {
+            out.power.absorbed += glm::dvec3(path.power);
+            return;
+        }
+    }
+    ++out.cut;
 }
 
 } // namespace
@@ -168,30 +201,12 @@ void trace_light_path(const RenderScene& scene, const Wanted& wanted, const Emit
     LightPath path;
     path.ray = start.ray;
     path.power = start.power;
+    path.from_media = start.from_medium;
     out.power.emitted += glm::dvec3(path.power);
-    for (int bounce = 0; bounce < kMostBounces; ++bounce) {
-        const std::optional<RayHit> hit = scene.rays.nearest(path.ray);
-        if (!hit) {
-            out.power.escaped += glm::dvec3(path.power);
-            return;
-        }
-        const Rgb arriving = path.power * transmittance(path.absorption, hit->distance);
-        out.power.absorbed += glm::dvec3(path.power - arriving);
-        path.power = arriving;
-
-        const Interaction at = interact(scene, path.ray, *hit);
-        if (at.bsdf.gathers() && scene.partition.map_of_face[hit->face] != kNone)
-            store(at, path, scene.directional, wanted, out);
-        else if (at.bsdf.gathers())
-            path.last = kNoPhoton;
-        if (!scatter(at, path, random, out.power))
-            return;
-        if (is_done(path, wanted)) {
-            out.power.absorbed += glm::dvec3(path.power);
-            return;
-        }
-    }
-    ++out.cut;
+    if (!scene.media)
+        return trace<false>(scene, wanted, random, path, out);
+    path.inside = interiors_at(*scene.media, path.ray.origin);
+    trace<true>(scene, wanted, random, path, out);
 }
 
 } // namespace hipmap

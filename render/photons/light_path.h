@@ -11,6 +11,8 @@ struct Wanted {
     bool indirect = false;
     bool bounces = false;
     bool after_specular = true; ///< any, once a specular surface was the first
+    bool after_media = false;   ///< those that a medium scattered first, or sent out
+    bool volume = false;        ///< in media
 };
 
 /// Follows a light path through the scene to its end, and adds the photons that are wanted of it,

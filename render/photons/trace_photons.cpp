@@ -24,21 +24,25 @@ void append(std::vector<T>& to, std::vector<T>& from)
 TracedPhotons join(std::vector<TracedPhotons>& chunks)
 {
     TracedPhotons out;
-    std::size_t caustic = 0, global = 0, bounces = 0;
+    std::size_t caustic = 0, global = 0, bounces = 0, volume = 0;
     for (const TracedPhotons& chunk : chunks) {
         caustic += chunk.caustic.size();
         global += chunk.global.size();
         bounces += chunk.bounces.size();
+        volume += chunk.volume.size();
     }
     out.caustic.reserve(caustic);
     out.global.reserve(global);
     out.bounces.reserve(bounces);
+    out.volume.reserve(volume);
     for (TracedPhotons& chunk : chunks) {
         for (BouncedPhoton& photon : chunk.bounces)
-            photon.from += photon.from_caustic ? out.caustic.size() : out.global.size();
+            if (photon.from != kNoPhoton)
+                photon.from += photon.from_caustic ? out.caustic.size() : out.global.size();
         append(out.bounces, chunk.bounces);
         append(out.caustic, chunk.caustic);
         append(out.global, chunk.global);
+        append(out.volume, chunk.volume);
         out.dropped += chunk.dropped;
         out.cut += chunk.cut;
         out.power.emitted += chunk.power.emitted;
@@ -70,15 +74,17 @@ Wanted wanted_without_aim(const PhotonOptions& options)
     wanted.indirect = options.light.indirect;
     wanted.bounces = options.link_bounces;
     wanted.after_specular = options.light.caustic && (wanted.caustic || wanted.indirect);
+    wanted.after_media = wanted.volume = options.media;
     return wanted;
 }
 
 TracedPhotons trace_without_aim(const RenderScene& scene, const PhotonOptions& options)
 {
     const Wanted wanted = wanted_without_aim(options);
-    if (!wanted.direct && !wanted.caustic && !wanted.indirect)
+    if (!wanted.direct && !wanted.caustic && !wanted.indirect && !wanted.volume)
         return {};
-    const EmissionPlan plan = plan_emission(scene.lights, options.paths);
+    const double glow = options.media ? max_channel(scene.media->glow_power) : 0;
+    const EmissionPlan plan = plan_emission(scene.lights, options.paths, glow);
     TracedPhotons out = trace_paths(plan.paths, [&](std::uint64_t i, TracedPhotons& photons) {
         const LightShare share = share_of(plan, i);
         RandomSequence random(options.seed, RandomStream::photons, options.pass, share.light,
@@ -100,7 +106,8 @@ TracedPhotons trace_photons(const RenderScene& scene, const PhotonOptions& optio
     TracedPhotons out = trace_without_aim(scene, options);
     if (targets.empty())
         return out;
-    const Wanted wanted{false, true, false, options.link_bounces};
+    Wanted wanted{false, true, false, options.link_bounces};
+    wanted.volume = options.media;
     const EmissionPlan aimed = plan_emission(scene.lights, options.caustic_paths);
     TracedPhotons caustics = trace_paths(aimed.paths, [&](std::uint64_t i, TracedPhotons& photons) {
         const LightShare share = share_of(aimed, i);
@@ -110,11 +117,14 @@ TracedPhotons trace_photons(const RenderScene& scene, const PhotonOptions& optio
         if (max_channel(start.power) > 0)
             trace_light_path(scene, wanted, start, random, photons);
     });
+    const std::uint64_t emitted = out.emitted;
+    caustics.power = {}; // of no light of its own
+    std::vector<TracedPhotons> both(2);
+    both[0] = std::move(out);
+    both[1] = std::move(caustics);
+    out = join(both);
+    out.emitted = emitted;
     out.aimed = aimed.paths;
-    out.caustic = std::move(caustics.caustic);
-    append(out.bounces, caustics.bounces);
-    out.dropped += caustics.dropped;
-    out.cut += caustics.cut;
     return out;
 }
 

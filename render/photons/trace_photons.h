@@ -2,6 +2,7 @@
 
 #include "render/effects/light_classes.h"
 #include "render/photons/photon.h"
+#include "render/photons/volume_photon.h"
 #include "render/shading/emission.h"
 #include "render/shading/render_scene.h"
 
@@ -20,6 +21,7 @@ struct PhotonOptions {
                                      ///< what reaches them without aim makes the caustics
     bool link_bounces = false;       ///< fill TracedPhotons::bounces
     LightClasses light{};            ///< photons of other light are neither traced nor kept
+    bool media = false; ///< keep photons in media, and those that come from there to surfaces
 };
 
 /// No photon.
@@ -28,7 +30,8 @@ inline constexpr std::uint64_t kNoPhoton = ~std::uint64_t{0};
 /// A photon whose light came by a diffuse bounce, straight or through specular surfaces.
 struct BouncedPhoton {
     Photon photon;
-    std::uint64_t from; ///< the photon that its path left at the surface of the bounce
+    std::uint64_t from; ///< the photon that its path left at the surface of the bounce; kNoPhoton:
+                        ///<   a medium has scattered the light since
     bool from_caustic;  ///< it is one of the caustic photons, else of the global ones
 };
 
@@ -45,10 +48,11 @@ struct PowerBalance {
 struct TracedPhotons {
     std::uint64_t emitted = 0;          ///< light paths
     std::uint64_t aimed = 0;            ///< light paths aimed at specular surfaces
-    std::vector<Photon> caustic;        ///< light, specular+, diffuse
+    std::vector<Photon> caustic;        ///< light, specular or media, diffuse
     std::vector<Photon> global;         ///< indirect, and direct if asked for
     std::vector<BouncedPhoton> bounces; ///< indirect, if asked for; those from a caustic are of
                                         ///< aimed paths, the others not
+    std::vector<VolumePhoton> volume;   ///< in media
     std::uint64_t dropped = 0;          ///< not finite; their power is lost
     std::uint64_t cut = 0;              ///< paths that reached the largest number of bounces
     PowerBalance power;

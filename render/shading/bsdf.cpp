@@ -118,6 +118,8 @@ void make_opaque(const Material& material, const MaterialPoint& at, Bsdf& out)
 Bsdf make_bsdf(const Material& material, const MaterialPoint& at, DiffuseModel model)
 {
     Bsdf out;
+    if (!material.boundary)
+        return out; // no surface
     out.alpha = alpha_of(at.roughness);
     if (model == DiffuseModel::burley)
         out.burley_roughness = at.roughness;

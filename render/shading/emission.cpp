@@ -101,7 +101,7 @@ EmittedPath emit_from_sky(const LightSet& lights, RandomSequence& random)
     return out;
 }
 
-std::vector<double> powers_of(const LightSet& lights)
+std::vector<double> powers_of(const LightSet& lights, double glow)
 {
     std::vector<double> out;
     for (std::size_t lamp = 0; lamp < lamp_count(lights); ++lamp)
@@ -110,6 +110,7 @@ std::vector<double> powers_of(const LightSet& lights)
     const double flux =
         lights.sky.empty() ? 4.0 * kPi * max_channel(lights.environment) : lights.sky.flux;
     out.push_back(kPi * lights.radius * lights.radius * flux);
+    out.push_back(glow);
     return out;
 }
 
@@ -124,9 +125,9 @@ SkyLight sample_sky_light(const LightSet& lights, const glm::vec2& u)
     return {-back, density > 0 ? sky_radiance(lights.sky, back) / density : Rgb(0)};
 }
 
-EmissionPlan plan_emission(const LightSet& lights, std::uint64_t paths)
+EmissionPlan plan_emission(const LightSet& lights, std::uint64_t paths, double glow)
 {
-    const std::vector<double> powers = powers_of(lights);
+    const std::vector<double> powers = powers_of(lights, glow);
     double total = 0;
     std::size_t shining = 0;
     for (double power : powers) {
@@ -173,6 +174,9 @@ EmittedPath emit_path(const RenderScene& scene, const EmissionPlan& plan, std::u
     } else if (share.light == lamp_count(lights)) {
         // Stratified over the faces: the paths walk through the running sum of powers.
         out = emit_from_face(scene, stratum(share, random), random);
+    } else if (share.light > lamp_count(lights) + 1) {
+        const GlowPath glow = sample_glow(*scene.media, random);
+        out = {glow.ray, glow.power, true};
     } else {
         out = emit_from_sky(lights, random);
     }

@@ -8,7 +8,8 @@
 namespace hipmap {
 
 /// How the light paths of a pass are shared out: by power, each light with a floor share.
-/// The lights are the lamps (lamps.h), then all emissive faces as one, then the sky.
+/// The lights are the lamps (lamps.h), then all emissive faces as one, then the sky, then media
+/// that glow.
 struct EmissionPlan {
     std::vector<std::uint64_t>
         first_path; ///< [lights + 1] light i owns paths [first[i], first[i+1])
@@ -16,7 +17,8 @@ struct EmissionPlan {
 };
 
 /// Every light that shines gets at least one path; none if nothing shines or `paths` is 0.
-EmissionPlan plan_emission(const LightSet& lights, std::uint64_t paths);
+/// glow: power of media that glow, largest channel.
+EmissionPlan plan_emission(const LightSet& lights, std::uint64_t paths, double glow = 0);
 
 /// Which light a path belongs to.
 struct LightShare {
@@ -44,6 +46,7 @@ SkyLight sample_sky_light(const LightSet& lights, const glm::vec2& u);
 struct EmittedPath {
     Ray ray;
     Rgb power{0.0f}; ///< already divided by the paths of its light
+    bool from_medium = false;
 };
 
 /// path: 0..plan.paths-1.  Source: docs/light_transport.md (5)-(7), (26).

@@ -51,6 +51,49 @@ Interaction interact(const RenderScene& scene, const Ray& ray, const RayHit& hit
     return out;
 }
 
+Interaction scattering_point(const glm::vec3& position, const glm::vec3& back,
+                             const PhaseFunction& phase, const Interiors& inside)
+{
+    Interaction out;
+    out.point.position = position;
+    out.back = back;
+    out.phase = &phase;
+    out.inside = &inside;
+    return out;
+}
+
+Interiors interiors_towards(const RenderScene& scene, const Interaction& at,
+                            const glm::vec3& direction)
+{
+    if (at.inside == nullptr)
+        return {};
+    Interiors inside = *at.inside;
+    if (glm::dot(direction, at.normal) < 0)
+        cross(*scene.media, at.point.face, at.front, inside);
+    return inside;
+}
+
+Rgb unoccluded(const RenderScene& scene, const Interaction& at, const Ray& shadow)
+{
+    if (at.inside == nullptr)
+        return Rgb(scene.rays.occluded(shadow) ? 0.0f : 1.0f);
+    return let_through(*scene.media, shadow, interiors_towards(scene, at, shadow.direction));
+}
+
+std::optional<RayHit> first_surface(const RenderScene& scene, const Interaction& at, const Ray& ray,
+                                    Rgb& left)
+{
+    if (at.inside == nullptr)
+        return scene.rays.nearest(ray);
+    Interiors inside = interiors_towards(scene, at, ray.direction);
+    return walk(*scene.media, ray, inside,
+                [&](const Stretch& stretch) {
+                    left *= left_along(*scene.media, stretch);
+                    return true;
+                })
+        .hit;
+}
+
 Ray mirror_ray(const Interaction& at)
 {
     Ray ray;
@@ -73,7 +116,7 @@ Ray transmitted_ray(const Interaction& at, float eta)
 
 Rgb absorption_beyond(const Interaction& at)
 {
-    return at.solid && at.front ? at.bsdf.absorption : Rgb(0);
+    return at.solid && at.front && at.inside == nullptr ? at.bsdf.absorption : Rgb(0);
 }
 
 Rgb transmittance(const Rgb& absorption, float distance)

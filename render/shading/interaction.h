@@ -5,7 +5,8 @@
 
 namespace hipmap {
 
-/// A ray that has met a surface.  Both normals lie on the side that the ray came from.
+/// A ray that has met a surface, or a medium that scatters it.  Both normals lie on the side that
+/// the ray came from; in a medium they are zero.
 struct Interaction {
     SurfacePoint point;
     Bsdf bsdf;
@@ -17,10 +18,30 @@ struct Interaction {
     bool solid = false;       ///< the face belongs to a closed surface
     float coverage = 1.0f;    ///< share of the light that the face stops there, above zero
     std::uint8_t side = 0;    ///< 0 or 1: of the connected surface, the same for all its faces
+    const PhaseFunction* phase = nullptr; ///< of a medium; null: at a surface.  Borrowed
+    const Interiors* inside = nullptr;    ///< what the ray came through; null: there are no media
 };
 
 /// Cost: constant.  Thread-safe.
 Interaction interact(const RenderScene& scene, const Ray& ray, const RayHit& hit);
+
+/// A point of a medium.  back: as in Interaction.  Borrows the other two.
+Interaction scattering_point(const glm::vec3& position, const glm::vec3& back,
+                             const PhaseFunction& phase, const Interiors& inside);
+
+/// What a ray that leaves the point is in: something else on the other side of a surface.  Nothing
+/// where there are no media.
+Interiors interiors_towards(const RenderScene& scene, const Interaction& at,
+                            const glm::vec3& direction);
+
+/// What reaches the point of light along a shadow ray from there: 0 or 1, and with media in the way
+/// what they leave of it.
+Rgb unoccluded(const RenderScene& scene, const Interaction& at, const Ray& shadow);
+
+/// The first surface that a ray from the point meets; `left` is multiplied with what media on the
+/// way leave of light.
+std::optional<RayHit> first_surface(const RenderScene& scene, const Interaction& at, const Ray& ray,
+                                    Rgb& left);
 
 /// The ray reflected by a mirror.
 Ray mirror_ray(const Interaction& at);
@@ -28,7 +49,8 @@ Ray mirror_ray(const Interaction& at);
 /// The ray that goes on through the surface; eta as in SpecularLobes.
 Ray transmitted_ray(const Interaction& at, float eta);
 
-/// Absorption per scene unit beyond the surface, for a ray that was transmitted there.
+/// Absorption per scene unit beyond the surface, for a ray that was transmitted there; none where
+/// the scene's media have it.
 Rgb absorption_beyond(const Interaction& at);
 
 /// What is left after `distance` in an absorbing inside (Beer-Lambert), docs/light_transport.md

@@ -3,6 +3,7 @@
 #include "common/partition/partition.h"
 #include "common/rays/embree_scene.h"
 #include "common/scene/scene.h"
+#include "render/media/media_set.h"
 #include "render/shading/bsdf.h"
 #include "render/shading/lights.h"
 
@@ -22,11 +23,13 @@ struct RenderScene {
         varying;                     ///< [M] 1: textures or vertices' colours multiply the factors
     std::vector<std::uint8_t> bumpy; ///< [M] 1: a texture tilts the shading normal
     LightSet lights;
+    std::optional<MediaSet> media; ///< none: nothing but surfaces and glass that absorbs
     bool directional = false; ///< photons are weighed by the direction they came from: some surface
                               ///<   gathers by a lobe that is not separable
 
     /// sky: the picture that the scene names, or an empty one.
     RenderScene(const Scene& from_scene, const Partition& from_partition, SkyPicture sky = {});
+    RenderScene(RenderScene&&) = delete; // media borrow the rays
 
     const TriangleMesh& mesh() const { return scene.mesh; }
 };

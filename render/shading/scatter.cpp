@@ -2,6 +2,7 @@
 
 #include "common/math/frame.h"
 #include "common/math/sampling.h"
+#include "render/media/phase.h"
 #include "render/shading/facet_lobes.h"
 #include "render/shading/gathered_lobes.h"
 
@@ -112,10 +113,30 @@ ScatterSample sample_below_clearcoat(const Interaction& at, Lobes lobes, RandomS
     return out;
 }
 
+/// By the phase function of a medium.
+Scattered scattered_in_medium(const Interaction& at, const glm::vec3& in, Lobes lobes)
+{
+    if (lobes != Lobes::gathered)
+        return {};
+    const float value = phase_value(*at.phase, -glm::dot(at.back, in));
+    return {Rgb(value), value};
+}
+
+ScatterSample sample_in_medium(const Interaction& at, Lobes lobes, RandomSequence& random)
+{
+    ScatterSample out;
+    out.direction = sample_phase(*at.phase, -at.back, random.next2());
+    out.density = scattered_in_medium(at, out.direction, lobes).density;
+    out.weight = Rgb(out.density > 0 ? 1.0f : 0.0f);
+    return out;
+}
+
 } // namespace
 
 Scattered scattered(const Interaction& at, const glm::vec3& in, Lobes lobes)
 {
+    if (at.phase != nullptr)
+        return scattered_in_medium(at, in, lobes);
     Scattered out = scattered_below_clearcoat(at, in, lobes);
     const float chance = clearcoat_chance(at, lobes, false);
     if (chance == 0)
@@ -139,6 +160,8 @@ ScatterSample sample_facets(const Interaction& at, Lobes lobes, RandomSequence& 
 
 ScatterSample sample_scatter(const Interaction& at, Lobes lobes, RandomSequence& random)
 {
+    if (at.phase != nullptr)
+        return sample_in_medium(at, lobes, random);
     const float chance = clearcoat_chance(at, lobes, false);
     if (chance == 0)
         return sample_below_clearcoat(at, lobes, random);

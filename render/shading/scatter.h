@@ -5,10 +5,10 @@
 
 namespace hipmap {
 
-/// The lobes of a surface that are not specular, by what becomes of their light: gathered from
-/// photons (diffuse, and reflections rougher than kFollowedRoughness), or followed along a
-/// direction drawn (smoother reflections, rough glass).  The two together are all; each has its own
-/// density.
+/// The lobes of a surface that are not specular (a medium's phase function is a gathered lobe), by
+/// what becomes of their light: gathered from photons (diffuse, and reflections rougher than
+/// kFollowedRoughness), or followed along a direction drawn (smoother reflections, rough glass).
+/// The two together are all; each has its own density.
 enum class Lobes : std::uint8_t { gathered, followed };
 
 /// What the lobes do with light from a direction.

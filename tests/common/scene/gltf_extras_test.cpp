@@ -48,11 +48,19 @@ TEST_CASE("what glTF lacks is read from extras as an object and as JSON text",
         nodes[3]["extras"] = extras({{"focus_distance", 4}}, as_text);
         nodes[4]["extras"] =
             extras({{"area_power", 100}, {"area_width", 2}, {"area_height", 3}}, as_text);
-        file.root["materials"][0]["extras"] = extras(
-            {{"absorption", {1, 2, 3}}, {"scattering", {4, 5, 6}}, {"phase_anisotropy", -0.5}},
-            as_text);
+        file.root["materials"][0]["extras"] = extras({{"boundary", false},
+                                                      {"medium",
+                                                       {{"absorption", {1, 2, 3}},
+                                                        {"scattering", {4, 5, 6}},
+                                                        {"emission", {7, 8, 9}},
+                                                        {"phase", "schlick"},
+                                                        {"g", -0.5}}}},
+                                                     as_text);
         file.root["scenes"][0]["extras"] =
-            extras({{"world_color", {0.25, 0.5, 1}}, {"world_strength", 2}}, as_text);
+            extras({{"world_color", {0.25, 0.5, 1}},
+                    {"world_strength", 2},
+                    {"medium", {{"scattering", {1, 2, 3}}, {"g", 0.75}}}},
+                   as_text);
         const LoadedScene loaded = load(file);
         const Scene& scene = loaded.scene;
         REQUIRE(scene.frame.metres_per_unit == 2.0);
@@ -62,7 +70,13 @@ TEST_CASE("what glTF lacks is read from extras as an object and as JSON text",
         CHECK(scene.cameras.at(0).focus_distance == 2.0f);
         CHECK(scene.materials.at(0).absorption == Rgb(2, 4, 6));
         CHECK(scene.materials.at(0).scattering == Rgb(8, 10, 12));
-        CHECK(scene.materials.at(0).phase_anisotropy == -0.5f);
+        CHECK(scene.materials.at(0).medium_emission == Rgb(14, 16, 18));
+        CHECK(scene.materials.at(0).phase.kind == PhaseKind::schlick);
+        CHECK(scene.materials.at(0).phase.g == -0.5f);
+        CHECK(!scene.materials.at(0).boundary);
+        CHECK(scene.around.scattering == Rgb(2, 4, 6));
+        CHECK(scene.around.phase.kind == PhaseKind::henyey_greenstein);
+        CHECK(scene.around.phase.g == 0.75f);
         CHECK(scene.environment == Rgb(0.5f, 1, 2));
         REQUIRE(scene.area_lights.size() == 1);
         const AreaLight& area = scene.area_lights[0];
@@ -72,9 +86,7 @@ TEST_CASE("what glTF lacks is read from extras as an object and as JSON text",
         CHECK(area.direction == glm::vec3(0, 0, -1));
         // Power = pi times radiance times area.
         CHECK(area.radiance.x * std::numbers::pi * 6 == Approx(100));
-        CHECK(says(loaded.audit.warnings,
-                   "read but not rendered yet: the medium of material 'paint'"));
-        CHECK_FALSE(says(loaded.audit.warnings, "size"));
+        CHECK_FALSE(says(loaded.audit.warnings, "not rendered yet"));
         CHECK(says(loaded.audit.found, "area light 'Area'"));
     }
 }
@@ -134,8 +146,18 @@ TEST_CASE("extras that make no sense are refused with their place and key",
     file.root["scenes"][0]["extras"]["hipmap"] = {{"world_hdri", "../sky.hdr"}};
     CHECK_THROWS_WITH(load(file), Catch::Contains("'../sky.hdr'"));
     file = furnished();
-    file.root["materials"][0]["extras"]["hipmap"] = {{"phase_anisotropy", 1.5}};
-    CHECK_THROWS_WITH(load(file), Catch::Contains("'phase_anisotropy'"));
+    const auto check_medium_refused = [](const json& medium, const char* what) {
+        GltfFile with = furnished();
+        with.root["materials"][0]["extras"]["hipmap"] = {{"medium", medium}};
+        CHECK_THROWS_WITH(load(with), Catch::Contains("'medium'") && Catch::Contains(what));
+    };
+    check_medium_refused({{"g", 1.5}}, "'g'");
+    check_medium_refused({{"g", 0.5}, {"phase", "isotropic"}}, "'g'");
+    check_medium_refused({{"phase", "mie"}}, "'phase'");
+    check_medium_refused({{"scattering", {-1, 0, 0}}}, "'scattering'");
+    check_medium_refused("fog", "object");
+    file.root["materials"][0]["extras"]["hipmap"] = {{"boundary", 1}};
+    CHECK_THROWS_WITH(load(file), Catch::Contains("'boundary'"));
 }
 
 } // namespace hipmap::tiny

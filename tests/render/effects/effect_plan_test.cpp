@@ -231,7 +231,7 @@ TEST_CASE("effect plan: switches that make no sense are refused with the names t
          {"", "caustics", "-", "-caustic", "-caustics,", "-mirror", "-caustics,,-indirect"}) {
         INFO(text);
         CHECK_THROWS_WITH(parse_effect_switches(text),
-                          Catch::Contains("indirect, caustics, absorption, textures"));
+                          Catch::Contains("indirect, caustics, absorption, media"));
     }
 }
 

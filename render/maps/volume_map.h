@@ -1,0 +1,54 @@
+#pragma once
+
+#include "render/maps/wide_tree.h"
+#include "render/media/media_set.h"
+#include "render/photons/volume_photon.h"
+
+#include <array>
+
+namespace hipmap {
+
+/// A radius at every point that follows the density of a pilot's photons, docs/media.md (9).
+/// Read-only once built: any number of threads may use it.
+struct VolumeRadii {
+    WideTree tree;             ///< of some of them
+    std::vector<float> radius; ///< [n] by slot: where the k-th of all from there is
+    float widest = 0.0f;       ///< where there are fewer
+};
+
+/// neighbours: k, at least 1.  widest: scene units, above zero.  In parallel; same photons, same
+/// radii.
+VolumeRadii find_volume_radii(const std::vector<VolumePhoton>& pilot, std::uint32_t neighbours,
+                              float widest);
+
+/// Scene units, above zero.  Thread-safe.
+float volume_radius_at(const VolumeRadii& radii, const glm::vec3& position);
+
+/// Photons in media, each a disc that faces every ray, under a binary tree of boxes.
+/// Read-only once built: any number of threads may use it.
+struct VolumeMap {
+    struct Node {
+        glm::vec3 low{0.0f}, high{0.0f}; ///< of the discs below
+        std::uint32_t first = 0;         ///< photon, of a leaf
+        std::uint32_t count = 0;         ///< of a leaf; 0: its children are the next node and ...
+        std::uint32_t right = 0;         ///< ... this one
+    };
+    std::vector<VolumePhoton> photons; ///< in the order of the tree
+    std::vector<float> radii;          ///< [n] of their discs, scene units
+    std::vector<Node> nodes;           ///< the root first; empty: no photon
+};
+
+/// shrink: of the radii, over the first.  O(n log n).  Same photons in the same order, same map.
+VolumeMap build_volume_map(const std::vector<VolumePhoton>& photons, const VolumeRadii& first,
+                           float shrink);
+
+/// Radii that are taken at once, over those of the map: the first is 1, none is larger.
+using BeamScales = std::array<float, 3>;
+
+/// Radiance that photons in the medium of a stretch scatter back along it, less what is lost on the
+/// way to the stretch's near end, by each of the scales, docs/media.md (8).  Thread-safe; the sum
+/// is formed in the same order for the same map and stretch.
+std::array<Rgb, 3> beam_radiance(const VolumeMap& map, const Medium& medium, const Stretch& stretch,
+                                 const BeamScales& scales);
+
+} // namespace hipmap

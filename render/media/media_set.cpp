@@ -1,0 +1,154 @@
+#include "render/media/media_set.h"
+
+#include "common/math/bounds.h"
+
+#include <algorithm>
+
+namespace hipmap {
+
+namespace {
+
+constexpr int kMostFaces = 4096; ///< on the way out of a scene
+
+bool bounds_an_inside(const MediaSet& media, FaceId face)
+{
+    return media.partition.closed[face] != 0 &&
+           media.has_inside[media.mesh.material_of_face[face]] != 0;
+}
+
+void find_spaces(MediaSet& media)
+{
+    Bounds<glm::vec3> all, with_inside;
+    for (FaceId face = 0; face < media.mesh.face_count(); ++face)
+        for (int c = 0; c < 3; ++c) {
+            const glm::vec3& corner = media.mesh.positions[media.mesh.corners[face][c]];
+            all.add(corner);
+            if (bounds_an_inside(media, face))
+                with_inside.add(corner);
+        }
+    if (!all.empty()) {
+        media.centre = all.centre();
+        media.radius = 0.5f * glm::length(all.extent());
+    }
+    media.low = with_inside.empty() ? glm::vec3(1) : with_inside.low;
+    media.high = with_inside.empty() ? glm::vec3(-1) : with_inside.high;
+}
+
+/// Any direction that is unlikely to run along edges.
+glm::vec3 way_out()
+{
+    return glm::normalize(glm::vec3(0.2371f, 0.8963f, 0.3747f));
+}
+
+} // namespace
+
+void Interiors::enter(MaterialId material)
+{
+    if (count < kMost)
+        entered[count++] = material;
+}
+
+void Interiors::leave(MaterialId material)
+{
+    for (std::size_t i = count; i-- > 0;)
+        if (entered[i] == material) {
+            std::copy(entered.begin() + i + 1, entered.begin() + count, entered.begin() + i);
+            --count;
+            return;
+        }
+}
+
+std::optional<MediaSet> collect_media(const Scene& scene, const Partition& partition,
+                                      const EmbreeScene& rays)
+{
+    std::vector<std::uint8_t> closed(scene.materials.size(), 0), worn = closed;
+    for (FaceId face = 0; face < scene.mesh.face_count(); ++face) {
+        worn[scene.mesh.material_of_face[face]] = 1;
+        closed[scene.mesh.material_of_face[face]] |= partition.closed[face];
+    }
+    MediaSet out{scene.mesh, partition, rays, {}, {}, {}, scene.around};
+    bool wanted = !scene.around.is_clear();
+    out.scatters = scene.around.scatters();
+    out.glows = scene.around.glows();
+    for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+        const Material& material = scene.materials[m];
+        const bool lets_in = material.transmission > 0 || !material.boundary;
+        out.insides.push_back(material.inside());
+        out.has_inside.push_back(lets_in && closed[m] != 0);
+        out.has_surface.push_back(material.boundary);
+        wanted = wanted || (out.has_inside.back() != 0 && material.holds_medium()) ||
+                 (worn[m] != 0 && !material.boundary);
+        out.scatters |= out.has_inside.back() != 0 && out.insides.back().scatters();
+        out.glows |= out.has_inside.back() != 0 && out.insides.back().glows();
+    }
+    if (!wanted)
+        return std::nullopt;
+    find_spaces(out);
+    if (out.glows)
+        out.glow_power = mean_glow(out);
+    return out;
+}
+
+void cross(const MediaSet& media, FaceId face, bool front, Interiors& inside)
+{
+    if (!bounds_an_inside(media, face))
+        return;
+    const MaterialId material = media.mesh.material_of_face[face];
+    if (front)
+        inside.enter(material);
+    else
+        inside.leave(material);
+}
+
+Interiors interiors_at(const MediaSet& media, const glm::vec3& point)
+{
+    if (!(glm::all(glm::lessThanEqual(media.low, point)) &&
+          glm::all(glm::lessThanEqual(point, media.high))))
+        return {};
+    Ray ray;
+    ray.origin = point;
+    ray.direction = way_out();
+    Interiors passed, left; // entered on the way; left without having been entered, inmost first
+    for (int faces = 0; faces < kMostFaces; ++faces) {
+        const std::optional<RayHit> hit = media.rays.nearest(ray);
+        if (!hit)
+            break;
+        const SurfacePoint at = surface_point(media.mesh, hit->face, hit->barycentric);
+        const bool front = glm::dot(ray.direction, at.geometric_normal) <= 0;
+        const std::size_t before = passed.count;
+        cross(media, hit->face, front, passed);
+        if (!front && passed.count == before && bounds_an_inside(media, hit->face))
+            left.enter(media.mesh.material_of_face[hit->face]);
+        ray.origin = offset_origin(at, ray.direction);
+    }
+    std::reverse(left.entered.begin(), left.entered.begin() + left.count);
+    return left;
+}
+
+Ray within_sphere(const MediaSet& media, const Ray& ray)
+{
+    const glm::dvec3 way = glm::dvec3(ray.origin) - glm::dvec3(media.centre);
+    const double along = -glm::dot(way, glm::dvec3(ray.direction));
+    const glm::dvec3 aside = way + along * glm::dvec3(ray.direction);
+    const double half2 = double{media.radius} * media.radius - glm::dot(aside, aside);
+    Ray out = ray;
+    if (!(half2 > 0)) {
+        out.far = out.near;
+        return out;
+    }
+    out.near = std::max(ray.near, static_cast<float>(along - std::sqrt(half2)));
+    out.far = std::min(ray.far, static_cast<float>(along + std::sqrt(half2)));
+    return out;
+}
+
+Rgb let_through(const MediaSet& media, const Ray& ray, Interiors inside)
+{
+    Rgb left(1.0f);
+    const WalkEnd end = walk(media, ray, inside, [&](const Stretch& stretch) {
+        left *= left_along(media, stretch);
+        return !is_black(left);
+    });
+    return end.hit ? Rgb(0) : left;
+}
+
+} // namespace hipmap

@@ -1,0 +1,144 @@
+#pragma once
+
+#include "common/partition/partition.h"
+#include "common/rays/embree_scene.h"
+#include "common/rays/surface_point.h"
+#include "common/scene/scene.h"
+#include "render/media/flight.h"
+
+#include <array>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+namespace hipmap {
+
+/// Which insides a point is in, by their materials: the last one entered is what is there.
+/// Insides nested deeper than kMost are passed over.
+struct Interiors {
+    static constexpr std::size_t kMost = 8;
+    std::array<MaterialId, kMost> entered{};
+    std::size_t count = 0;
+
+    void enter(MaterialId material);
+    /// The last one of the material; nothing if there is none.
+    void leave(MaterialId material);
+    /// kNone: in none.
+    MaterialId current() const { return count > 0 ? entered[count - 1] : kNone; }
+};
+
+/// The media of a scene, docs/media.md.  Borrows the scene, its partition and its rays.
+/// Read-only: any number of threads may use it.
+struct MediaSet {
+    const TriangleMesh& mesh;
+    const Partition& partition;
+    const EmbreeScene& rays;
+    std::vector<Medium> insides;           ///< [M]
+    std::vector<std::uint8_t> has_inside;  ///< [M] 1: light gets into closed meshes of it
+    std::vector<std::uint8_t> has_surface; ///< [M] 0: rays go on through its faces
+    Medium around;                         ///< within the sphere around all faces
+    glm::vec3 centre{0.0f};
+    float radius = 0.0f;
+    glm::vec3 low{0.0f}, high{0.0f}; ///< box of the faces that have an inside; low > high: none
+    bool scatters = false;           ///< any of them
+    bool glows = false;
+    Rgb glow_power{0.0f}; ///< about, W / metres_per_unit^2
+
+    const Medium& medium(MaterialId inside) const
+    {
+        return inside == kNone ? around : insides[inside];
+    }
+};
+
+/// Nothing if no medium scatters, glows or is around, and every material has a surface: then glass
+/// that absorbs is all there may be.
+std::optional<MediaSet> collect_media(const Scene& scene, const Partition& partition,
+                                      const EmbreeScene& rays);
+
+/// Updates `inside` for a ray that passes through a face.  front: from its front to its back.
+void cross(const MediaSet& media, FaceId face, bool front, Interiors& inside);
+
+/// What a point is in, by the faces met on the way out.  Cost: some rays where it lies in the box
+/// of faces that have an inside, else none.
+Interiors interiors_at(const MediaSet& media, const glm::vec3& point);
+
+/// Light that starts in a glowing medium.
+struct GlowPath {
+    Ray ray;
+    Rgb power{0.0f}; ///< W / metres_per_unit^2; black: the line drawn meets no such medium
+};
+
+/// Draws a line through the media, a point on it where they glow, and a way along it,
+/// docs/media.md (10).  The mean of the power is what they send out.  Cost: a ray for each face on
+/// the line.
+GlowPath sample_glow(const MediaSet& media, RandomSequence& random);
+
+/// The mean of the power of some of those paths, always the same.
+Rgb mean_glow(const MediaSet& media);
+
+/// A part of a ray that lies in one medium.
+struct Stretch {
+    MaterialId inside = kNone; ///< kNone: around
+    Ray ray;                   ///< of which it is the part from near to far, which is finite
+    float before = 0.0f;       ///< from the start of the walk to the ray's origin
+};
+
+/// What is left of light over a stretch, docs/media.md (3).
+inline Rgb left_along(const MediaSet& media, const Stretch& stretch)
+{
+    return transmitted(media.medium(stretch.inside).extinction(),
+                       stretch.ray.far - stretch.ray.near);
+}
+
+/// Where a walk has ended.
+struct WalkEnd {
+    std::optional<RayHit> hit; ///< its distance is from the start of the walk
+    bool stopped = false;      ///< by the visitor
+};
+
+/// Boundaries without a surface that a ray crosses at most; the next one counts as opaque.
+inline constexpr int kMostBoundaries = 256;
+
+/// The part of a ray that lies in the sphere of the surrounding medium; none: near >= far.
+Ray within_sphere(const MediaSet& media, const Ray& ray);
+
+/// Follows a ray from boundary to boundary to the first face with a surface, or to its far end, and
+/// calls `visit(stretch)` for each stretch of it that holds a medium; false stops the walk.
+/// inside: what the ray starts in; at the end what it ends in, before the face.
+template <typename Visit>
+WalkEnd walk(const MediaSet& media, Ray ray, Interiors& inside, const Visit& visit)
+{
+    float before = 0;
+    for (int crossed = 0; ray.far > 0; ++crossed) {
+        std::optional<RayHit> hit = media.rays.nearest(ray);
+        const MaterialId current = inside.current();
+        if (!media.medium(current).is_clear()) {
+            Stretch stretch{current, ray, before};
+            stretch.ray.far = hit ? hit->distance : ray.far;
+            if (current == kNone)
+                stretch.ray = within_sphere(media, stretch.ray);
+            // An inside that never ends is that of a mesh which is not closed after all.
+            if (stretch.ray.near < stretch.ray.far && std::isfinite(stretch.ray.far) &&
+                !visit(stretch))
+                return {std::nullopt, true};
+        }
+        if (!hit)
+            return {};
+        const MaterialId material = media.mesh.material_of_face[hit->face];
+        if (media.has_surface[material] != 0 || crossed == kMostBoundaries) {
+            hit->distance += before;
+            return {hit, false};
+        }
+        const SurfacePoint at = surface_point(media.mesh, hit->face, hit->barycentric);
+        cross(media, hit->face, glm::dot(ray.direction, at.geometric_normal) <= 0, inside);
+        before += hit->distance;
+        ray.origin = offset_origin(at, ray.direction);
+        ray.far -= hit->distance;
+    }
+    return {};
+}
+
+/// What a ray between two points lets through: nothing if a face with a surface is between.
+Rgb let_through(const MediaSet& media, const Ray& ray, Interiors inside);
+
+} // namespace hipmap

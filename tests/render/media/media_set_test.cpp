@@ -1,0 +1,83 @@
+#include "tests/support/tiny_scenes.h"
+
+#include <catch2/catch.hpp>
+
+using namespace hipmap;
+
+namespace {
+
+Material medium_of(float absorption)
+{
+    Material out;
+    out.boundary = false;
+    out.absorption = Rgb(absorption);
+    return out;
+}
+
+/// Cubes of sides 1 and 1/2 in each other, and a ball of glass in both.
+Scene nested()
+{
+    Scene scene = tiny::make_scene(tiny::cube());
+    scene.materials[0] = medium_of(1);
+    TriangleMesh inner = tiny::cube();
+    tiny::scale(inner, 0.5f);
+    tiny::add(scene, inner, medium_of(3));
+    TriangleMesh ball = tiny::uv_sphere(32, 16);
+    tiny::scale(ball, 0.1f);
+    tiny::add(scene, ball, tiny::glass(1.5f));
+    return scene;
+}
+
+std::vector<MaterialId> list(const Interiors& inside)
+{
+    return {inside.entered.begin(), inside.entered.begin() + inside.count};
+}
+
+} // namespace
+
+TEST_CASE("interiors_at: what a point is in, the last that was entered last", "[media]")
+{
+    const auto ready = tiny::ready(nested());
+    const MediaSet& media = ready->render->media.value();
+    CHECK(list(interiors_at(media, {0.6f, 0, 0})).empty());
+    CHECK(list(interiors_at(media, {0.45f, 0.45f, 0.45f})) == std::vector<MaterialId>{0});
+    CHECK(list(interiors_at(media, {0.2f, -0.2f, 0.1f})) == std::vector<MaterialId>{0, 1});
+    CHECK(list(interiors_at(media, {0.01f, 0.02f, 0.03f})) == std::vector<MaterialId>{0, 1, 2});
+}
+
+TEST_CASE("let_through: absorption by way of nested media, nothing through a surface", "[media]")
+{
+    Scene scene = nested();
+    scene.around.absorption = Rgb(0.5f);
+    const auto ready = tiny::ready(scene);
+    const MediaSet& media = ready->render->media.value();
+    Ray ray;
+    ray.origin = {-2, 0.2f, 0.13f};
+    ray.direction = {1, 0, 0};
+    ray.far = 4;
+    // Around: within the sphere round the cube.
+    const double half = std::sqrt(0.75 - 0.2 * 0.2 - 0.13 * 0.13);
+    const double depth = 0.5 * (2 * half - 1) + 1 * 0.5 + 3 * 0.5;
+    CHECK(let_through(media, ray, {}).x == Approx(std::exp(-depth)));
+    ray.far = 2; // to the middle
+    CHECK(let_through(media, ray, {}).x == Approx(std::exp(-depth / 2)));
+    ray.origin.y = ray.origin.z = 0; // into the ball
+    CHECK(let_through(media, ray, {}) == Rgb(0));
+}
+
+TEST_CASE("media are found only where a scene has some", "[media]")
+{
+    Scene scene = nested();
+    CHECK(tiny::ready(scene)->render->media);
+    for (Material& material : scene.materials)
+        material = tiny::glass(1.5f);
+    scene.materials[0].absorption = Rgb(1); // as glass has it
+    CHECK(!tiny::ready(scene)->render->media);
+    scene.materials[1].scattering = Rgb(1);
+    CHECK(tiny::ready(scene)->render->media);
+    scene.materials[1] = tiny::matt(Rgb(0.5f));
+    scene.materials[1].scattering = Rgb(1); // which no light reaches
+    CHECK(!tiny::ready(scene)->render->media);
+    scene.around.emission = Rgb(1);
+    CHECK(tiny::ready(scene)->render->media);
+}
