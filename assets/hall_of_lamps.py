@@ -9,7 +9,7 @@ import sys
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
 # pylint: disable=wrong-import-position
-from effects import Glb, quad, sphere
+from glb_writer import Glb, quad, sphere
 
 LENGTH, WIDTH, HEIGHT = 30.0, 4.0, 3.0  # m
 BAYS, PANELS, LAMPS = 40, (-1.2, 0.0, 1.2), (-1.9, 0.6, 1.9)
