@@ -76,11 +76,12 @@ def expected(facts):
     out["textures"] = (bool(pictured), pictured)
     out["vertex-colours"] = (facts.vertex_colours(), None)
     glowing = [m["name"] for m in facts.materials if m["glows"]]
-    sky = not glowing and not facts.lamps()
+    sized = facts.sized_lamps()
+    sky = not glowing and not facts.lamps() and not sized
     gathering = [m["name"] for m in facts.materials if gathers(m)]
     specular = [m["name"] for m in facts.materials if is_specular(m)]
     out["environment"] = (sky, None)
-    out["soft-shadows"] = (bool(glowing) or sky, glowing if glowing else None)
+    out["soft-shadows"] = (bool(glowing + sized) or sky, glowing + sized or None)
     out["indirect"] = (bool(gathering), gathering)
     out["caustics"] = (bool(gathering) and bool(specular), specular)
     out["depth-of-field"] = (facts.has_lens(), None)

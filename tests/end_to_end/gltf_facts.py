@@ -46,6 +46,19 @@ class GltfFacts:
     def lamps(self):
         return [n for n in self.nodes() if "KHR_lights_punctual" in n.get("extensions", {})]
 
+    def sized_lamps(self):
+        """Names of those that hipmap's own keys give a size."""
+        lights = self.json.get("extensions", {}).get("KHR_lights_punctual", {}).get("lights", [])
+
+        def has_size(thing):
+            own = thing.get("extras", {}).get("hipmap", {})
+            return any(own.get(key, 0) > 0 for key in ("radius", "angle_deg", "area_power"))
+
+        sized = [n for n in self.lamps()
+                 if has_size(n) or has_size(lights[n["extensions"]["KHR_lights_punctual"]["light"]])]
+        sized += [n for n in self.nodes() if has_size(n) and n not in sized]
+        return [n["name"] for n in sized]
+
     def has_lens(self):
         """The first camera, by hipmap's own key."""
         cameras = [n for n in self.nodes() if "camera" in n]
