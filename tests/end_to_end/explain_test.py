@@ -61,7 +61,7 @@ BY_MATERIAL = {
     "alpha": see_through,
     "clearcoat": lambda m: m["coat"] > 0 and not m["glass"],
 }
-NEVER = ("media", "subsurface", "sheen", "anisotropy", "motion-blur")
+NEVER = ("subsurface", "sheen", "anisotropy", "motion-blur")
 
 
 def expected(facts):
@@ -73,11 +73,13 @@ def expected(facts):
         unsure = None in found
         out[name] = (True if names else None if unsure else False, None if unsure else names)
     pictured = [m["name"] for m in facts.materials if facts.rendered_pictures(m)]
+    media = [m["name"] for m in facts.materials if m["medium"]]
+    out["media"] = (bool(media) or "medium" in facts.around(), media)
     out["textures"] = (bool(pictured), pictured)
     out["vertex-colours"] = (facts.vertex_colours(), None)
     glowing = [m["name"] for m in facts.materials if m["glows"]]
     sized = facts.sized_lamps()
-    sky = not glowing and not facts.lamps() and not sized
+    sky = facts.has_world() or not (glowing or facts.lamps() or sized)
     gathering = [m["name"] for m in facts.materials if gathers(m)]
     specular = [m["name"] for m in facts.materials if is_specular(m)]
     out["environment"] = (sky, None)

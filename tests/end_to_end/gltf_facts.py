@@ -65,6 +65,15 @@ class GltfFacts:
         lens = cameras[0].get("extras", {}).get("hipmap", {}) if cameras else {}
         return lens.get("aperture_radius", 0) > 0 and lens.get("focus_distance", 0) > 0
 
+    def around(self):
+        """What hipmap's own keys say of the scene."""
+        scene = self.json["scenes"][self.json.get("scene", 0)]
+        return scene.get("extras", {}).get("hipmap", {})
+
+    def has_world(self):
+        world = self.around()
+        return any(world.get("world_color", [0])) and world.get("world_strength", 1) > 0
+
     def values(self, index):
         """Rows of an accessor that is neither sparse nor compressed."""
         accessor = self.json["accessors"][index]
@@ -121,7 +130,10 @@ class GltfFacts:
 
         textures = {key for holder in (written, base, *extensions.values())
                     for key in holder if key.endswith("Texture")}
-        unlit = "KHR_materials_unlit" in extensions
+        own = written.get("extras", {}).get("hipmap", {})
+        own = own if isinstance(own, dict) else {}
+        bare = not own.get("boundary", True)  # an inside without a surface
+        unlit = "KHR_materials_unlit" in extensions or bare
         metallic = 0 if unlit else base.get("metallicFactor", 1)
         transmission = 0 if unlit else number("transmission", "transmissionFactor", 0)
         step = number("ior", "ior", 1.5)
@@ -138,9 +150,10 @@ class GltfFacts:
                         ((1 - metallic) * (1 - transmission) > 0 and f0 > 0),
             "glass": (1 - metallic) * transmission > 0,
             "solid": (1 - metallic) * transmission > 0 and self.closed(index),
-            "absorbs": "attenuationDistance" in attenuation and
+            "medium": bare or ("medium" in own and transmission > 0 and self.closed(index)),
+            "absorbs": "attenuationDistance" in attenuation and "medium" not in own and
                        min(attenuation.get("attenuationColor", [1])) < 1,
-            "glows": any(base.get("baseColorFactor", [1, 1, 1])[:3] if unlit
+            "glows": any(base.get("baseColorFactor", [1, 1, 1])[:3] if unlit and not bare
                          else written.get("emissiveFactor", [0])),
             "alpha_mode": written.get("alphaMode", "OPAQUE"),
             "alpha": base.get("baseColorFactor", [1] * 4)[3],
