@@ -157,15 +157,60 @@ def add_milk(glb):
     glb.mesh("Ball of smoke", cloud, sphere((0.45, 0.39, 0), 0.38, 40, 20))
 
 
+def add_absorption(glb):
+    """The same glass, thin and thick."""
+    glass = glb.material("Bottle glass", (1, 1, 1), base={"roughnessFactor": 0}, extensions={
+        "KHR_materials_ior": {"ior": 1.5}, "KHR_materials_transmission": {"transmissionFactor": 1},
+        "KHR_materials_volume": {"thicknessFactor": 1, "attenuationDistance": 0.3,
+                                 "attenuationColor": [0.15, 0.6, 0.3]}})
+    glb.mesh("Large ball", glass, sphere((0.35, 0.41, 0), 0.4, 40, 20))
+    glb.mesh("Small ball", glass, sphere((-0.4, 0.16, 0.2), 0.15, 40, 20))
+
+
+def add_environment(glb):
+    """A blue sky beside the lamp."""
+    glb.mesh("Ball", 0, sphere((0.1, 0.4, 0), 0.4, 40, 20))
+    glb.root["scenes"][0]["extras"] = {"hipmap": {"world_color": [0.35, 0.55, 1],
+                                                  "world_strength": 0.3}}
+
+
+def add_reflections(glb):
+    """A mirror, a glossy reflection that is followed, one that is gathered, and glass."""
+    glb.mesh("Red panel", glb.material("Red", (0.7, 0.1, 0.08)),
+             quad((-1.2, 0, 0.4), (0, 0, -1.2), (0, 1, 0)))
+    for i, roughness in enumerate((0, 0.2, 0.45)):
+        metal = glb.material(f"Metal {roughness}", (0.9, 0.85, 0.75), base={
+            "metallicFactor": 1, "roughnessFactor": roughness})
+        glb.mesh(f"Ball {i}", metal, sphere((0.62 * i - 0.8, 0.28, -0.2), 0.28))
+    glass = glb.material("Glass", (1, 1, 1), base={"roughnessFactor": 0}, extensions={
+        "KHR_materials_ior": {"ior": 1.5}, "KHR_materials_transmission": {"transmissionFactor": 1}})
+    glb.mesh("Glass ball", glass, sphere((0, 0.21, 0.5), 0.2))
+
+
+def add_textures(glb):
+    """Squares of two colours."""
+    def squares(x, y):
+        return (200, 70, 40, 255) if (x // 8 + y // 8) % 2 else (235, 225, 190, 255)
+
+    picture = glb.texture(png(64, 64, squares), magFilter=9728)
+    chequered = glb.material("Chequered", (1, 1, 1), base={"baseColorTexture": picture})
+    glb.mesh("Panel", chequered, quad((-0.85, 0.02, -0.1), (0.8, 0, -0.2), (0, 0.9, 0)))
+    glb.mesh("Ball", chequered, sphere((0.5, 0.4, 0.1), 0.38, 40, 20))
+
+
 SCENES = {
+    "absorption": (add_absorption, 20),
     "alpha": (add_alpha, 20),
     "clearcoat": (add_clearcoat, 20),
     "depth_of_field": (add_depth_of_field, 20),
     "emissive_picture": (add_emissive_picture, 0),
+    "environment": (add_environment, 12),
     "fog": (add_fog, 1.5),
     "milk": (add_milk, 20),
     "normal_maps": (add_normal_maps, 20),
+    "reflections": (add_reflections, 20),
     "soft_shadows": (add_soft_shadows, 0),
+    "textures": (add_textures, 20),
     "vertex_colours": (add_vertex_colours, 20),
 }
 
