@@ -21,6 +21,7 @@ BETTER = 5
 # A run is to go on for some passes: it ends at this part of the error that the first check shows.
 PART_OF_FIRST = 0.7
 FIRST_CHECK = 8
+MOST_ERROR = 100  # percent that --error takes
 
 
 @dataclasses.dataclass(frozen=True)
@@ -104,7 +105,8 @@ class Lab:
         """An error, in percent with two digits, that takes the integrator a few checks."""
         check = self.render(scene, INTEGRATORS[integrator], self.folder / "image.pfm",
                             "--passes", FIRST_CHECK, "--seed", REFERENCE_SEED + 1)
-        return float(f"{100 * PART_OF_FIRST * check['error']:.2g}")
+        wanted = min(100 * PART_OF_FIRST * check["error"], MOST_ERROR)
+        return float(f"{wanted:.2g}")
 
     def make_reference(self, scene, method, target):
         """By passes until its stated error is a part of the target."""
