@@ -17,8 +17,9 @@ constexpr int kSplitDepth = 3;
 /// From here on Russian roulette ends faint paths.
 constexpr int kRouletteDepth = 6;
 
-/// Roulette ends paths long before this; between perfect mirrors nothing else would.
-constexpr int kMostDepth = 256;
+/// From here on also bright ones; between perfect mirrors nothing else would end them.
+constexpr int kEndlessDepth = 64;
+constexpr float kMostChance = 0.98f;
 
 /// A part of an eye path still to be followed.
 struct Branch {
@@ -79,8 +80,9 @@ bool survives(Branch& branch, RandomSequence& random)
 {
     if (branch.depth < kRouletteDepth)
         return true;
-    const float chance = std::min(1.0f, max_channel(branch.weight));
-    if (branch.depth >= kMostDepth || !(random.next() < chance))
+    const float most = branch.depth < kEndlessDepth ? 1.0f : kMostChance;
+    const float chance = std::min(most, max_channel(branch.weight));
+    if (!(random.next() < chance))
         return false;
     branch.weight /= chance;
     return true;
