@@ -58,6 +58,20 @@ void check(const RunningMean& found, double expected, double most_noise)
     CHECK(error < most_noise * expected);
 }
 
+void check_agreement(const Scene& scene)
+{
+    const RunningMean path = measure(scene, Integrator::path, 64, 16);
+    for (const Integrator integrator : {Integrator::progressive, Integrator::direct}) {
+        const RunningMean maps = measure(scene, integrator, 24);
+        const double noise = std::hypot(maps.standard_error(), path.standard_error());
+        INFO(int(integrator) << ": " << maps.mean() << " +- " << maps.standard_error() << ", path "
+                             << path.mean() << " +- " << path.standard_error());
+        // Discs that reach out of a mesh leave a bias below 1 part in 100.
+        CHECK(std::abs(maps.mean() - path.mean()) < 0.01 * path.mean() + kMostZ * noise);
+        CHECK(noise < 0.015 * path.mean());
+    }
+}
+
 } // namespace
 
 TEST_CASE("media: light is absorbed as Beer and Lambert say", "[integrator][media]")
@@ -161,16 +175,7 @@ TEST_CASE("media: integrators agree on fog, milk and haze under a lamp", "[integ
     scene.around.scattering = Rgb(0.4f);
     TriangleMesh lamp = tiny::floor_at(0.45f, -0.3f);
     tiny::add(scene, lamp, tiny::lamp(Rgb(10)));
-    const RunningMean path = measure(scene, Integrator::path, 64, 16);
-    for (const Integrator integrator : {Integrator::progressive, Integrator::direct}) {
-        const RunningMean maps = measure(scene, integrator, 24);
-        const double noise = std::hypot(maps.standard_error(), path.standard_error());
-        INFO(int(integrator) << ": " << maps.mean() << " +- " << maps.standard_error() << ", path "
-                             << path.mean() << " +- " << path.standard_error());
-        // Discs that reach out of a mesh leave a bias below 1 part in 100.
-        CHECK(std::abs(maps.mean() - path.mean()) < 0.01 * path.mean() + kMostZ * noise);
-        CHECK(noise < 0.015 * path.mean());
-    }
+    check_agreement(scene);
 }
 
 TEST_CASE("media: integrators agree on a room that a glowing medium lights", "[integrator][media]")
@@ -182,13 +187,5 @@ TEST_CASE("media: integrators agree on a room that a glowing medium lights", "[i
     medium.emission = {3, 2, 1};
     medium.absorption = {1, 2, 3};
     tiny::add(scene, cube, fog(medium));
-    const RunningMean path = measure(scene, Integrator::path, 64, 16);
-    for (const Integrator integrator : {Integrator::progressive, Integrator::direct}) {
-        const RunningMean maps = measure(scene, integrator, 24);
-        const double noise = std::hypot(maps.standard_error(), path.standard_error());
-        INFO(int(integrator) << ": " << maps.mean() << " +- " << maps.standard_error() << ", path "
-                             << path.mean() << " +- " << path.standard_error());
-        CHECK(std::abs(maps.mean() - path.mean()) < 0.01 * path.mean() + kMostZ * noise);
-        CHECK(noise < 0.015 * path.mean());
-    }
+    check_agreement(scene);
 }
