@@ -171,6 +171,11 @@ void add_method(CLI::App& app, RenderArguments& arguments)
               "Photons in an estimate, k [50]");
     add_count(app, "--local-min", render.maps.local_min, 1, kMostPhotons,
               "Fewest photons of a local map, M [10 k]");
+    app.add_option("--alpha", render.alpha,
+                   "How slowly the radii of --integrator progressive shrink, between 0 and 1: less "
+                   "leaves less bias and more noise [2/3]")
+        ->check(finite_in(0.01, 0.99))
+        ->type_name("A");
     add_count(app, "--samples", render.samples, 1, 65536, "Samples of each pixel in a pass [4]");
     app.add_option_function<std::string>(
            "--effects",
@@ -274,6 +279,8 @@ void complete_arguments(const CLI::App& app, RenderArguments& arguments)
     MapOptions& maps = arguments.render.maps;
     if (app.count("--local-min") == 0)
         maps.local_min = kLocalMinPerNeighbour * maps.neighbours;
+    if (app.count("--alpha") > 0 && arguments.render.integrator != Integrator::progressive)
+        throw InputError("--alpha is for --integrator progressive; choose that or leave it out");
     check_method(arguments.render);
 }
 

@@ -4,6 +4,7 @@
 #include "common/image/exr_file.h"
 #include "common/image/write_image.h"
 #include "render/film/error_picture.h"
+#include "render/settings.h"
 
 #include <sys/resource.h>
 
@@ -102,11 +103,12 @@ std::string describe_error(const ErrorCheck& check)
     return text;
 }
 
-std::string describe_price(std::span<const ErrorCheck> checks)
+std::string describe_price(const RenderState& state)
 {
-    const ErrorCheck& last = checks.back();
-    const Price half = price_of(checks, last.error.error / 2, 0);
-    const double before = error_after(fit_law(checks), static_cast<double>(last.passes) / 2);
+    const ErrorCheck& last = state.checks.back();
+    const ErrorLaw law = fit_law(state.checks, alpha_of(state.settings));
+    const Price half = price_of(state.checks, law, last.error.error / 2, 0);
+    const double before = error_after(law, static_cast<double>(last.passes) / 2);
     std::string text = "price: " + percent(last.error.error) + " took " +
                        std::to_string(last.passes) + " passes and " + format_seconds(last.seconds);
     if (!std::isfinite(half.passes) || last.error.error == 0)
@@ -116,9 +118,9 @@ std::string describe_price(std::span<const ErrorCheck> checks)
     return text;
 }
 
-std::vector<Price> price_list(std::span<const ErrorCheck> checks, std::uint64_t photons,
-                              double target)
+std::vector<Price> price_list(const RenderState& state, double target)
 {
+    const std::vector<ErrorCheck>& checks = state.checks;
     std::vector<Price> prices;
     if (checks.empty() || !(checks.back().error.error > 0))
         return prices;
@@ -126,8 +128,10 @@ std::vector<Price> price_list(std::span<const ErrorCheck> checks, std::uint64_t 
     if (target > 0)
         errors.push_back(target);
     std::sort(errors.begin(), errors.end(), std::greater<>());
+    errors.erase(std::unique(errors.begin(), errors.end()), errors.end());
+    const ErrorLaw law = fit_law(checks, alpha_of(state.settings));
     for (const double error : errors)
-        prices.push_back(price_of(checks, error, photons));
+        prices.push_back(price_of(checks, law, error, photons_of(state.settings)));
     return prices;
 }
 

@@ -3,6 +3,7 @@
 #include "common/image/legend.h"
 #include "common/report.h"
 #include "render/film/price.h"
+#include "render/film/render_state.h"
 
 #include <filesystem>
 #include <optional>
@@ -31,11 +32,10 @@ std::string percent(double share);
 std::string describe_error(const ErrorCheck& check);
 
 /// What half the error would cost.
-std::string describe_price(std::span<const ErrorCheck> checks);
+std::string describe_price(const RenderState& state);
 
 /// The errors of a price list: half of what there is now, and round ones.  target: 0 for none.
-std::vector<Price> price_list(std::span<const ErrorCheck> checks, std::uint64_t photons,
-                              double target);
+std::vector<Price> price_list(const RenderState& state, double target);
 
 /// The most memory that this process has held, bytes; 0: not known.
 std::uint64_t peak_memory();

@@ -68,11 +68,10 @@ void print_error(const RenderArguments& arguments, const RenderState& state, Rep
     if (state.checks.empty())
         return;
     report.line(describe_error(state.checks.back()));
-    report.line(describe_price(state.checks));
+    report.line(describe_price(state));
     if (!arguments.quote)
         return;
-    for (const Price& price :
-         price_list(state.checks, arguments.render.photons, arguments.stops.error)) {
+    for (const Price& price : price_list(state, arguments.stops.error)) {
         std::ostringstream line;
         line << "an error of " << percent(price.error) << " takes " << price.passes << " passes, "
              << format_seconds(price.seconds);

@@ -18,6 +18,27 @@ std::string hex(std::uint64_t word)
     return text;
 }
 
+/// The shortest text that is read back as the same number.
+std::string exactly(double value)
+{
+    char text[32];
+    return {text, std::to_chars(text, text + sizeof text, value).ptr};
+}
+
+/// name: with its sign of equality.
+template <typename Number>
+Number number_of(const std::vector<std::string>& settings, std::string_view name, Number otherwise)
+{
+    for (const std::string& setting : settings) {
+        Number number{};
+        if (setting.starts_with(name) &&
+            std::from_chars(setting.data() + name.size(), setting.data() + setting.size(), number)
+                    .ec == std::errc())
+            return number;
+    }
+    return otherwise;
+}
+
 } // namespace
 
 const char* name_of(MapMode mode)
@@ -46,8 +67,8 @@ const char* name_of(GatheredIrradiance irradiance)
 std::vector<std::string> settings_of(const RenderOptions& options, const Scene& scene,
                                      const Partition& partition, const SkyPicture& sky)
 {
-    const auto& [integrator, width, height, maps, direct, photons, samples, seed, light,
-                 irradiance] = options;
+    const auto& [integrator, width, height, maps, direct, photons, samples, seed, light, irradiance,
+                 alpha] = options;
     const auto& [mode, neighbours, local_min, estimate, tiers, directions, tree] = maps;
     const Fingerprint content = content_fingerprint(scene);
     return {"scene=" + hex(content.words[0]) + hex(content.words[1]),
@@ -67,20 +88,18 @@ std::vector<std::string> settings_of(const RenderOptions& options, const Scene& 
             "seed=" + std::to_string(seed),
             std::string("caustics=") + (light.caustic ? "on" : "off"),
             std::string("indirect=") + (light.indirect ? "on" : "off"),
-            std::string("irradiance=") + name_of(irradiance)};
+            std::string("irradiance=") + name_of(irradiance),
+            "alpha=" + exactly(alpha)};
 }
 
 std::uint64_t photons_of(const std::vector<std::string>& settings)
 {
-    constexpr std::string_view kName = "photons=";
-    for (const std::string& setting : settings) {
-        std::uint64_t photons = 0;
-        if (setting.starts_with(kName) &&
-            std::from_chars(setting.data() + kName.size(), setting.data() + setting.size(), photons)
-                    .ec == std::errc())
-            return photons;
-    }
-    return 0;
+    return number_of(settings, "photons=", std::uint64_t{0});
+}
+
+double alpha_of(const std::vector<std::string>& settings)
+{
+    return number_of(settings, "alpha=", RenderOptions().alpha);
 }
 
 } // namespace hipmap

@@ -18,6 +18,9 @@ std::vector<std::string> settings_of(const RenderOptions& options, const Scene& 
 /// Light paths a pass, by such settings; 0: they do not say.
 std::uint64_t photons_of(const std::vector<std::string>& settings);
 
+/// How slowly radii shrink, by such settings; the default: they do not say.
+double alpha_of(const std::vector<std::string>& settings);
+
 /// Names of choices, as on the command line.
 const char* name_of(MapMode mode);
 const char* name_of(TreeKind tree);

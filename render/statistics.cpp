@@ -117,21 +117,24 @@ Json check_json(const ErrorCheck& check)
 }
 
 /// target: of the error; 0 for none.
-Json error_json(const RenderState& state, std::uint64_t photons, double target)
+Json error_json(const RenderState& state, double target)
 {
     static const char* const kBias[] = {"none", "unknown", "from radii"};
     Json checks = Json::array(), prices = Json::array();
     for (const ErrorCheck& check : state.checks)
         checks.push_back(check_json(check));
-    for (const Price& price : price_list(state.checks, photons, target))
+    for (const Price& price : price_list(state, target))
         prices.push_back({{"error", price.error},
                           {"passes", price.passes},
                           {"seconds", price.seconds},
                           {"photons", price.photons}});
-    const ErrorLaw law = fit_law(state.checks);
+    const ErrorLaw law = fit_law(state.checks, alpha_of(state.settings));
     return {{"bias", kBias[static_cast<int>(state.film.bias)]},
             {"checks", checks},
-            {"law", {{"by_pass", law.by_pass}, {"by_photon", law.by_photon}}},
+            {"law",
+             {{"by_pass", law.by_pass},
+              {"by_photon", law.by_photon},
+              {"photon_power", law.photon_power}}},
             {"prices", prices},
             {"memory", peak_memory()}};
 }
@@ -207,7 +210,7 @@ std::string statistics_json(const RenderArguments& arguments, const Scene& scene
     json["effects"] = effects_json(run.effects);
     json["passes_done"] = count(state.film.passes);
     json["ended_by"] = ended_by(run.ended_by);
-    json["error"] = error_json(state, options.photons, arguments.stops.error);
+    json["error"] = error_json(state, arguments.stops.error);
     json["saturated"] = state.film.saturated;
     json["seconds"] = seconds_json(render, run);
     json["processor_seconds"] = {{"maps", render.processor_maps},
@@ -238,7 +241,7 @@ std::string merged_statistics_json(const MergeArguments& arguments, const Render
         image_json(state.film.width, state.film.height, arguments.images, run.exposure_ev);
     json["pictures"] = pictures_json(run);
     json["passes_done"] = count(state.film.passes);
-    json["error"] = error_json(state, photons_of(state.settings), 0);
+    json["error"] = error_json(state, 0);
     json["saturated"] = state.film.saturated;
     json["seconds"] = {{"passes", state.seconds}, {"write", run.seconds_write}};
     json["warnings"] = run.warnings;

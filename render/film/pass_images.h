@@ -20,13 +20,13 @@ struct PassImages {
                                     ///<     do not count, whatever they are
 };
 
-/// Radius in a pass (from 0) over that in pass 0, docs/error.md (1).  Any thread; no loop.
-inline double radius_of_pass(std::uint64_t pass)
+/// Radius in a pass (from 0) over that in pass 0, docs/error.md (1), 0 < alpha < 1.  Any thread; no
+/// loop.
+inline double radius_of_pass(std::uint64_t pass, double alpha)
 {
-    constexpr double kAlpha = 2.0 / 3;
     const auto i = static_cast<double>(pass);
     return std::exp(0.5 *
-                    (std::lgamma(i + 1 + kAlpha) - std::lgamma(1 + kAlpha) - std::lgamma(i + 2)));
+                    (std::lgamma(i + 1 + alpha) - std::lgamma(1 + alpha) - std::lgamma(i + 2)));
 }
 
 } // namespace hipmap

@@ -118,7 +118,7 @@ RenderedPass render_pass(const RenderScene& scene, const Progressive& shared,
                          const RenderOptions& options, std::uint64_t pass,
                          const PassControl& control, RenderStatistics& statistics)
 {
-    const double shrink = radius_of_pass(pass);
+    const double shrink = radius_of_pass(pass, options.alpha);
     const PassMapsByKind photons = make_maps(scene, shared, options, pass, shrink, statistics);
     return gather_pass(scene, shared, photons, {scene, options, pass, shared.allotment}, shrink,
                        control, statistics);
@@ -155,6 +155,7 @@ PassSource make_progressive_source(const RenderScene& scene, const RenderOptions
     source.width = options.width;
     source.height = options.height;
     source.pilot_mean = render_pilot(scene, options, *shared);
+    source.alpha = options.alpha;
     source.allotment = checksum(shared->allotment);
     source.bias = precomputes(scene, options) ? BiasKnowledge::unknown : BiasKnowledge::from_radii;
     source.render = [&scene, &options, &statistics, shared](std::uint64_t pass,

@@ -30,6 +30,7 @@ struct RenderOptions {
     std::uint64_t seed = 0;
     LightClasses light; ///< that is found at all
     GatheredIrradiance irradiance = GatheredIrradiance::estimated;
+    double alpha = 2.0 / 3; ///< how slowly radii shrink, docs/error.md (1); progressive
 };
 
 /// Of one kind of photon, summed over the passes.

@@ -23,8 +23,8 @@ double share_of(double begun, double now, double end)
 
 class Run {
   public:
-    Run(const StopRules& rules, const RunControl& control, RenderState& state)
-        : rules_(rules), control_(control), state_(state), begun_(passes())
+    Run(const StopRules& rules, double alpha, const RunControl& control, RenderState& state)
+        : rules_(rules), alpha_(alpha), control_(control), state_(state), begun_(passes())
     {
     }
 
@@ -89,7 +89,7 @@ class Run {
     {
         if (!(rules_.error > 0) || state_.checks.size() < kLooksToForetell)
             return std::nullopt;
-        const double needed = std::min(passes_for(fit_law(state_.checks), rules_.error),
+        const double needed = std::min(passes_for(fit_law(state_.checks, alpha_), rules_.error),
                                        static_cast<double>(kMostPasses));
         const auto before = static_cast<std::uint64_t>(needed) - 1;
         return static_cast<double>(next_check(std::max(before, passes())));
@@ -130,6 +130,7 @@ class Run {
     }
 
     const StopRules& rules_;
+    const double alpha_;
     const RunControl& control_;
     RenderState& state_;
     const Stopwatch watch_;
@@ -155,7 +156,7 @@ RunResult run_passes(const PassSource& source, const StopRules& rules, const Run
                      RenderState& state)
 {
     RunResult out;
-    Run run(rules, control, state);
+    Run run(rules, source.alpha, control, state);
     std::optional<StopReason> reason;
     while (!(reason = run.reason_to_stop())) {
         const std::uint64_t pass = next_missing(state.film.passes, rules.first_pass);

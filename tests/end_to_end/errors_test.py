@@ -99,11 +99,13 @@ class Errors(ToolsTestCase):
         render = ["render", Tools.scene, self.path("a.hpm"), "-o", self.path("a.png")]
         for option, value in (("--photons", "-5"), ("--photons", "many"), ("--maps", "sharde"),
                               ("--neighbours", "nan"), ("--size", "0x10"), ("--size", "tall"),
-                              ("--exposure", "inf"), ("--samples", "0"), ("--direct", "none")):
+                              ("--exposure", "inf"), ("--samples", "0"), ("--direct", "none"),
+                              ("--alpha", "1"), ("--alpha", "0")):
             with self.subTest(option=option, value=value):
                 self.refuse(*render, option, value, naming=option)
         self.refuse(*render, "--irradiance", "precomputed", "--integrator", "path",
                     naming="--irradiance")
+        self.refuse(*render, "--alpha", "0.5", "--integrator", "path", naming="--alpha")
         self.refuse(*render, "--no-such-option", naming="--no-such-option")
         self.refuse("render", Tools.scene, naming="")
         self.refuse("preprocess", Tools.scene, "-o", self.path("a.hpm"), "--angle", "-1",

@@ -130,11 +130,12 @@ TEST_CASE("film: the unit goes with the mean, so that exposure does not change t
 
 TEST_CASE("film: radii shrink from pass to pass by Knaus and Zwicker's rule", "[film]")
 {
-    CHECK(radius_of_pass(0) == Approx(1.0));
+    const double alpha = GENERATE(2.0 / 3, 0.3);
+    CHECK(radius_of_pass(0, alpha) == Approx(1.0));
     double square = 1;
     for (std::uint64_t pass = 1; pass < 200; ++pass) {
         const auto i = static_cast<double>(pass);
-        square *= (i + 2.0 / 3) / (i + 1);
-        CHECK(radius_of_pass(pass) == Approx(std::sqrt(square)).epsilon(1e-9));
+        square *= (i + alpha) / (i + 1);
+        CHECK(radius_of_pass(pass, alpha) == Approx(std::sqrt(square)).epsilon(1e-9));
     }
 }

@@ -44,7 +44,7 @@ struct SyntheticPasses {
 
     PassImages pass(std::uint64_t number) const
     {
-        const double radius = radius_of_pass(number);
+        const double radius = radius_of_pass(number, 2.0 / 3);
         PassImages out{Image(side, side), {}, {}, {}};
         out.kept.assign(out.radiance.pixels.size(), 1);
         if (radii)
