@@ -122,6 +122,19 @@ def add_soft_shadows(glb):
     glb.mesh("Mirror ball", mirror, sphere((0.45, 0.35, 0.2), 0.35, 64, 32))
 
 
+def add_motion(glb):
+    """A ball that jumps past a mirror ball in a second, in two parabolas."""
+    red = glb.material("Red", (0.75, 0.12, 0.08))
+    mirror = glb.material("Mirror", (0.9, 0.9, 0.9),
+                          base={"metallicFactor": 1, "roughnessFactor": 0})
+    glb.mesh("Mirror ball", mirror, sphere((0, 0.3, -0.2), 0.3, 64, 32))
+    glb.mesh("Ball", red, sphere((0, 0, 0), 0.2))
+    rows = []
+    for x, fall, jump in ((-0.825, 0, 4), (0.20625, -4, 2.4), (0.825, -2.4, 0)):
+        rows += [(1.65, fall, 0), (x, 0.2, 0.5), (1.65, jump, 0)]
+    glb.animate("Ball", translation=("CUBICSPLINE", (0, 0.625, 1), rows))
+
+
 def add_fog(glb):
     """A spot shines through fog, and a ball stands in its way."""
     glb.root["scenes"][0]["extras"] = {"hipmap": {"medium": {
@@ -207,6 +220,7 @@ SCENES = {
     "environment": (add_environment, 12),
     "fog": (add_fog, 1.5),
     "milk": (add_milk, 20),
+    "motion": (add_motion, 20),
     "normal_maps": (add_normal_maps, 20),
     "reflections": (add_reflections, 20),
     "soft_shadows": (add_soft_shadows, 0),

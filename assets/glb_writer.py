@@ -51,15 +51,29 @@ class Glb:
         letter = "f" if component == FLOAT else "H"
         accessor = {"bufferView": self.view(struct.pack(f"<{len(flat)}{letter}", *flat)),
                     "componentType": component, "count": len(rows), "type": kind}
-        if kind == "VEC3":
-            accessor["min"] = [min(row[i] for row in rows) for i in range(3)]
-            accessor["max"] = [max(row[i] for row in rows) for i in range(3)]
+        if kind == "VEC3" or kind == "SCALAR" and component == FLOAT:
+            accessor["min"] = [min(row[i] for row in rows) for i in range(len(rows[0]))]
+            accessor["max"] = [max(row[i] for row in rows) for i in range(len(rows[0]))]
         self.root["accessors"].append(accessor)
         return len(self.root["accessors"]) - 1
 
     def node(self, name, **parts):
         self.root["nodes"].append({"name": name, **parts})
         self.root["scenes"][0]["nodes"].append(len(self.root["nodes"]) - 1)
+
+    def animate(self, name, **parts):
+        """Moves a node: for each part of its transform an interpolation, times in seconds, and rows
+        of numbers."""
+        node = next(i for i, node in enumerate(self.root["nodes"]) if node["name"] == name)
+        animation = {"name": name, "channels": [], "samplers": []}
+        for part, (interpolation, times, rows) in parts.items():
+            animation["channels"].append({"sampler": len(animation["samplers"]),
+                                          "target": {"node": node, "path": part}})
+            animation["samplers"].append({
+                "input": self.accessor([(time,) for time in times], "SCALAR"),
+                "output": self.accessor(rows, "VEC4" if part == "rotation" else "VEC3"),
+                "interpolation": interpolation})
+        self.root.setdefault("animations", []).append(animation)
 
     def texture(self, data, **sampler):
         for key, value in (("images", {"bufferView": self.view(data), "mimeType": "image/png"}),

@@ -24,11 +24,12 @@ void print_summary(const PartitionSummary& summary, double angle_deg, Report& re
 int preprocess(const PreprocessArguments& arguments)
 {
     Report report;
-    check_outputs(arguments);
     const ThreadLimit threads(arguments.threads);
 
     const Stopwatch loading;
     const LoadedScene loaded = load_scene(arguments.scene, arguments.scene_options);
+    if (arguments.frames.asked())
+        report.line("frame " + std::to_string(arguments.frames.first));
     print_audit(report, loaded.audit);
     const double load_seconds = loading.seconds();
 
@@ -66,6 +67,18 @@ int preprocess(const PreprocessArguments& arguments)
     return kExitDone;
 }
 
+int preprocess_frames(const PreprocessArguments& arguments)
+{
+    const auto of = [&](int frame) {
+        return frame < 0 ? arguments : arguments_of_frame(arguments, frame);
+    };
+    for_each_frame(arguments.frames, [&](int frame) {
+        check_outputs(of(frame));
+        return kExitDone;
+    });
+    return for_each_frame(arguments.frames, [&](int frame) { return preprocess(of(frame)); });
+}
+
 } // namespace
 
 } // namespace hipmap
@@ -80,6 +93,6 @@ int main(int argc, char** argv)
         if (const std::optional<int> code = hipmap::parse_arguments(app, argc, argv))
             return *code;
         arguments.command = hipmap::command_of("preprocess", argc, argv);
-        return hipmap::preprocess(arguments);
+        return hipmap::preprocess_frames(arguments);
     });
 }

@@ -55,6 +55,16 @@ void add_preprocess_arguments(CLI::App& app, PreprocessArguments& arguments)
         ->check(finite_in(0, 4096))
         ->type_name("N");
     add_scene_arguments(app, arguments.scene_options, arguments.sky);
+    add_frame_arguments(app, arguments.frames);
+}
+
+PreprocessArguments arguments_of_frame(const PreprocessArguments& all, int frame)
+{
+    PreprocessArguments out = all;
+    set_frame(out.scene_options, out.frames, frame);
+    for (std::filesystem::path* file : {&out.output, &out.images, &out.json, &out.coloured})
+        *file = frame_path(*file, frame);
+    return out;
 }
 
 void check_outputs(const PreprocessArguments& arguments)

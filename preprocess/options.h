@@ -1,5 +1,6 @@
 #pragma once
 
+#include "common/command_line/frames.h"
 #include "common/command_line/scene_arguments.h"
 #include "preprocess/partition/connected_edges.h"
 
@@ -20,6 +21,7 @@ struct PreprocessArguments {
     double weld_metres = 0; ///< 0: identical positions only
     SceneOptions scene_options;
     SkyOptions sky; ///< what it lights is no matter here
+    FrameOptions frames;
     PictureSize size{768, 0};
     unsigned threads = 0; ///< 0: all cores
 };
@@ -27,6 +29,9 @@ struct PreprocessArguments {
 /// Adds every option of `preprocess` to `app`, to be read into `arguments`, which must outlive the
 /// parsing.
 void add_preprocess_arguments(CLI::App& app, PreprocessArguments& arguments);
+
+/// The arguments of one frame: its moment, and files of its own.
+PreprocessArguments arguments_of_frame(const PreprocessArguments& all, int frame);
 
 /// Throws InputError unless every file asked for could be written and none of them is the scene or
 /// another one.  Changes no file.

@@ -1,4 +1,5 @@
 #include "common/file/output_file.h"
+#include "common/image/image_format.h"
 #include "common/input_error.h"
 #include "common/partition/partition_file.h"
 #include "common/scene/print_audit.h"
@@ -11,6 +12,7 @@
 #include "render/settings.h"
 #include "render/statistics.h"
 
+#include <algorithm>
 #include <csignal>
 
 namespace hipmap {
@@ -140,7 +142,6 @@ int render(RenderArguments& arguments)
 {
     Report report;
     RunStatistics run;
-    check_outputs(arguments);
     const ThreadLimit threads(arguments.threads);
 
     const Stopwatch reading;
@@ -156,6 +157,8 @@ int render(RenderArguments& arguments)
     const std::vector<std::string> settings =
         settings_of(arguments.render, loaded.scene, partition, sky);
     const std::optional<RenderState> found = find_state(arguments, settings);
+    if (arguments.frames.asked())
+        report.line("frame " + std::to_string(arguments.frames.first));
     print_audit(report, loaded.audit);
     report.line("effects: " + list_effects(run.effects) + " (--explain says why)");
     run.seconds_scene = reading.seconds();
@@ -194,6 +197,29 @@ int render(RenderArguments& arguments)
     return kExitDone;
 }
 
+int render_frames(const RenderArguments& arguments)
+{
+    const auto of = [&](int frame) {
+        return frame < 0 ? arguments : arguments_of_frame(arguments, frame);
+    };
+    for_each_frame(arguments.frames, [&](int frame) {
+        check_outputs(of(frame));
+        return kExitDone;
+    });
+    const auto is_exposed = [](const std::filesystem::path& image) {
+        const ImageFormat format = image_format(image);
+        return format == ImageFormat::png || format == ImageFormat::ppm;
+    };
+    if (arguments.frames.last > arguments.frames.first && !arguments.exposure_ev &&
+        std::any_of(arguments.images.begin(), arguments.images.end(), is_exposed))
+        Report().line("assumed: each frame is exposed by itself, so brightness may jump "
+                      "(--exposure EV holds it)");
+    return for_each_frame(arguments.frames, [&](int frame) {
+        RenderArguments one = of(frame);
+        return render(one);
+    });
+}
+
 } // namespace
 
 } // namespace hipmap
@@ -212,7 +238,7 @@ int render_main(int argc, char** argv)
         return *code;
     hipmap::complete_arguments(app, arguments);
     arguments.command = hipmap::command_of("render", argc, argv);
-    return hipmap::render(arguments);
+    return hipmap::render_frames(arguments);
 }
 
 /// argv begins with "merge".

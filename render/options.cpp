@@ -251,6 +251,19 @@ void add_render_arguments(CLI::App& app, RenderArguments& arguments)
     add_stops(app, arguments);
     add_picture(app, arguments);
     add_scene_arguments(app, arguments.scene_options, arguments.sky);
+    add_frame_arguments(app, arguments.frames);
+}
+
+RenderArguments arguments_of_frame(const RenderArguments& all, int frame)
+{
+    RenderArguments out = all;
+    set_frame(out.scene_options, out.frames, frame);
+    for (std::filesystem::path* file :
+         {&out.partition, &out.error_image, &out.statistics, &out.state})
+        *file = frame_path(*file, frame);
+    for (std::filesystem::path& image : out.images)
+        image = frame_path(image, frame);
+    return out;
 }
 
 void add_merge_arguments(CLI::App& app, MergeArguments& arguments)

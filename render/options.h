@@ -1,5 +1,6 @@
 #pragma once
 
+#include "common/command_line/frames.h"
 #include "common/command_line/scene_arguments.h"
 #include "render/effects/effect_plan.h"
 #include "render/integrator/run_passes.h"
@@ -25,6 +26,7 @@ struct RenderArguments {
     std::vector<EffectSwitch> effects;
     SceneOptions scene_options;
     SkyOptions sky;
+    FrameOptions frames;
     RenderOptions render;                ///< its size is still to be completed
     std::optional<DiffuseModel> diffuse; ///< none: the scene's own
     PictureSize size{512, 0};
@@ -35,6 +37,9 @@ struct RenderArguments {
 /// Adds every option of `render` to `app`, to be read into `arguments`, which must outlive the
 /// parsing.
 void add_render_arguments(CLI::App& app, RenderArguments& arguments);
+
+/// The arguments of one frame: its moment, and files of its own.
+RenderArguments arguments_of_frame(const RenderArguments& all, int frame);
 
 /// What the user asked of `render merge`.
 struct MergeArguments {

@@ -38,7 +38,8 @@ class GltfAccessor {
     glm::dvec2 vec2(std::size_t i) const;
     glm::dvec3 vec3(std::size_t i) const;
     glm::dvec4 vec4(std::size_t i) const;
-    /// Element `i` < size() of a SCALAR of unsigned integers.
+    /// Element `i` < size() of a SCALAR; `index`: of unsigned integers.
+    double scalar(std::size_t i) const { return value(i, 0); }
     std::uint32_t index(std::size_t i) const;
 
   private:

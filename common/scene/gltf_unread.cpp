@@ -191,9 +191,6 @@ void collect_nodes(const json& root, UnreadThings& unread)
             unread.add("range (custom distance) of lights", name_of(light, "light", index));
         ++index;
     }
-    index = 0;
-    for (const json& animation : members(root, "animations"))
-        unread.add("animations", name_of(animation, "animation", index++));
 }
 
 const char* cure_for(string_view extension)

@@ -25,7 +25,7 @@ std::string lower_suffix(const std::filesystem::path& path)
     return suffix;
 }
 
-RawScene read_raw_scene(const std::filesystem::path& path)
+RawScene read_raw_scene(const std::filesystem::path& path, std::optional<double> time)
 {
     std::error_code error;
     if (!std::filesystem::exists(path, error))
@@ -34,7 +34,7 @@ RawScene read_raw_scene(const std::filesystem::path& path)
         throw scene_error(path, "", "not a file; name a .glb, .gltf or .obj file");
     const std::string suffix = lower_suffix(path);
     if (suffix == ".glb" || suffix == ".gltf")
-        return read_gltf(path);
+        return read_gltf(path, time);
     if (suffix == ".obj")
         return read_obj(path);
     throw scene_error(path, "", "not a kind of scene that is read; export .glb, .gltf or .obj");
@@ -52,11 +52,14 @@ void note_size(const RawScene& raw, SceneAudit& audit)
 LoadedScene load_scene(const std::filesystem::path& path, const SceneOptions& options)
 {
     try {
-        RawScene raw = read_raw_scene(path);
+        RawScene raw = read_raw_scene(path, options.time);
         exclude_objects(raw, options.exclude);
         LoadedScene loaded;
         loaded.audit = std::move(raw.audit);
         note_size(raw, loaded.audit);
+        if (options.time && !raw.sweep)
+            loaded.audit.warnings.push_back("nothing in the file is animated: all frames show the "
+                                            "same");
         loaded.scene = to_scene_units(raw, options.light_units);
         complete_scene(loaded, options, path);
         return loaded;

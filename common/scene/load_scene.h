@@ -18,6 +18,7 @@ struct SceneOptions {
     std::optional<Rgb> environment;   ///< overrides the sky; none: grey if the scene has no light
     std::vector<std::string> exclude; ///< names of objects left out
     std::string camera;               ///< name; empty: the first
+    std::optional<double> time;       ///< of the animation, s; none: as the file places its nodes
 };
 
 /// What was found in a scene file, what was taken for granted, and what is lost, as sentences.

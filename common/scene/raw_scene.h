@@ -1,10 +1,12 @@
 #pragma once
 
 #include "common/input_error.h"
+#include "common/math/bounds.h"
 #include "common/scene/load_scene.h"
 #include "common/scene/scene.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -52,6 +54,12 @@ struct RawCamera {
     double aperture_radius = 0.0, focus_distance = 0.0; ///< metres
 };
 
+/// Where things come in the course of an animation, metres.
+struct SceneSweep {
+    std::vector<Bounds<glm::dvec3>> objects; ///< [O] of their faces
+    Bounds<glm::dvec3> others;               ///< lamps, cameras and other nodes without a mesh
+};
+
 /// A scene as its file has it: metres, world space, doubles.  Every vertex is used by some face.
 struct RawScene {
     std::filesystem::path path;
@@ -72,6 +80,7 @@ struct RawScene {
     double world_strength = 1.0;
     Medium around; ///< per metre
     DiffuseModel diffuse_model = DiffuseModel::lambert;
+    std::optional<SceneSweep> sweep; ///< of the animation of which this is one moment
     SceneAudit audit;
 };
 

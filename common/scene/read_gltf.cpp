@@ -1,5 +1,6 @@
 #include "common/scene/read_gltf.h"
 
+#include "common/scene/gltf_animation.h"
 #include "common/scene/gltf_extras.h"
 #include "common/scene/gltf_light_camera.h"
 #include "common/scene/gltf_material.h"
@@ -62,6 +63,21 @@ void note_scenes(const tinygltf::Model& model, SceneAudit& audit)
         quote_name(first_name({model.scenes[scene].name, "scene " + std::to_string(scene)})));
 }
 
+void note_animation(const GltfAnimation& animation, std::optional<double> time, SceneAudit& audit)
+{
+    if (animation.channels.empty())
+        return;
+    const std::string what = list_names(animation.names) + " moves " + list_names(animation.moved) +
+                             " from " + short_number(animation.first) + " to " +
+                             short_number(animation.last) + " s";
+    if (time)
+        audit.found.push_back("animation " + what + "; this is at " + short_number(*time) + " s");
+    else
+        audit.assumed.push_back("animation " + what +
+                                ": shown as the file places its objects at rest (--frames A:B "
+                                "renders frames of it)");
+}
+
 /// The diffuse lobe of the Blender that wrote the file, whose author saw it so; the exporter has
 /// had Blender's version since 3.2 and lower ones before.
 DiffuseModel diffuse_model_of(const nlohmann::json& asset)
@@ -77,19 +93,25 @@ DiffuseModel diffuse_model_of(const nlohmann::json& asset)
 
 } // namespace
 
-RawScene read_gltf(const std::filesystem::path& path)
+RawScene read_gltf(const std::filesystem::path& path, std::optional<double> time)
 {
     const GltfDocument document = read_gltf_document(path);
-    const tinygltf::Model model = parse_gltf(document);
+    tinygltf::Model model = parse_gltf(document);
     RawScene scene;
     scene.path = path;
     scene.diffuse_model = diffuse_model_of(document.json.at("asset"));
     read_gltf_materials(document, model, scene);
+    const GltfAnimation animation = read_gltf_animation(document, model, scene.audit);
+    if (time)
+        pose_nodes(animation, *time, model);
     const std::vector<PlacedNode> nodes = place_nodes(model, path);
     place_meshes(model, nodes, find_wanted_attributes(document), scene);
     add_lights_and_cameras(document, model, nodes, scene);
     read_world_extras(document, scene);
     note_scenes(model, scene.audit);
+    note_animation(animation, time, scene.audit);
+    if (time)
+        scene.sweep = sweep_nodes(animation, model, path);
     warn_of_unread_gltf(document, scene.audit);
     return scene;
 }

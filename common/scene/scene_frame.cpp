@@ -40,15 +40,40 @@ double unit_for(double length)
     return std::ldexp(1.0, fraction == 0.5 ? exponent - 1 : exponent);
 }
 
-SceneFrame choose_frame(const RawScene& raw)
+/// The box of all faces; of an animation, that of all its frames.
+Bounds<glm::dvec3> box_of_faces(const RawScene& raw)
 {
     Bounds<glm::dvec3> box;
-    for (const glm::dvec3& p : raw.positions)
-        box.add(p);
+    if (!raw.sweep) {
+        for (const glm::dvec3& p : raw.positions)
+            box.add(p);
+        return box;
+    }
+    std::vector<bool> added(raw.objects.size(), false);
+    for (const ObjectId object : raw.object_of_face) {
+        if (added[object])
+            continue;
+        added[object] = true;
+        const Bounds<glm::dvec3>& swept = raw.sweep->objects[object];
+        if (!is_near(swept.low) || !is_near(swept.high))
+            throw scene_error(raw.path, "object " + quote_name(raw.objects[object].name),
+                              "its animation moves it too far away; correct it");
+        box.add(swept.low);
+        box.add(swept.high);
+    }
+    return box;
+}
+
+SceneFrame choose_frame(const RawScene& raw)
+{
+    const Bounds<glm::dvec3> box = box_of_faces(raw);
     SceneFrame frame;
     frame.centre = box.centre();
     frame.metres_per_unit = unit_for(longest(box.extent()));
     double farthest = 0.0;
+    if (raw.sweep && !raw.sweep->others.empty())
+        for (const glm::dvec3& corner : {raw.sweep->others.low, raw.sweep->others.high})
+            farthest = std::max(farthest, longest(corner - frame.centre));
     for (const RawLight& light : raw.lights)
         farthest = std::max(farthest, longest(light.position - frame.centre));
     for (const RawAreaLight& light : raw.area_lights)

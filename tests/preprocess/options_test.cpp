@@ -46,6 +46,21 @@ TEST_CASE("preprocess options: every option arrives", "[preprocess]")
     CHECK(a.threads == 3);
 }
 
+TEST_CASE("preprocess options: a frame has its moment and files of its own", "[preprocess]")
+{
+    const PreprocessArguments all =
+        parse("desk.glb -o a.b/desk.hpm --json desk.json --images out --frames 7:9 --fps 10");
+    CHECK(all.frames.first == 7);
+    CHECK(all.frames.last == 9);
+    const PreprocessArguments a = arguments_of_frame(all, 8);
+    CHECK(a.scene_options.time == 0.8);
+    CHECK(a.output == "a.b/desk.0008.hpm");
+    CHECK(a.json == "desk.0008.json");
+    CHECK(a.images == "out.0008");
+    CHECK(a.coloured.empty());
+    CHECK(frame_path("a/noon", 123456) == "a/noon.123456");
+}
+
 TEST_CASE("preprocess options: defaults", "[preprocess]")
 {
     const PreprocessArguments a = parse("-o desk.hpm desk.glb");

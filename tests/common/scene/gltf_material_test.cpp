@@ -200,7 +200,9 @@ TEST_CASE("what is in a file but not read gets one warning by name", "[scene][gl
     json& primitive = root["meshes"][0]["primitives"][0];
     primitive["attributes"]["COLOR_0"] = primitive["attributes"]["POSITION"];
     primitive["targets"] = {{{"POSITION", primitive["attributes"]["POSITION"]}}};
-    root["animations"] = {{{"channels", json::array()}, {"samplers", json::array()}}};
+    root["animations"] = {
+        {{"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "weights"}}}}}},
+         {"samplers", {{{"input", 0}, {"output", 0}}}}}};
     root["extensionsUsed"] = {"KHR_materials_dispersion", "ACME_rounded_edges"};
     root["nodes"][0]["extensions"] = {{"ACME_springs", json::object()}};
 
@@ -209,7 +211,7 @@ TEST_CASE("what is in a file but not read gets one warning by name", "[scene][gl
     for (const char* wanted :
          {"KHR_materials_dispersion",
           "'hipmap' of material 'm3': nothing is known by the name of 'fog'", "shape keys",
-          "animations", "ACME_rounded_edges", "ACME_springs of objects ('thing')"}) {
+          "animation of 'weights'", "ACME_rounded_edges", "ACME_springs of objects ('thing')"}) {
         INFO(wanted);
         CHECK(says(warnings, wanted));
     }

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "common/scene/gltf_document.h"
+#include "common/scene/raw_scene.h"
+
+#include <tiny_gltf.h>
+
+#include <optional>
+#include <vector>
+
+namespace hipmap {
+
+enum class NodePart : std::uint8_t { translation, rotation, scale };
+enum class Interpolation : std::uint8_t { linear, step, cubic };
+
+/// How one part of a node's transform goes with time.
+struct AnimationChannel {
+    std::size_t node = 0;
+    NodePart part = NodePart::translation;
+    Interpolation interpolation = Interpolation::linear;
+    std::vector<double> times; ///< [K] s, never falling, at least one
+    /// [K], or of cubic [3 K]: tangent in, value, tangent out; w: of rotations alone.
+    std::vector<glm::dvec4> values;
+};
+
+/// All animations of a file, played together.
+struct GltfAnimation {
+    std::vector<AnimationChannel> channels; ///< one at most of each part of a node
+    std::vector<std::string> names;         ///< of the animations
+    std::vector<std::string> moved;         ///< names of the nodes
+    double first = 0.0, last = 0.0;         ///< of all times
+};
+
+/// Reads what animations do to nodes' transforms; warns of what else they do.  Where several drive
+/// the same part of a node, the first in the file does.  Throws InputError, naming the place: a
+/// sampler or accessor that is missing or of another shape, times that fall, numbers that are not
+/// finite, a node that has a matrix.
+GltfAnimation read_gltf_animation(const GltfDocument& document, const tinygltf::Model& model,
+                                  SceneAudit& audit);
+
+/// The value at `time`, s: that of the first key before it and of the last behind it.  Rotations
+/// are quaternions x, y, z, w; linear ones turn evenly, the short way round (glTF 2.0, appendix C).
+glm::dvec4 value_at(const AnimationChannel& channel, double time);
+
+/// Gives the nodes that move the transforms of `time`.
+void pose_nodes(const GltfAnimation& animation, double time, tinygltf::Model& model);
+
+/// Where the faces of each object, lamps and cameras come in the course of the animation, by the
+/// poses at its keys (at 256 of them at most); none if nothing moves.  Throws as place_nodes does.
+/// Leaves the model in some pose.
+std::optional<SceneSweep> sweep_nodes(const GltfAnimation& animation, tinygltf::Model& model,
+                                      const std::filesystem::path& path);
+
+} // namespace hipmap
