@@ -25,7 +25,8 @@ std::string lower_suffix(const std::filesystem::path& path)
     return suffix;
 }
 
-RawScene read_raw_scene(const std::filesystem::path& path, std::optional<double> time)
+/// Of which kind of scene the file is by its suffix.
+bool is_gltf(const std::filesystem::path& path)
 {
     std::error_code error;
     if (!std::filesystem::exists(path, error))
@@ -33,11 +34,20 @@ RawScene read_raw_scene(const std::filesystem::path& path, std::optional<double>
     if (!std::filesystem::is_regular_file(path, error))
         throw scene_error(path, "", "not a file; name a .glb, .gltf or .obj file");
     const std::string suffix = lower_suffix(path);
-    if (suffix == ".glb" || suffix == ".gltf")
-        return read_gltf(path, time);
-    if (suffix == ".obj")
-        return read_obj(path);
-    throw scene_error(path, "", "not a kind of scene that is read; export .glb, .gltf or .obj");
+    if (suffix != ".glb" && suffix != ".gltf" && suffix != ".obj")
+        throw scene_error(path, "", "not a kind of scene that is read; export .glb, .gltf or .obj");
+    return suffix != ".obj";
+}
+
+/// What `read` returns; the error of a scene that memory does not hold.
+template <typename Read>
+auto within_memory(const std::filesystem::path& path, const Read& read)
+{
+    try {
+        return read();
+    } catch (const std::bad_alloc&) {
+        throw scene_error(path, "", "does not fit into memory; export fewer faces or instances");
+    }
 }
 
 void note_size(const RawScene& raw, SceneAudit& audit)
@@ -49,23 +59,52 @@ void note_size(const RawScene& raw, SceneAudit& audit)
 
 } // namespace
 
-LoadedScene load_scene(const std::filesystem::path& path, const SceneOptions& options)
+struct SceneSource::Impl {
+    std::filesystem::path path;
+    SceneOptions options;
+    std::optional<GltfSource> gltf;
+    RawScene obj;
+};
+
+SceneSource::SceneSource(const std::filesystem::path& path, const SceneOptions& options)
+    : impl_(new Impl{path, options, {}, {}})
 {
-    try {
-        RawScene raw = read_raw_scene(path, options.time);
+    within_memory(path, [&] {
+        if (is_gltf(path))
+            impl_->gltf.emplace(path);
+        else
+            impl_->obj = read_obj(path);
+        return true;
+    });
+}
+
+SceneSource::~SceneSource() = default;
+SceneSource::SceneSource(SceneSource&&) noexcept = default;
+SceneSource& SceneSource::operator=(SceneSource&&) noexcept = default;
+
+LoadedScene SceneSource::at(std::optional<double> time, bool last)
+{
+    const SceneOptions& options = impl_->options;
+    return within_memory(impl_->path, [&] {
+        RawScene raw = impl_->gltf ? impl_->gltf->at(time, last)
+                       : last      ? std::move(impl_->obj)
+                                   : impl_->obj;
         exclude_objects(raw, options.exclude);
         LoadedScene loaded;
         loaded.audit = std::move(raw.audit);
         note_size(raw, loaded.audit);
-        if (options.time && !raw.sweep)
+        if (time && !raw.sweep)
             loaded.audit.warnings.push_back("nothing in the file is animated: all frames show the "
                                             "same");
         loaded.scene = to_scene_units(raw, options.light_units);
-        complete_scene(loaded, options, path);
+        complete_scene(loaded, options, impl_->path);
         return loaded;
-    } catch (const std::bad_alloc&) {
-        throw scene_error(path, "", "does not fit into memory; export fewer faces or instances");
-    }
+    });
+}
+
+LoadedScene load_scene(const std::filesystem::path& path, const SceneOptions& options)
+{
+    return SceneSource(path, options).at(options.time, true);
 }
 
 } // namespace hipmap

@@ -3,6 +3,7 @@
 #include "common/scene/scene.h"
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,11 +34,30 @@ struct LoadedScene {
     SceneAudit audit;
 };
 
-/// Reads .glb, .gltf or .obj by suffix, checks it, moves it into its SceneFrame, and supplies what
-/// a scene cannot do without: a camera that frames everything, a uniform grey sky if nothing
-/// shines. Throws InputError: no such file, not a scene, an index out of range, a number that is
-/// not finite, no face at all, an unknown required extension, an unknown camera or excluded name.
-/// Same file and options, same faces in the same order.  Cost: linear in the file.
+/// A scene file that is read once, of which any moment of its animation can be had.
+class SceneSource {
+  public:
+    /// Reads .glb, .gltf or .obj by suffix and checks it.  Throws InputError: no such file, not a
+    /// scene, an index out of range, an unknown required extension.
+    SceneSource(const std::filesystem::path& path, const SceneOptions& options);
+    ~SceneSource();
+    SceneSource(SceneSource&&) noexcept;
+    SceneSource& operator=(SceneSource&&) noexcept;
+
+    /// The scene at `time` of its animation, s; none: as the file places it.  Moved into its
+    /// SceneFrame, the same at all times, and supplied with what a scene cannot do without: a
+    /// camera that frames everything, a uniform grey sky if nothing shines.  Same faces in the
+    /// same order at all times.  Throws InputError: a number that is not finite, no face at all,
+    /// an unknown camera or excluded name.  last: nothing will be asked for
+    /// afterwards, which saves memory.  Not for several threads at once.
+    LoadedScene at(std::optional<double> time, bool last = false);
+
+  private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+/// SceneSource(path, options).at(options.time, true).  Cost: linear in the file.
 LoadedScene load_scene(const std::filesystem::path& path, const SceneOptions& options);
 
 } // namespace hipmap

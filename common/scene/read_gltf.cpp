@@ -93,26 +93,32 @@ DiffuseModel diffuse_model_of(const nlohmann::json& asset)
 
 } // namespace
 
-RawScene read_gltf(const std::filesystem::path& path, std::optional<double> time)
+GltfSource::GltfSource(const std::filesystem::path& path)
+    : document_(read_gltf_document(path)), model_(parse_gltf(document_)), rest_(model_.nodes)
 {
-    const GltfDocument document = read_gltf_document(path);
-    tinygltf::Model model = parse_gltf(document);
-    RawScene scene;
-    scene.path = path;
-    scene.diffuse_model = diffuse_model_of(document.json.at("asset"));
-    read_gltf_materials(document, model, scene);
-    const GltfAnimation animation = read_gltf_animation(document, model, scene.audit);
+    timeless_.path = path;
+    timeless_.diffuse_model = diffuse_model_of(document_.json.at("asset"));
+    read_gltf_materials(document_, model_, timeless_);
+    animation_ = read_gltf_animation(document_, model_, timeless_.audit);
+}
+
+RawScene GltfSource::at(std::optional<double> time, bool last)
+{
+    if (time && !swept_)
+        sweep_ = sweep_nodes(animation_, model_, timeless_.path);
+    swept_ = swept_ || time;
+    RawScene scene = last ? std::move(timeless_) : timeless_;
+    scene.sweep = time ? sweep_ : std::nullopt;
+    model_.nodes = rest_;
     if (time)
-        pose_nodes(animation, *time, model);
-    const std::vector<PlacedNode> nodes = place_nodes(model, path);
-    place_meshes(model, nodes, find_wanted_attributes(document), scene);
-    add_lights_and_cameras(document, model, nodes, scene);
-    read_world_extras(document, scene);
-    note_scenes(model, scene.audit);
-    note_animation(animation, time, scene.audit);
-    if (time)
-        scene.sweep = sweep_nodes(animation, model, path);
-    warn_of_unread_gltf(document, scene.audit);
+        pose_nodes(animation_, *time, model_);
+    const std::vector<PlacedNode> nodes = place_nodes(model_, scene.path);
+    place_meshes(model_, nodes, find_wanted_attributes(document_), scene);
+    add_lights_and_cameras(document_, model_, nodes, scene);
+    read_world_extras(document_, scene);
+    note_scenes(model_, scene.audit);
+    note_animation(animation_, time, scene.audit);
+    warn_of_unread_gltf(document_, scene.audit);
     return scene;
 }
 
