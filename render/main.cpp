@@ -4,12 +4,15 @@
 #include "common/partition/partition_file.h"
 #include "common/scene/print_audit.h"
 #include "common/stopwatch.h"
+#include "render/effects/drop_effects.h"
+#include "render/integrator/moving_source.h"
 #include "render/load_sky.h"
 #include "render/merge.h"
 #include "render/outputs.h"
 #include "render/print_results.h"
 #include "render/run_plan.h"
 #include "render/settings.h"
+#include "render/shutter.h"
 #include "render/statistics.h"
 
 #include <algorithm>
@@ -125,12 +128,19 @@ RunResult render_with_progress(const RenderArguments& arguments, const PassSourc
     return out;
 }
 
-/// Reads the scene and completes the options by it.
-LoadedScene load(RenderArguments& arguments)
+LoadedScene load_at(const RenderArguments& arguments, SceneSource& source,
+                    std::optional<double> time)
 {
-    LoadedScene loaded = load_scene(arguments.scene, arguments.scene_options);
+    LoadedScene loaded = source.at(time, !arguments.frames.asked());
     choose_diffuse_model(arguments, loaded);
     choose_sky_picture(arguments, loaded);
+    return loaded;
+}
+
+/// Loads the scene and completes the options by it.
+LoadedScene load(RenderArguments& arguments, SceneSource& source)
+{
+    LoadedScene loaded = load_at(arguments, source, arguments.scene_options.time);
     const Scene& scene = loaded.scene;
     const PictureSize size = complete_size(arguments.size, scene.cameras[scene.camera].aspect);
     arguments.render.width = size.width;
@@ -138,24 +148,42 @@ LoadedScene load(RenderArguments& arguments)
     return loaded;
 }
 
-int render(RenderArguments& arguments)
+/// Passes of the scene as it is, or of its moments while the shutter is open.
+PassSource make_source(const RenderArguments& arguments, const RenderScene& scene,
+                       const EffectPlan& effects, SceneSource& source, RenderStatistics& statistics)
+{
+    if (!effects.has(Effect::motion_blur))
+        return make_pass_source(scene, arguments.render, statistics);
+    const auto at = [&, shutter = shutter_time(arguments)](double share) {
+        Scene now = load_at(arguments, source, shutter.at(share)).scene;
+        drop_effects(now, effects);
+        return now;
+    };
+    return make_moving_source({scene, at}, arguments.render, statistics);
+}
+
+int render(RenderArguments& arguments, SceneSource& source)
 {
     Report report;
     RunStatistics run;
     const ThreadLimit threads(arguments.threads);
 
     const Stopwatch reading;
-    LoadedScene loaded = load(arguments);
+    LoadedScene loaded = load(arguments, source);
     const Partition partition = load_partition(arguments, loaded.scene);
-    run.effects = plan_run(arguments, loaded.scene, partition);
+    const ShutterTime shutter = shutter_time(arguments);
+    const auto at = [&](double time) { return load_at(arguments, source, time).scene; };
+    run.effects =
+        plan_run(arguments, loaded.scene, partition, find_moving(loaded.scene, shutter, at));
     if (arguments.explain) {
         print_audit(report, loaded.audit);
         explain(run.effects, report);
         return kExitDone;
     }
     SkyPicture sky = load_sky(loaded.scene, arguments.sky.turn_deg);
-    const std::vector<std::string> settings =
-        settings_of(arguments.render, loaded.scene, partition, sky);
+    std::vector<std::string> settings = settings_of(arguments.render, loaded.scene, partition, sky);
+    if (run.effects.has(Effect::motion_blur))
+        settings.push_back(shutter_setting(shutter, at));
     const std::optional<RenderState> found = find_state(arguments, settings);
     if (arguments.frames.asked())
         report.line("frame " + std::to_string(arguments.frames.first));
@@ -168,9 +196,9 @@ int render(RenderArguments& arguments)
     run.seconds_rays = building.seconds();
 
     RenderStatistics statistics;
-    const PassSource source = make_pass_source(render_scene, arguments.render, statistics);
-    RenderState state = begin_or_go_on(arguments, source, settings, found, report);
-    const RunResult rendered = render_with_progress(arguments, source, state, report);
+    const PassSource passes = make_source(arguments, render_scene, run.effects, source, statistics);
+    RenderState state = begin_or_go_on(arguments, passes, settings, found, report);
+    const RunResult rendered = render_with_progress(arguments, passes, state, report);
     print_statistics(arguments, statistics, state.film, report);
     print_error(arguments, state, report);
 
@@ -214,9 +242,10 @@ int render_frames(const RenderArguments& arguments)
         std::any_of(arguments.images.begin(), arguments.images.end(), is_exposed))
         Report().line("assumed: each frame is exposed by itself, so brightness may jump "
                       "(--exposure EV holds it)");
+    SceneSource source(arguments.scene, arguments.scene_options);
     return for_each_frame(arguments.frames, [&](int frame) {
         RenderArguments one = of(frame);
-        return render(one);
+        return render(one, source);
     });
 }
 

@@ -47,6 +47,7 @@ constexpr double kMostExposure = 100;
 constexpr double kMostPassesAsked = 1e6;
 constexpr double kMostFirstPass = 1e15;
 constexpr double kMostSeconds = 1e9;
+constexpr double kLongestShutter = 1000;
 constexpr std::uint64_t kPasses = 16;
 
 template <typename Value>
@@ -252,6 +253,12 @@ void add_render_arguments(CLI::App& app, RenderArguments& arguments)
     add_picture(app, arguments);
     add_scene_arguments(app, arguments.scene_options, arguments.sky);
     add_frame_arguments(app, arguments.frames);
+    app.add_option("--shutter", arguments.shutter,
+                   "Motion blur: frames that the shutter is open, half of them before the frame's "
+                   "moment; Blender's is 0.5 [0]")
+        ->check(finite_in(0, kLongestShutter))
+        ->needs("--frames")
+        ->type_name("FRAMES");
 }
 
 RenderArguments arguments_of_frame(const RenderArguments& all, int frame)

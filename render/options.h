@@ -27,6 +27,7 @@ struct RenderArguments {
     SceneOptions scene_options;
     SkyOptions sky;
     FrameOptions frames;
+    double shutter = 0;                  ///< frames that the shutter is open; 0: no time
     RenderOptions render;                ///< its size is still to be completed
     std::optional<DiffuseModel> diffuse; ///< none: the scene's own
     PictureSize size{512, 0};

@@ -4,10 +4,13 @@
 
 namespace hipmap {
 
-EffectPlan plan_run(RenderArguments& arguments, Scene& scene, const Partition& partition)
+EffectPlan plan_run(RenderArguments& arguments, Scene& scene, const Partition& partition,
+                    std::vector<std::string> moving)
 {
     EffectOptions options;
     options.switches = arguments.effects;
+    options.shutter = arguments.shutter > 0;
+    options.moving = std::move(moving);
     options.bounces = arguments.render.maps.mode != MapMode::none ||
                       arguments.render.integrator == Integrator::path;
     const EffectPlan out = plan_effects(scene, partition, options);

@@ -6,8 +6,9 @@
 namespace hipmap {
 
 /// Plans the effects of a run, completes the options by the plan, and takes what it leaves out from
-/// the scene.
-EffectPlan plan_run(RenderArguments& arguments, Scene& scene, const Partition& partition);
+/// the scene.  moving: names of what moves while the shutter is open.
+EffectPlan plan_run(RenderArguments& arguments, Scene& scene, const Partition& partition,
+                    std::vector<std::string> moving);
 
 /// Prints all effects, a line each.
 void explain(const EffectPlan& plan, Report& report);

@@ -37,7 +37,7 @@ constexpr std::array<Row, kEffects> kRows = {{
     {Effect::anisotropy, "anisotropy", find_anisotropy, false},
     {Effect::environment, "environment", find_environment, true},
     {Effect::depth_of_field, "depth-of-field", find_depth_of_field, true},
-    {Effect::motion_blur, "motion-blur", find_motion_blur, false},
+    {Effect::motion_blur, "motion-blur", find_motion_blur, true},
 }};
 
 std::string names_that_can_be_left_out()
@@ -109,7 +109,9 @@ std::vector<EffectSwitch> parse_effect_switches(std::string_view text)
 EffectPlan plan_effects(const Scene& scene, const Partition& partition,
                         const EffectOptions& options)
 {
-    const SceneFacts facts = gather_facts(scene, partition);
+    SceneFacts facts = gather_facts(scene, partition);
+    facts.shutter = options.shutter;
+    facts.moving = options.moving;
     EffectPlan plan;
     for (std::size_t i = 0; i < kEffects; ++i)
         plan.effects[i] = plan_effect(kRows[i], facts, options);

@@ -52,7 +52,9 @@ std::vector<EffectSwitch> parse_effect_switches(std::string_view text);
 /// What the plan depends on besides the scene.
 struct EffectOptions {
     std::vector<EffectSwitch> switches; ///< later ones win
-    bool bounces = true; ///< false: nothing finds light that comes by more than one surface
+    bool bounces = true;  ///< false: nothing finds light that comes by more than one surface
+    bool shutter = false; ///< it is open for a time
+    std::vector<std::string> moving; ///< names of what moves meanwhile
 };
 
 struct PlannedEffect {

@@ -113,6 +113,11 @@ PassSource make_pass_source(const RenderScene& scene, const RenderOptions& optio
         return render_pass(scene, *surfaces, {scene, options, pass, *allotment}, control,
                            statistics);
     };
+    source.render_in = [&options, &statistics, allotment](
+                           const RenderScene& now, std::uint64_t pass, const PassControl& control) {
+        return render_pass(now, MapSurfaces(now.mesh(), now.partition),
+                           {now, options, pass, *allotment}, control, statistics);
+    };
     return source;
 }
 

@@ -32,6 +32,10 @@ struct PassSource {
     /// Makes pass `pass`: the same images whenever it is asked for, at any thread count.  Runs on
     /// all threads by itself and is called for one pass at a time.
     std::function<RenderedPass(std::uint64_t pass, const PassControl& control)> render;
+    /// The same of the same faces at another place; what pilots have found stays.
+    std::function<RenderedPass(const RenderScene& scene, std::uint64_t pass,
+                               const PassControl& control)>
+        render_in;
 };
 
 /// The number of the pass that pilots are made with; none of an image.

@@ -17,7 +17,7 @@ constexpr double kPhotonShare = 0.3;
 
 /// What all passes share.
 struct Progressive {
-    MapSurfaces surfaces;
+    std::shared_ptr<const MapSurfaces> surfaces;
     FirstRadii first;
     VolumeRadii first_volume;
     SampleAllotment allotment;
@@ -29,6 +29,11 @@ struct PassMapsByKind {
     std::optional<PhotonIrradiance> irradiance; ///< of `global`
     std::optional<VolumeMap> volume;            ///< if the scene has media
 };
+
+std::shared_ptr<const MapSurfaces> surfaces_of(const RenderScene& scene)
+{
+    return std::make_shared<MapSurfaces>(scene.mesh(), scene.partition);
+}
 
 /// It is Lambert's alone.
 bool precomputes(const RenderScene& scene, const RenderOptions& options)
@@ -75,7 +80,7 @@ PassMapsByKind make_maps(const RenderScene& scene, const Progressive& shared,
 {
     const TracedPhotons traced = trace_linked(scene, options, pass, statistics);
     const Stopwatch weighing;
-    const std::vector<Photon> weighed = weigh_bounces(traced, shared.first, shared.surfaces);
+    const std::vector<Photon> weighed = weigh_bounces(traced, shared.first, *shared.surfaces);
     statistics.seconds_maps += weighing.seconds();
     const auto maps_of = [&](const std::vector<Photon>& photons, KindStatistics& kind) {
         return build_maps(scene, photons, options.maps, kind, statistics);
@@ -87,7 +92,7 @@ PassMapsByKind make_maps(const RenderScene& scene, const Progressive& shared,
         {},
         build_volume(scene, traced, shared.first_volume, static_cast<float>(shrink), statistics)};
     if (precomputes(scene, options))
-        maps.irradiance = estimate_at_photons(maps.global, shared.surfaces, {});
+        maps.irradiance = estimate_at_photons(maps.global, *shared.surfaces, {});
     return maps;
 }
 
@@ -97,7 +102,7 @@ RenderedPass gather_pass(const RenderScene& scene, const Progressive& shared,
                          const PassControl& control, RenderStatistics& statistics)
 {
     const GatherMaps maps{scene,
-                          shared.surfaces,
+                          *shared.surfaces,
                           photons.caustic,
                           photons.global,
                           photons.indirect,
@@ -148,8 +153,7 @@ double render_pilot(const RenderScene& scene, const RenderOptions& options, Prog
 PassSource make_progressive_source(const RenderScene& scene, const RenderOptions& options,
                                    RenderStatistics& statistics)
 {
-    const std::shared_ptr<Progressive> shared(
-        new Progressive{MapSurfaces(scene.mesh(), scene.partition), {}, {}, {}});
+    const std::shared_ptr<Progressive> shared(new Progressive{surfaces_of(scene), {}, {}, {}});
     find_first_radii(scene, options, *shared);
     PassSource source;
     source.width = options.width;
@@ -161,6 +165,12 @@ PassSource make_progressive_source(const RenderScene& scene, const RenderOptions
     source.render = [&scene, &options, &statistics, shared](std::uint64_t pass,
                                                             const PassControl& control) {
         return render_pass(scene, *shared, options, pass, control, statistics);
+    };
+    source.render_in = [&options, &statistics, shared](const RenderScene& now, std::uint64_t pass,
+                                                       const PassControl& control) {
+        Progressive moved = *shared;
+        moved.surfaces = surfaces_of(now);
+        return render_pass(now, moved, options, pass, control, statistics);
     };
     return source;
 }

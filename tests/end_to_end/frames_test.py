@@ -8,7 +8,7 @@ import sys
 import tools
 from tools import Tools, ToolsTestCase
 
-SMALL = ("--size", "16", "--photons", "2000", "--passes", "2")
+SMALL = ("--size", "16", "--photons", "2000")
 
 
 class Frames(ToolsTestCase):
@@ -19,9 +19,9 @@ class Frames(ToolsTestCase):
     def preprocess(self, *options, output="scene.hpm"):
         return self.succeed("preprocess", Tools.scene, "-o", self.path(output), *options)
 
-    def render(self, image, *options):
+    def render(self, image, *options, passes=2):
         return self.succeed("render", Tools.scene, self.path("scene.hpm"), "-o", self.path(image),
-                            *SMALL, *options)
+                            *SMALL, "--passes", passes, *options)
 
     def test_a_frame_alone_is_the_frame_of_the_row(self):
         said = self.preprocess("--frames", "6:8")
@@ -37,10 +37,35 @@ class Frames(ToolsTestCase):
             self.assertEqual(row[1], one[1], frame)
         self.assertNotEqual(self.content("row.0006.pfm"), self.content("row.0008.pfm"))
 
-    def test_fps_says_when_a_frame_is(self):
-        self.preprocess("--frames", "6")
-        self.preprocess("--frames", "3", "--fps", "12", output="slow.hpm")
-        self.assertEqual(self.content("scene.0006.hpm"), self.content("slow.0003.hpm"))
+    def test_a_shutter_blurs_what_moves_the_same_way_at_any_thread_count(self):
+        self.preprocess("--frames", "3")
+        frame = ("--frames", "3")
+        blurred = (*frame, "--shutter", "0.5")
+        said = self.render("one.pfm", *blurred, "--threads", "1")
+        self.assertIn("motion-blur", said)
+        self.render("two.pfm", *blurred, "--threads", "2")
+        self.assertEqual(self.content("one.0003.pfm"), self.content("two.0003.pfm"))
+        self.render("sharp.pfm", *frame)
+        self.assertNotEqual(self.content("one.0003.pfm"), self.content("sharp.0003.pfm"))
+        self.render("off.pfm", *blurred, "--effects", "-motion-blur")
+        self.assertEqual(self.content("off.0003.pfm"), self.content("sharp.0003.pfm"))
+        self.assertIn("motion-blur: on; 'Ball' moves", self.render("a.pfm", *blurred, "--explain"))
+
+    def test_a_state_goes_on_with_the_same_shutter_only(self):
+        self.preprocess("--frames", "3")
+        state = ("--frames", "3", "--state", self.path("kept"))
+        self.render("a.pfm", *state, "--shutter", "0.5", passes=1)
+        self.render("a.pfm", *state, "--shutter", "0.5")
+        self.render("b.pfm", "--frames", "3", "--shutter", "0.5")
+        self.assertEqual(self.content("a.0003.pfm"), self.content("b.0003.pfm"))
+        for shutter in ("0.25", "0"):
+            self.refuse("render", Tools.scene, self.path("scene.hpm"), "-o", self.path("c.pfm"),
+                        *SMALL, *state, "--shutter", shutter, naming="kept.0003")
+
+    def test_nothing_blurs_where_nothing_moves(self):
+        self.preprocess("--frames", "48")
+        said = self.render("a.pfm", "--frames", "48", "--shutter", "1", "--explain")
+        self.assertIn("motion-blur: off; nothing moves while the shutter is open", said)
 
     def test_what_makes_no_sense_is_refused(self):
         self.preprocess("--frames", "2:3")
@@ -50,7 +75,8 @@ class Frames(ToolsTestCase):
                                ("-1:2", "--frames"), ("4", "scene.0004.hpm")):
             self.refuse("render", Tools.scene, partition, *image, "--frames", frames,
                         naming=naming)
-        self.refuse("render", Tools.scene, partition, *image, "--fps", "25", naming="--frames")
+        for option in ("--fps", "--shutter"):
+            self.refuse("render", Tools.scene, partition, *image, option, "1", naming="--frames")
         self.refuse("render", Tools.scene, partition, *image, "--frames", "2", "--fps", "25",
                     naming="scene.0002.hpm")
 

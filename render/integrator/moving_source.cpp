@@ -1,0 +1,35 @@
+#include "render/integrator/moving_source.h"
+
+#include "common/math/random.h"
+#include "common/partition/partition_in_motion.h"
+
+namespace hipmap {
+
+namespace {
+
+constexpr std::uint64_t kNoPixel = ~std::uint64_t{0};
+
+} // namespace
+
+double shutter_share(std::uint64_t seed, std::uint64_t pass)
+{
+    RandomSequence random(seed, RandomStream::pictures, pass % kBatches, kNoPixel, pass / kBatches);
+    return random.next();
+}
+
+PassSource make_moving_source(const MovingScene& moving, const RenderOptions& options,
+                              RenderStatistics& statistics)
+{
+    PassSource source = make_pass_source(moving.still, options, statistics);
+    source.render = [moving, seed = options.seed,
+                     render_in = source.render_in](std::uint64_t pass, const PassControl& control) {
+        const Scene scene = moving.at(shutter_share(seed, pass));
+        const Partition partition =
+            partition_in_motion(moving.still.partition, moving.still.mesh(), scene.mesh);
+        const RenderScene now(scene, partition, moving.still.lights.sky);
+        return render_in(now, pass, control);
+    };
+    return source;
+}
+
+} // namespace hipmap

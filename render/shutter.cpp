@@ -1,0 +1,84 @@
+#include "render/shutter.h"
+
+#include "common/scene/fingerprint.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace hipmap {
+
+namespace {
+
+constexpr int kMoments = 5; ///< at which motion is looked for
+
+void add_once(std::vector<std::string>& names, const std::string& name)
+{
+    if (std::find(names.begin(), names.end(), name) == names.end())
+        names.push_back(name);
+}
+
+void add_moved_objects(const TriangleMesh& then, const TriangleMesh& now,
+                       std::vector<std::string>& names)
+{
+    std::vector<bool> added(then.object_names.size(), false);
+    for (FaceId face = 0; face < then.face_count(); ++face) {
+        const ObjectId object = then.object_of_face[face];
+        for (int c = 0; c < 3 && !added[object]; ++c)
+            if (then.positions[then.corners[face][c]] != now.positions[now.corners[face][c]]) {
+                added[object] = true;
+                add_once(names, then.object_names[object]);
+            }
+    }
+}
+
+void add_moved_lights(const Scene& then, const Scene& now, std::vector<std::string>& names)
+{
+    for (std::size_t i = 0; i < then.lights.size(); ++i) {
+        const PunctualLight &a = then.lights[i], &b = now.lights[i];
+        if (a.position != b.position || a.direction != b.direction)
+            add_once(names, a.name);
+    }
+    for (std::size_t i = 0; i < then.area_lights.size(); ++i) {
+        const AreaLight &a = then.area_lights[i], &b = now.area_lights[i];
+        if (a.centre != b.centre || a.half_right != b.half_right || a.half_up != b.half_up)
+            add_once(names, a.name);
+    }
+    const Camera &a = then.cameras[then.camera], &b = now.cameras[now.camera];
+    if (a.position != b.position || a.right != b.right || a.up != b.up)
+        add_once(names, a.name);
+}
+
+} // namespace
+
+ShutterTime shutter_time(const RenderArguments& arguments)
+{
+    const double seconds = arguments.shutter / arguments.frames.fps;
+    return {arguments.scene_options.time.value_or(0) - seconds / 2, seconds};
+}
+
+std::vector<std::string> find_moving(const Scene& still, const ShutterTime& shutter,
+                                     const std::function<Scene(double time)>& at)
+{
+    std::vector<std::string> names;
+    if (!(shutter.seconds > 0))
+        return names;
+    for (int i = 0; i < kMoments; ++i) {
+        const Scene now = at(shutter.at(static_cast<double>(i) / (kMoments - 1)));
+        add_moved_objects(still.mesh, now.mesh, names);
+        add_moved_lights(still, now, names);
+    }
+    return names;
+}
+
+std::string shutter_setting(const ShutterTime& shutter, const std::function<Scene(double time)>& at)
+{
+    const Fingerprint opening = content_fingerprint(at(shutter.at(0)));
+    const Fingerprint closing = content_fingerprint(at(shutter.at(1)));
+    char text[96];
+    std::snprintf(text, sizeof text, "shutter=%.17g+%.17g s, %016llx to %016llx", shutter.open,
+                  shutter.seconds, static_cast<unsigned long long>(opening.words[0]),
+                  static_cast<unsigned long long>(closing.words[0]));
+    return text;
+}
+
+} // namespace hipmap
