@@ -21,23 +21,40 @@ void print_summary(const PartitionSummary& summary, double angle_deg, Report& re
         report.warn(sentence);
 }
 
-int preprocess(const PreprocessArguments& arguments)
+/// The partition of a scene; the one of the frame before where no face has moved since.
+PartitionResult partition_of(const PreprocessArguments& arguments, const Scene& scene,
+                             std::optional<PartitionResult>& before, Report& report)
+{
+    if (before && before->partition.scene == fingerprint(scene)) {
+        report.line("no face has moved since the frame before: its partition serves");
+        before->summary.passes.clear();
+        return *before;
+    }
+    PartitionResult out = build_partition(
+        scene, {.angle_threshold = arguments.angle_deg * std::numbers::pi / 180,
+                .split = arguments.split,
+                .weld_distance = arguments.weld_metres / scene.frame.metres_per_unit});
+    if (arguments.frames.asked())
+        before = out;
+    return out;
+}
+
+/// before: of the frame before, if there was one; becomes that of this one.
+int preprocess(const PreprocessArguments& arguments, SceneSource& source,
+               std::optional<PartitionResult>& before)
 {
     Report report;
     const ThreadLimit threads(arguments.threads);
 
     const Stopwatch loading;
-    const LoadedScene loaded = load_scene(arguments.scene, arguments.scene_options);
+    const LoadedScene loaded = source.at(arguments.scene_options.time, !arguments.frames.asked());
     if (arguments.frames.asked())
         report.line("frame " + std::to_string(arguments.frames.first));
     print_audit(report, loaded.audit);
     const double load_seconds = loading.seconds();
 
     const Scene& scene = loaded.scene;
-    PartitionResult result = build_partition(
-        scene, {.angle_threshold = arguments.angle_deg * std::numbers::pi / 180,
-                .split = arguments.split,
-                .weld_distance = arguments.weld_metres / scene.frame.metres_per_unit});
+    PartitionResult result = partition_of(arguments, scene, before, report);
     result.summary.passes.insert(result.summary.passes.begin(), {"load scene", load_seconds});
     print_summary(result.summary, arguments.angle_deg, report);
     write_partition(arguments.output, result.partition);
@@ -76,7 +93,10 @@ int preprocess_frames(const PreprocessArguments& arguments)
         check_outputs(of(frame));
         return kExitDone;
     });
-    return for_each_frame(arguments.frames, [&](int frame) { return preprocess(of(frame)); });
+    SceneSource source(arguments.scene, arguments.scene_options);
+    std::optional<PartitionResult> before;
+    return for_each_frame(arguments.frames,
+                          [&](int frame) { return preprocess(of(frame), source, before); });
 }
 
 } // namespace

@@ -37,6 +37,19 @@ class Frames(ToolsTestCase):
             self.assertEqual(row[1], one[1], frame)
         self.assertNotEqual(self.content("row.0006.pfm"), self.content("row.0008.pfm"))
 
+    def test_a_partition_serves_until_something_moves(self):
+        said = self.preprocess("--frames", "23:26")
+        self.assertEqual(said.count("no face has moved since the frame before"), 2)
+        for frame in (24, 25, 26):
+            self.preprocess("--frames", frame, output="one.hpm")
+            self.assertEqual(self.content(f"one.{frame:04}.hpm"),
+                             self.content(f"scene.{frame:04}.hpm"))
+
+    def test_fps_says_when_a_frame_is(self):
+        self.preprocess("--frames", "6")
+        self.preprocess("--frames", "3", "--fps", "12", output="slow.hpm")
+        self.assertEqual(self.content("scene.0006.hpm"), self.content("slow.0003.hpm"))
+
     def test_a_shutter_blurs_what_moves_the_same_way_at_any_thread_count(self):
         self.preprocess("--frames", "3")
         frame = ("--frames", "3")
