@@ -33,8 +33,8 @@ def seconds_of(tools, scene, ranges, folder, options):
 def main(tools, scene, first, last, *options):
     with tempfile.TemporaryDirectory() as row, tempfile.TemporaryDirectory() as alone:
         together = seconds_of(tools, scene, [f"{first}:{last}"], row, options)
-        apart = seconds_of(tools, scene, map(str, range(int(first), int(last) + 1)), alone,
-                           options)
+        apart = seconds_of(tools, scene, [*map(str, range(int(first), int(last) + 1))],
+                           alone, options)
         names = sorted(os.listdir(row))
         assert names == sorted(os.listdir(alone))
         differing = filecmp.cmpfiles(row, alone, names, shallow=False)[1:]

@@ -54,7 +54,7 @@ struct EffectOptions {
     std::vector<EffectSwitch> switches; ///< later ones win
     bool bounces = true;  ///< false: nothing finds light that comes by more than one surface
     bool shutter = false; ///< it is open for a time
-    std::vector<std::string> moving; ///< names of what moves meanwhile
+    std::vector<std::string> moving{}; ///< names of what moves meanwhile
 };
 
 struct PlannedEffect {

@@ -13,12 +13,12 @@ namespace hipmap {
 /// What effects are judged by.  Borrows the scene.
 struct SceneFacts {
     const Scene& scene;
-    std::vector<Bsdf> bsdfs;         ///< [M] by the factors alone
-    std::vector<std::uint8_t> worn;  ///< [M] 1: some face with an area wears the material
-    std::vector<std::uint8_t> solid; ///< [M] 1: some face of a closed surface does
-    bool shines = false;             ///< there is any light
-    bool shutter = false;            ///< it is open for a time
-    std::vector<std::string> moving; ///< names of what moves meanwhile
+    std::vector<Bsdf> bsdfs;           ///< [M] by the factors alone
+    std::vector<std::uint8_t> worn;    ///< [M] 1: some face with an area wears the material
+    std::vector<std::uint8_t> solid;   ///< [M] 1: some face of a closed surface does
+    bool shines = false;               ///< there is any light
+    bool shutter = false;              ///< it is open for a time
+    std::vector<std::string> moving{}; ///< names of what moves meanwhile
 
     /// Names of the materials worn for which `holds(material, bsdf, solid)`, in quotes; "": none.
     std::string
