@@ -2,9 +2,11 @@
 
 #include "common/math/random.h"
 #include "common/math/rgb.h"
+#include "common/rays/closest_on_triangle.h"
 
 #include <embree3/rtcore.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <new>
@@ -120,11 +122,44 @@ void copy_buffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format,
     std::copy(from.begin(), from.end(), static_cast<Element*>(to));
 }
 
+/// What a search for the closest point knows, and the best one so far.
+struct ClosestQuery {
+    glm::vec3 point;
+    const glm::vec3* positions;
+    const glm::uvec3* corners;
+    float distance2;
+    FaceId face = kNone;
+    glm::vec3 closest{0.0f};
+};
+
+/// Looks at one face; true: the radius has shrunk.
+bool look_at_face(RTCPointQueryFunctionArguments* args)
+{
+    auto& query = *static_cast<ClosestQuery*>(args->userPtr);
+    const glm::uvec3 corners = query.corners[args->primID];
+    const glm::vec3 closest =
+        closest_on_triangle(query.point, query.positions[corners.x], query.positions[corners.y],
+                            query.positions[corners.z]);
+    const glm::vec3 way = closest - query.point;
+    const float distance2 = glm::dot(way, way);
+    const bool beats =
+        distance2 < query.distance2 || (distance2 == query.distance2 && args->primID < query.face);
+    if (!beats)
+        return false;
+    query.distance2 = distance2;
+    query.face = args->primID;
+    query.closest = closest;
+    // With room for rounding: a face as near as this one must still be looked at.
+    args->query->radius = std::min(args->query->radius, std::sqrt(distance2) * 1.0001f);
+    return true;
+}
+
 } // namespace
 
 struct EmbreeScene::Handles {
     RTCDevice device = nullptr;
     RTCScene scene = nullptr;
+    RTCGeometry geometry = nullptr; ///< borrowed from the scene; null: no faces
     Coverage coverage;
 
     ~Handles()
@@ -154,6 +189,7 @@ EmbreeScene::EmbreeScene(const TriangleMesh& mesh, Coverage coverage)
         rtcCommitGeometry(geometry);
         rtcAttachGeometry(handles_->scene, geometry);
         rtcReleaseGeometry(geometry);
+        handles_->geometry = geometry;
     }
     rtcCommitScene(handles_->scene);
     if (rtcGetDeviceError(handles_->device) != RTC_ERROR_NONE)
@@ -199,6 +235,26 @@ bool EmbreeScene::occluded(const Ray& ray) const
     RTCRay shadow = embree_ray(ray);
     rtcOccluded1(handles_->scene, &query.context, &shadow);
     return shadow.tfar < 0;
+}
+
+std::optional<glm::vec3> EmbreeScene::closest_point(const glm::vec3& point, float radius) const
+{
+    const glm::vec3 a = glm::abs(point);
+    const bool in_range = a.x < kLargestCoordinate && a.y < kLargestCoordinate &&
+                          a.z < kLargestCoordinate && radius < kLargestCoordinate;
+    if (handles_->geometry == nullptr || !in_range)
+        return std::nullopt;
+    ClosestQuery found{point,
+                       static_cast<const glm::vec3*>(
+                           rtcGetGeometryBufferData(handles_->geometry, RTC_BUFFER_TYPE_VERTEX, 0)),
+                       static_cast<const glm::uvec3*>(
+                           rtcGetGeometryBufferData(handles_->geometry, RTC_BUFFER_TYPE_INDEX, 0)),
+                       radius * radius};
+    RTCPointQuery query{point.x, point.y, point.z, 0, radius};
+    RTCPointQueryContext context;
+    rtcInitPointQueryContext(&context);
+    rtcPointQuery(handles_->scene, &query, &context, look_at_face, &found);
+    return found.face == kNone ? std::nullopt : std::optional(found.closest);
 }
 
 } // namespace hipmap

@@ -48,6 +48,11 @@ class EmbreeScene {
     /// Whether any face lies within [near, far].
     bool occluded(const Ray& ray) const;
 
+    /// The point of the faces nearest to this one, if it lies within the radius; of equally near
+    /// ones that of the lowest FaceId.  radius: not negative.  A number that is not finite finds
+    /// nothing.
+    std::optional<glm::vec3> closest_point(const glm::vec3& point, float radius) const;
+
   private:
     struct Handles;
     std::unique_ptr<Handles> handles_;

@@ -44,7 +44,7 @@ std::optional<VolumeMap> build_volume(const RenderScene& scene, const TracedPhot
     if (!scene.media)
         return std::nullopt;
     const Stopwatch watch;
-    VolumeMap out = build_volume_map(traced.volume, first, shrink);
+    VolumeMap out = build_volume_map(traced.volume, first, shrink, scene.media->rays);
     statistics.volume_photons += out.photons.size();
     statistics.seconds_maps += watch.seconds();
     statistics.processor_maps += watch.processor_seconds();

@@ -116,25 +116,43 @@ bool touches(const VolumeMap::Node& node, const Ray& ray, const glm::vec3& inver
     return near <= far * (1 + 0x1p-20f);
 }
 
+/// Area of a disc about the photon, across the direction, as far as it lies on the photon's side of
+/// the plane at `wall`, docs/media.md (8).
+float disc_area(const glm::vec3& wall, const glm::vec3& direction, float radius)
+{
+    const float distance2 = glm::dot(wall, wall);
+    const float along = glm::dot(wall, direction);
+    const float across2 = distance2 - along * along;
+    const float whole = kPi * radius * radius;
+    if (!(distance2 > 0) || !(across2 > 0))
+        return whole;
+    const float height = distance2 / (std::sqrt(across2) * radius);
+    if (!(height < 1))
+        return whole;
+    return whole - radius * radius * (std::acos(height) - height * std::sqrt(1 - height * height));
+}
+
 /// Adds a photon's part to the sums.
-void add_photon(const VolumePhoton& photon, float radius, const Medium& medium, const Ray& ray,
+void add_photon(const VolumeMap& map, std::uint32_t i, const Medium& medium, const Ray& ray,
                 const BeamScales& scales, std::array<Rgb, 3>& sums)
 {
+    const VolumePhoton& photon = map.photons[i];
+    const float radius = map.radii[i];
+    const glm::vec3& wall = map.walls[i];
     const glm::vec3 way = photon.position - ray.origin;
     const float along = glm::dot(way, ray.direction);
     if (!(along >= ray.near && along < ray.far))
         return;
     const glm::vec3 aside = way - along * ray.direction;
     const float distance2 = glm::dot(aside, aside);
-    if (!(distance2 < radius * radius))
+    if (!(distance2 < radius * radius) || -glm::dot(aside, wall) > glm::dot(wall, wall))
         return;
     const float phase = phase_value(medium.phase, -glm::dot(photon.travel, ray.direction));
-    const Rgb part = photon.power * transmitted(medium.extinction(), along - ray.near) *
-                     (phase / (kPi * radius * radius));
-    for (std::size_t i = 0; i < scales.size(); ++i) {
-        const float narrower = radius * scales[i];
+    const Rgb part = photon.power * transmitted(medium.extinction(), along - ray.near) * phase;
+    for (std::size_t s = 0; s < scales.size(); ++s) {
+        const float narrower = radius * scales[s];
         if (distance2 < narrower * narrower)
-            sums[i] += part / (scales[i] * scales[i]);
+            sums[s] += part / disc_area(wall, ray.direction, narrower);
     }
 }
 
@@ -176,15 +194,18 @@ float volume_radius_at(const VolumeRadii& radii, const glm::vec3& position)
 }
 
 VolumeMap build_volume_map(const std::vector<VolumePhoton>& photons, const VolumeRadii& first,
-                           float shrink)
+                           float shrink, const EmbreeScene& rays)
 {
     VolumeMap out;
     const auto size = static_cast<std::uint32_t>(photons.size());
     if (size == 0)
         return out;
     std::vector<float> radii(size);
+    std::vector<glm::vec3> walls(size, glm::vec3(0));
     tbb::parallel_for(std::uint32_t{0}, size, [&](std::uint32_t i) {
         radii[i] = shrink * volume_radius_at(first, photons[i].position);
+        if (const auto face = rays.closest_point(photons[i].position, radii[i]))
+            walls[i] = *face - photons[i].position;
     });
     std::vector<std::uint32_t> order(size);
     std::iota(order.begin(), order.end(), 0u);
@@ -193,6 +214,7 @@ VolumeMap build_volume_map(const std::vector<VolumePhoton>& photons, const Volum
     for (const std::uint32_t i : order) {
         out.photons.push_back(photons[i]);
         out.radii.push_back(radii[i]);
+        out.walls.push_back(walls[i]);
     }
     return out;
 }
@@ -215,7 +237,7 @@ std::array<Rgb, 3> beam_radiance(const VolumeMap& map, const Medium& medium, con
             continue;
         for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
             if (map.photons[i].inside == stretch.inside)
-                add_photon(map.photons[i], map.radii[i], medium, ray, scales, sums);
+                add_photon(map, i, medium, ray, scales, sums);
         if (node.count == 0) {
             waiting[size++] = node.right;
             waiting[size++] = at + 1;

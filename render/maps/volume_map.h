@@ -35,12 +35,15 @@ struct VolumeMap {
     };
     std::vector<VolumePhoton> photons; ///< in the order of the tree
     std::vector<float> radii;          ///< [n] of their discs, scene units
+    std::vector<glm::vec3> walls;      ///< [n] from the photon to the nearest face within its
+                                       ///<   radius; zero: none
     std::vector<Node> nodes;           ///< the root first; empty: no photon
 };
 
-/// shrink: of the radii, over the first.  O(n log n).  Same photons in the same order, same map.
+/// shrink: of the radii, over the first.  rays: of the faces at which media end.  O(n log n).  Same
+/// photons in the same order, same map.
 VolumeMap build_volume_map(const std::vector<VolumePhoton>& photons, const VolumeRadii& first,
-                           float shrink);
+                           float shrink, const EmbreeScene& rays);
 
 /// Radii that are taken at once, over those of the map: the first is 1, none is larger.
 using BeamScales = std::array<float, 3>;

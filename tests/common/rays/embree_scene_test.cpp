@@ -109,3 +109,32 @@ TEST_CASE("embree scene: an empty mesh is never hit", "[rays]")
     CHECK_FALSE(scene.nearest(Ray{}));
     CHECK_FALSE(scene.occluded(Ray{}));
 }
+
+TEST_CASE("embree scene: the closest point is that of trying many", "[rays]")
+{
+    const TriangleMesh mesh = tiny::uv_sphere(24, 12);
+    const EmbreeScene scene(mesh);
+    for (std::uint64_t i = 0; i < 300; ++i) {
+        RandomSequence random(8, RandomStream::pictures, 0, i);
+        const glm::vec3 point = 2 * random.next() * sample_sphere(random.next2());
+        const std::optional<glm::vec3> closest = scene.closest_point(point, 10);
+        REQUIRE(closest);
+        const float distance = glm::distance(point, *closest);
+        CHECK_FALSE(scene.closest_point(point, 0.99f * distance));
+        REQUIRE(scene.closest_point(point, 1.01f * distance) == closest);
+        float least = 1e9f; // to points all over the faces
+        for (const glm::uvec3& corners : mesh.corners)
+            for (int a = 0; a <= 8; ++a)
+                for (int b = 0; a + b <= 8; ++b) {
+                    const glm::vec3 u(mesh.positions[corners.x]), v(mesh.positions[corners.y]);
+                    const glm::vec3 w(mesh.positions[corners.z]);
+                    const glm::vec3 at = u + (v - u) * (a / 8.0f) + (w - u) * (b / 8.0f);
+                    least = std::min(least, glm::distance(point, at));
+                }
+        CHECK(distance <= least * (1 + 1e-5f) + 1e-6f);
+        CHECK(distance >= least - 0.02f); // half of their spacing
+    }
+    CHECK_FALSE(EmbreeScene(TriangleMesh{}).closest_point({0, 0, 0}, 1));
+    CHECK_FALSE(scene.closest_point(glm::vec3(std::nanf("")), 1));
+    CHECK(scene.closest_point(mesh.positions[3], 0) == mesh.positions[3]);
+}

@@ -2,6 +2,7 @@
 #include "render/maps/volume_map.h"
 #include "render/media/phase.h"
 #include "tests/support/statistics.h"
+#include "tests/support/tiny_meshes.h"
 
 #include <catch2/catch.hpp>
 #include <tbb/global_control.h>
@@ -9,6 +10,8 @@
 using namespace hipmap;
 
 namespace {
+
+const EmbreeScene kNowhere{TriangleMesh{}}; ///< without faces
 
 /// In the unit cube about the origin; every seventh in another medium.
 std::vector<VolumePhoton> photons_of(std::size_t count, std::uint64_t seed)
@@ -68,8 +71,8 @@ TEST_CASE("volume map: its tree finds the photons that a look at all of them doe
     constexpr BeamScales kScales = {1, 0.7f, 0.5f};
     for (const std::size_t count : {1u, 8u, 9u, 3000u}) {
         const std::vector<VolumePhoton> photons = photons_of(count, 1);
-        const VolumeMap map =
-            build_volume_map(photons, find_volume_radii(photons_of(count, 2), 10, 1), 0.8f);
+        const VolumeMap map = build_volume_map(
+            photons, find_volume_radii(photons_of(count, 2), 10, 1), 0.8f, kNowhere);
         REQUIRE(map.photons.size() == count);
         for (const Stretch& stretch : {stretch_along({-1, 0.1f, 0.2f}, {1, 0, 0}, 0.5f, 1.5f),
                                        stretch_along({0, 0, 0}, {0.3f, -0.2f, 1}, 0, 0.3f),
@@ -98,13 +101,51 @@ TEST_CASE("volume map: photons spread evenly have the radiance of their density"
             photon.power = Rgb(1);
             photon.inside = 0;
         }
-        const auto radiance =
-            beam_radiance(build_volume_map(photons, radii, 1), medium, stretch, {1, 0.7f, 0.5f});
+        const auto radiance = beam_radiance(build_volume_map(photons, radii, 1, kNowhere), medium,
+                                            stretch, {1, 0.7f, 0.5f});
         for (std::size_t i = 0; i < found.size(); ++i)
             found[i].add(radiance[i].x);
     }
     for (const RunningMean& by_scale : found) // extinction 1
         CHECK(std::abs(by_scale.z_score(kPhotons / (4 * M_PI) * (1 - std::exp(-1.0)))) < kMostZ);
+}
+
+TEST_CASE("volume map: no light is lost where discs reach out of a slab", "[maps][media]")
+{
+    constexpr int kPhotons = 4000;
+    Medium medium;
+    medium.scattering = Rgb(1e-6f); // nothing is lost on the way
+    const EmbreeScene faces(tiny::make_mesh({{-9, -0.5f, -9},
+                                             {9, -0.5f, -9},
+                                             {0, -0.5f, 18},
+                                             {-9, 0.5f, -9},
+                                             {9, 0.5f, -9},
+                                             {0, 0.5f, 18}},
+                                            {{0, 1, 2}, {3, 4, 5}}));
+    for (const glm::vec3& direction : {glm::vec3(1, 0, 0), glm::normalize(glm::vec3(1, 1, 0.2f))}) {
+        RunningMean found;
+        for (std::uint64_t seed = 0; seed < 30; ++seed) {
+            std::vector<VolumePhoton> photons = photons_of(kPhotons, seed);
+            for (VolumePhoton& photon : photons) {
+                photon.position *= glm::vec3(6, 1, 3);
+                photon.power = Rgb(1);
+                photon.inside = 0;
+            }
+            VolumeRadii radii;
+            radii.widest = 0.3f;
+            const VolumeMap map = build_volume_map(photons, radii, 1, faces);
+            for (std::uint64_t i = 0; i < 50; ++i) {
+                RandomSequence random(7, RandomStream::pictures, seed, i);
+                const float height = direction.y > 0 ? 0 : random.next() - 0.5f;
+                const glm::vec3 at(random.next() - 0.5f, height, random.next() - 0.5f);
+                const float half = direction.y > 0 ? 0.5f / direction.y : 1;
+                const Stretch stretch = stretch_along(at, direction, -half, half);
+                found.add(beam_radiance(map, medium, stretch, {1, 0.7f, 0.5f})[0].x / (2 * half));
+            }
+        }
+        CHECK(std::abs(found.z_score(kPhotons / 18.0 / (4 * M_PI))) < kMostZ);
+        CHECK(found.standard_error() < 0.01 * found.mean());
+    }
 }
 
 TEST_CASE("volume radii: where the k-th photon is, and widest without photons", "[maps][media]")
@@ -122,14 +163,14 @@ TEST_CASE("volume radii: where the k-th photon is, and widest without photons", 
     CHECK(volume_radius_at(radii, {50, 0, 0}) == 2);
     CHECK(volume_radius_at(find_volume_radii({}, 10, 2), {0, 0, 0}) == 2);
     CHECK(volume_radius_at(find_volume_radii(photons_of(3, 1), 10, 2), {0, 0, 0}) == 2);
-    CHECK(build_volume_map({}, radii, 1).nodes.empty());
+    CHECK(build_volume_map({}, radii, 1, kNowhere).nodes.empty());
 }
 
 TEST_CASE("volume map: the same at any number of threads", "[maps][media]")
 {
     const std::vector<VolumePhoton> photons = photons_of(20000, 5);
     const auto build = [&] {
-        return build_volume_map(photons, find_volume_radii(photons, 12, 1), 1);
+        return build_volume_map(photons, find_volume_radii(photons, 12, 1), 1, kNowhere);
     };
     const VolumeMap many = build();
     const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
