@@ -90,7 +90,7 @@ Rgb add_lamps(const RenderScene& scene, const Ray& ray, float distance, const Ra
 {
     const LightSet& lights = scene.lights;
     Rgb sum(0.0f);
-    if (source.eye || (lights.sized_lamps.empty() && !lights.chosen_have_size))
+    if (source.eye || !has_sized_lamps(lights))
         return sum;
     const auto add = [&](std::uint32_t lamp, const auto& chosen) {
         const std::optional<LampHit> hit = meet_lamp(lights, lamp, ray);
@@ -134,8 +134,8 @@ float hit_weight(const RenderScene& scene, const SurfacePoint& on_light, const g
     return power_heuristic(source.density, per_solid_angle(density, on_light, direction, distance));
 }
 
-Rgb met_lamps(const RenderScene& scene, const Ray& ray, float distance, const Rgb& absorption,
-              const RaySource& source)
+Rgb lamps_on_way(const RenderScene& scene, const Ray& ray, float distance, const Rgb& absorption,
+                 const RaySource& source)
 {
     return add_lamps(scene, ray, distance, source,
                      [&](float to_lamp) { return transmittance(absorption, to_lamp); });
@@ -156,7 +156,7 @@ Rgb met_sky(const RenderScene& scene, const glm::vec3& direction, const RaySourc
 {
     const LightSet& lights = scene.lights;
     const Rgb radiance = sky_radiance(lights, direction);
-    if (lights.sky.empty() || source.density == 0)
+    if (!has_sky_picture(lights) || source.density == 0)
         return radiance;
     return radiance * power_heuristic(source.density, sky_density(lights.sky, direction));
 }
@@ -228,9 +228,9 @@ Rgb found_light(const RenderScene& scene, const Interaction& at, RandomSequence&
     Rgb weight = sample.weight;
     const std::optional<RayHit> hit = first_surface(scene, at, ray, weight);
     const Interiors inside = interiors_towards(scene, at, ray.direction);
-    const Rgb lamps = sample.weight * (at.inside == nullptr
-                                           ? met_lamps(scene, ray, distance_of(hit), Rgb(0), source)
-                                           : met_lamps_in_media(scene, ray, inside, source));
+    const Rgb lamps =
+        sample.weight * (!at.in_media() ? met_lamps(scene, ray, distance_of(hit), Rgb(0), source)
+                                        : met_lamps_in_media(scene, ray, inside, source));
     if (!hit)
         return lamps + weight * met_sky(scene, ray.direction, source);
     const Bsdf& bsdf = scene.bsdfs[scene.mesh().material_of_face[hit->face]];
@@ -246,8 +246,12 @@ Rgb found_light(const RenderScene& scene, const Interaction& at, RandomSequence&
 Rgb sampled_light(const RenderScene& scene, const Interaction& at, const LobeRays& rays,
                   RandomSequence& random)
 {
-    return lamp_light(scene, at, rays, random) + emissive_light(scene, at, rays, random) +
-           sky_light(scene, at, rays, random);
+    if (!has_lamps(scene.lights) && !has_sky_picture(scene.lights))
+        return emissive_light(scene, at, rays, random);
+    Rgb sum = lamp_light(scene, at, rays, random) + emissive_light(scene, at, rays, random);
+    if (has_sky_picture(scene.lights))
+        sum += sky_light(scene, at, rays, random);
+    return sum;
 }
 
 } // namespace hipmap

@@ -31,11 +31,20 @@ RaySource source_at(const Interaction& at, float density);
 float hit_weight(const RenderScene& scene, const SurfacePoint& on_light, const glm::vec3& direction,
                  float distance, const RaySource& source);
 
+/// `met_lamps` where there are lamps with a size, of a ray that is not the eye's.
+Rgb lamps_on_way(const RenderScene& scene, const Ray& ray, float distance, const Rgb& absorption,
+                 const RaySource& source);
+
 /// Radiance along a ray from the lamps with a size that lie on its way of `distance`; infinite: it
 /// leaves the scene and may run into suns.  Each counts as `hit_weight` has it.  Lamps hide
 /// nothing. absorption: of what the ray travels in.
-Rgb met_lamps(const RenderScene& scene, const Ray& ray, float distance, const Rgb& absorption,
-              const RaySource& source);
+inline Rgb met_lamps(const RenderScene& scene, const Ray& ray, float distance,
+                     const Rgb& absorption, const RaySource& source)
+{
+    return has_sized_lamps(scene.lights) && !source.eye
+               ? lamps_on_way(scene, ray, distance, absorption, source)
+               : Rgb(0);
+}
 
 /// The same through the media of the scene, which must have some, until a surface hides the lamps.
 /// inside: what the ray starts in.

@@ -91,7 +91,7 @@ bool survives(Branch& branch, RandomSequence& random)
 void go_beyond(const RenderScene& scene, const Interaction& at, Branch& branch)
 {
     branch.absorption = absorption_beyond(at);
-    if (scene.media)
+    if (scene.has_media())
         cross(*scene.media, at.point.face, at.front, branch.inside);
 }
 
@@ -136,10 +136,10 @@ void follow_specular(const RenderScene& scene, const Interaction& at, const Bran
 std::optional<RayHit> see(const RenderScene& scene, const VolumeMap* photons, Branch& branch,
                           Rgb& radiance)
 {
-    if (!scene.media) {
+    if (!scene.has_media()) {
         const std::optional<RayHit> hit = scene.rays.nearest(branch.ray);
         if (hit)
-            branch.weight *= transmittance(branch.absorption, hit->distance);
+            absorb(branch.absorption, hit->distance, branch.weight);
         return hit;
     }
     static const VolumeMap kNoPhotons;
@@ -174,7 +174,7 @@ BranchStack begin(const RenderScene& scene, const Ray& ray)
     Branch first;
     first.ray = ray;
     first.source.eye = true;
-    if (scene.media)
+    if (scene.has_media())
         first.inside = interiors_at(*scene.media, ray.origin);
     stack.push(first);
     return stack;
@@ -186,8 +186,9 @@ Rgb light_on_way(const RenderScene& scene, const Branch& start, const Branch& br
                  const std::optional<RayHit>& hit)
 {
     const Rgb lamps =
-        scene.media ? met_lamps_in_media(scene, start.ray, start.inside, start.source)
-                    : met_lamps(scene, start.ray, distance_of(hit), start.absorption, start.source);
+        scene.has_media()
+            ? met_lamps_in_media(scene, start.ray, start.inside, start.source)
+            : met_lamps(scene, start.ray, distance_of(hit), start.absorption, start.source);
     const Rgb sky = hit ? Rgb(0) : met_sky(scene, branch.ray.direction, branch.source);
     return start.weight * lamps + branch.weight * sky;
 }
@@ -209,12 +210,14 @@ Rgb trace_eye_path(const PassMaps& maps, const Ray& ray, SeenLights seen, Random
         if (!hit)
             continue;
         Interaction at = interact(maps.scene, branch.ray, *hit);
-        at.inside = maps.volume != nullptr ? &branch.inside : nullptr;
+        at.inside = maps.scene.has_media() ? &branch.inside : nullptr;
         if (sees_lights)
             radiance += branch.weight * emitted_radiance(at.bsdf, at.point, at.back) *
                         hit_weight(maps.scene, at.point, branch.ray.direction, hit->distance,
                                    branch.source);
         radiance += branch.weight * scattered_light(maps, at, random, scratch);
+        if (at.bsdf.is_matt())
+            continue;
         follow_specular(maps.scene, at, branch, random, stack);
         if (at.bsdf.follows())
             follow_glossy(maps.scene, at, branch, random, stack);
@@ -235,7 +238,8 @@ Rgb trace_seen_lights(const RenderScene& scene, const Ray& ray, RandomSequence& 
             continue;
         const Interaction at = interact(scene, branch.ray, *hit);
         radiance += branch.weight * emitted_radiance(at.bsdf, at.point, at.back);
-        follow_specular(scene, at, branch, random, stack);
+        if (!at.bsdf.is_matt())
+            follow_specular(scene, at, branch, random, stack);
     }
     return radiance;
 }

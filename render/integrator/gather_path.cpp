@@ -23,7 +23,7 @@ class GatherTracer {
     {
         stack_.branches[0].ray = ray;
         stack_.branches[0].source.eye = true;
-        if (maps_.volume != nullptr)
+        if (has_media_)
             stack_.branches[0].inside = interiors_at(*maps_.scene.media, ray.origin);
         stack_.size = 1;
         while (stack_.size > 0)
@@ -61,8 +61,8 @@ class GatherTracer {
     {
         const RenderScene& scene = maps_.scene;
         const std::optional<RayHit> hit =
-            maps_.volume == nullptr ? scene.rays.nearest(branch.ray) : see(branch);
-        if (maps_.volume == nullptr && sees_lights(branch))
+            !has_media_ ? scene.rays.nearest(branch.ray) : see(branch);
+        if (has_sized_lamps(scene.lights) && !has_media_ && sees_lights(branch))
             add(branch.weight *
                 met_lamps(scene, branch.ray, distance_of(hit), branch.absorption, branch.source));
         if (!hit) {
@@ -70,9 +70,9 @@ class GatherTracer {
                 add(branch.weight * met_sky(scene, branch.ray.direction, branch.source));
             return;
         }
-        branch.weight *= transmittance(branch.absorption, hit->distance);
+        absorb(branch.absorption, hit->distance, branch.weight);
         Interaction at = interact(scene, branch.ray, *hit);
-        at.inside = maps_.volume != nullptr ? &branch.inside : nullptr;
+        at.inside = has_media_ ? &branch.inside : nullptr;
         if (sees_lights(branch))
             add(branch.weight * emitted_radiance(at.bsdf, at.point, at.back) *
                 hit_weight(scene, at.point, branch.ray.direction, hit->distance, branch.source));
@@ -158,10 +158,11 @@ class GatherTracer {
             out.add(scatter(*gathering, at, Lobes::gathered, random_));
         if (at.bsdf.follows())
             out.add(scatter(from, at, Lobes::followed, random_));
-        add_mirror_and_glass(from, at, out);
+        if (!at.bsdf.is_matt())
+            add_mirror_and_glass(from, at, out);
         if (out.size > 1 && (from.gathers || from.depth >= kSplitDepth))
             pick_one(out, random_);
-        for (std::size_t i = 0; i < out.size && maps_.volume != nullptr; ++i)
+        for (std::size_t i = 0; i < out.size && has_media_; ++i)
             if (glm::dot(out.branches[i].ray.direction, at.normal) < 0)
                 cross(*maps_.scene.media, at.point.face, at.front, out.branches[i].inside);
         for (std::size_t i = 0; i < out.size; ++i)
@@ -171,6 +172,7 @@ class GatherTracer {
 
     const GatherMaps& maps_;
     const SeenLights seen_;
+    const bool has_media_ = maps_.scene.has_media();
     RandomSequence& random_;
     GatherScratch& scratch_;
     BranchStack stack_;

@@ -90,6 +90,33 @@ bool follow(const Interaction& at, const LobeChances& chances, const SpecularLob
     return true;
 }
 
+/// Adds the light sampled at a surface, and sends the path on; false: it ends there.
+bool leave(const RenderScene& scene, const Interaction& at, const LightClasses& light,
+           RandomSequence& random, Path& path, Rgb& radiance)
+{
+    const SpecularLobes lobes = specular_lobes(at.bsdf, at.cosine, at.front, at.solid);
+    const LobeChances chances = chances_of(path, at, lobes, light);
+    const LobeRays rays{chances.gathered, light.caustic || !path.gathers ? chances.followed : 0};
+    if (rays.gathered + rays.followed > 0)
+        radiance += path.weight * sampled_light(scene, at, rays, random);
+    return follow(at, chances, lobes, random, path);
+}
+
+/// The same where the diffuse lobe is all.
+bool leave_matt(const RenderScene& scene, const Interaction& at, const LightClasses& light,
+                RandomSequence& random, Path& path, Rgb& radiance)
+{
+    if (!(light.indirect || !path.gathers) || !(max_channel(path.weight * at.bsdf.diffuse) > 0))
+        return false;
+    radiance += path.weight * sampled_light(scene, at, {.gathered = 1}, random);
+    const ScatterSample sample = sample_scatter(at, Lobes::gathered, random);
+    path.gathers = path.straight = true;
+    path.weight *= sample.weight;
+    path.source = source_at(at, sample.density);
+    path.ray = scattered_ray(at, sample);
+    return !is_black(sample.weight);
+}
+
 } // namespace
 
 bool survives(int depth, Path& path, RandomSequence& random)
@@ -109,12 +136,8 @@ bool pass_surface(const RenderScene& scene, const Interaction& at, float distanc
     if (path.sees_lights(light))
         radiance += path.weight * emitted_radiance(at.bsdf, at.point, at.back) *
                     hit_weight(scene, at.point, path.ray.direction, distance, path.source);
-    const SpecularLobes lobes = specular_lobes(at.bsdf, at.cosine, at.front, at.solid);
-    const LobeChances chances = chances_of(path, at, lobes, light);
-    const LobeRays rays{chances.gathered, light.caustic || !path.gathers ? chances.followed : 0};
-    if (rays.gathered + rays.followed > 0)
-        radiance += path.weight * sampled_light(scene, at, rays, random);
-    return follow(at, chances, lobes, random, path);
+    return at.bsdf.is_matt() ? leave_matt(scene, at, light, random, path, radiance)
+                             : leave(scene, at, light, random, path, radiance);
 }
 
 } // namespace hipmap

@@ -5,12 +5,10 @@
 
 namespace hipmap {
 
-glm::dvec3 gathered_power(const MetPhoton& photon, const PhotonQuery& query)
+glm::dvec3 power_in_lobes(const MetPhoton& photon, const PhotonQuery& query)
 {
-    const glm::dvec3 power = photon.map.powers.of(photon.slot);
-    if (query.lobes == nullptr)
-        return power;
-    return power * glm::dvec3((*query.lobes)(photon.map.direction(photon.slot)));
+    return glm::dvec3(photon.map.powers.of(photon.slot)) *
+           glm::dvec3((*query.lobes)(photon.map.direction(photon.slot)));
 }
 
 glm::dvec3 projected_power(const MetPhoton& photon, const PhotonQuery& query,

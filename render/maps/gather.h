@@ -10,9 +10,16 @@ struct MetPhoton {
     std::uint32_t slot;
 };
 
-/// What a photon adds to the sum of an estimate: its power in units of the maps' scale, weighed by
-/// the query's lobes if it names any.
-glm::dvec3 gathered_power(const MetPhoton& photon, const PhotonQuery& query);
+/// Its power in units of the maps' scale, weighed by the query's lobes, which it must name.
+glm::dvec3 power_in_lobes(const MetPhoton& photon, const PhotonQuery& query);
+
+/// What a photon adds to the sum of an estimate: the same, or without lobes its power.
+inline glm::dvec3 gathered_power(const MetPhoton& photon, const PhotonQuery& query)
+{
+    if (query.lobes != nullptr)
+        return power_in_lobes(photon, query);
+    return photon.map.powers.of(photon.slot);
+}
 
 /// The same by the cosine between the photon's face and the query's, docs/photon_maps.md (4).
 glm::dvec3 projected_power(const MetPhoton& photon, const PhotonQuery& query,

@@ -5,6 +5,7 @@
 #include "common/rays/surface_point.h"
 #include "common/scene/scene.h"
 #include "render/media/flight.h"
+#include "render/media/matt_only.h"
 
 #include <array>
 #include <cmath>
@@ -16,7 +17,7 @@ namespace hipmap {
 /// Which insides a point is in, by their materials: the last one entered is what is there.
 /// Insides nested deeper than kMost are passed over.
 struct Interiors {
-    static constexpr std::size_t kMost = 8;
+    static constexpr std::size_t kMost = kMattOnly ? 1 : 8;
     std::array<MaterialId, kMost> entered{};
     std::size_t count = 0;
 

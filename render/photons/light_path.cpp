@@ -5,6 +5,7 @@
 #include "render/photons/media_flight.h"
 #include "render/shading/scatter.h"
 
+#include <array>
 #include <utility>
 
 namespace hipmap {
@@ -15,20 +16,22 @@ namespace {
 constexpr int kMostBounces = 512;
 enum class Event { absorb, diffuse, gathered, followed, mirror, transmit };
 constexpr int kLobes = 5;
+using Shares = std::array<Rgb, kLobes>; ///< of the light, in the order of the events
 
 /// Russian roulette in RGB, docs/light_transport.md (10): which lobe the path goes on in, and its
-/// power there.  The power stays bounded by the largest channel of what came in.
-Event choose_event(LightPath& path, const Rgb (&shares)[kLobes], float u)
+/// power there.  The power stays bounded by the largest channel of what came in.  lobes: so many of
+/// the shares are not black.
+inline Event choose_event(LightPath& path, const Shares& shares, int lobes, float u)
 {
     const float incoming = max_channel(path.power);
     if (!(incoming > 0))
         return Event::absorb;
-    float chance[kLobes];
+    std::array<float, kLobes> chance;
     float sum = 0;
-    for (int i = 0; i < kLobes; ++i)
+    for (int i = 0; i < lobes; ++i)
         sum += chance[i] = max_channel(path.power * shares[i]) / incoming;
     const float scale = sum > 1 ? 1 / sum : 1;
-    for (int i = 0; i < kLobes; ++i) {
+    for (int i = 0; i < lobes; ++i) {
         const float p = chance[i] * scale;
         if (u < p) {
             path.power *= shares[i] / p;
@@ -40,8 +43,8 @@ Event choose_event(LightPath& path, const Rgb (&shares)[kLobes], float u)
 }
 
 /// Keeps the photon in the maps that want it, docs/photon_maps.md (1).
-void store(const Interaction& at, LightPath& path, bool directional, const Wanted& wanted,
-           TracedPhotons& out)
+inline void store(const Interaction& at, LightPath& path, bool directional, const Wanted& wanted,
+                  TracedPhotons& out)
 {
     const std::uint64_t from = std::exchange(path.last, kNoPhoton);
     const bool media_last = std::exchange(path.media_last, false);
@@ -55,8 +58,8 @@ void store(const Interaction& at, LightPath& path, bool directional, const Wante
         return;
     const float geometric = glm::dot(at.back, at.normal);
     Rgb power = path.power * (at.cosine / (geometric * at.coverage));
-    if (!directional)
-        power *= coat_half(at.bsdf, at.cosine);
+    if (!directional && !at.bsdf.is_matt())
+        power *= through_coats(at.bsdf, at.cosine);
     const BouncedPhoton bounced{
         {at.point.position, power, at.back, at.point.face, at.side}, from, path.last_caustic};
     if (!is_finite(power) || !is_finite(at.point.position)) {
@@ -74,15 +77,16 @@ void store(const Interaction& at, LightPath& path, bool directional, const Wante
 }
 
 /// Sends the path on by the diffuse lobe.  False: into the surface.
-bool scatter_diffusely(const Interaction& at, LightPath& path, RandomSequence& random,
-                       PowerBalance& balance)
+inline bool scatter_diffusely(const Interaction& at, LightPath& path, RandomSequence& random,
+                              PowerBalance& balance)
 {
     const glm::vec3 local = sample_cosine_hemisphere(random.next2());
     path.ray.direction = Frame(at.shading_normal).to_world(local);
     path.ray.origin = offset_origin(at.point, at.normal);
     const Rgb incoming = path.power;
-    path.power *= coat_half(at.bsdf, local.z) / (1.0f - at.bsdf.coat_average) *
-                  diffuse_shape(at.bsdf, at.shading_normal, at.back, path.ray.direction);
+    if (!at.bsdf.is_matt())
+        path.power *= through_coats(at.bsdf, local.z) / (1.0f - at.bsdf.coat_average);
+    path.power *= diffuse_shape(at.bsdf, at.shading_normal, at.back, path.ray.direction);
     const bool out = glm::dot(path.ray.direction, at.normal) > 0;
     balance.absorbed += glm::dvec3(out ? incoming - path.power : incoming);
     ++path.diffuse;
@@ -97,8 +101,20 @@ void follow_facet(const Interaction& at, const ScatterSample& sample, LightPath&
         path.absorption = absorption_beyond(at);
 }
 
-/// Sends the path on from a surface.  False: it ends there.
-bool scatter(const Interaction& at, LightPath& path, RandomSequence& random, PowerBalance& balance)
+/// Chooses a lobe, and counts what the surface keeps.
+inline Event choose_lobe(LightPath& path, const Shares& shares, int lobes, RandomSequence& random,
+                         PowerBalance& balance)
+{
+    Rgb sent(0.0f);
+    for (int i = 0; i < lobes; ++i)
+        sent += shares[i];
+    balance.absorbed += glm::dvec3(path.power * (1.0f - sent));
+    return choose_event(path, shares, lobes, random.next());
+}
+
+/// Sends the path on from a surface of more than the diffuse lobe.  False: it ends there.
+[[gnu::noinline]] bool scatter_by_lobes(const Interaction& at, LightPath& path,
+                                        RandomSequence& random, PowerBalance& balance)
 {
     // Glossy lobes have no albedo in closed form: a direction is drawn first, and what its facet
     // sends on is the share.
@@ -108,20 +124,13 @@ bool scatter(const Interaction& at, LightPath& path, RandomSequence& random, Pow
     if (at.bsdf.follows())
         followed = sample_facets(at, Lobes::followed, random);
     const SpecularLobes specular = specular_lobes(at.bsdf, at.cosine, at.front, at.solid);
-    const Rgb shares[kLobes] = {diffuse_albedo(at.bsdf, at.cosine), gathered.weight,
-                                followed.weight, specular.mirror, specular.transmit};
-    Rgb sent(0.0f);
-    for (const Rgb& share : shares)
-        sent += share;
-    balance.absorbed += glm::dvec3(path.power * (1.0f - sent));
-
-    switch (choose_event(path, shares, random.next())) {
+    const Shares shares{diffuse_albedo(at.bsdf, at.cosine), gathered.weight, followed.weight,
+                        specular.mirror, specular.transmit};
+    switch (choose_lobe(path, shares, kLobes, random, balance)) {
     case Event::absorb:
         return false;
     case Event::diffuse:
-        if (!scatter_diffusely(at, path, random, balance))
-            return false;
-        break;
+        return scatter_diffusely(at, path, random, balance);
     case Event::gathered:
         follow_facet(at, gathered, path);
         ++path.diffuse;
@@ -142,8 +151,20 @@ bool scatter(const Interaction& at, LightPath& path, RandomSequence& random, Pow
     }
     if (path.specular && path.diffuse == 0 && !path.from_media)
         path.first_specular = true;
-    path.power *= particle_correction(at, path.ray.direction);
     return true;
+}
+
+/// Sends the path on from a surface.  False: it ends there.
+inline bool scatter(const Interaction& at, LightPath& path, RandomSequence& random,
+                    PowerBalance& balance)
+{
+    const bool goes_on = !at.bsdf.is_matt() ? scatter_by_lobes(at, path, random, balance)
+                                            : choose_lobe(path, {at.bsdf.diffuse}, 1, random,
+                                                          balance) != Event::absorb &&
+                                                  scatter_diffusely(at, path, random, balance);
+    if (goes_on)
+        path.power *= particle_correction(at, path.ray.direction);
+    return goes_on;
 }
 
 /// Brings the path to the next surface where there are no media but glass that absorbs; none: it
@@ -155,9 +176,9 @@ std::optional<RayHit> fly(const RenderScene& scene, LightPath& path, TracedPhoto
         out.power.escaped += glm::dvec3(path.power);
         return hit;
     }
-    const Rgb arriving = path.power * transmittance(path.absorption, hit->distance);
-    out.power.absorbed += glm::dvec3(path.power - arriving);
-    path.power = arriving;
+    const Rgb sent = path.power;
+    absorb(path.absorption, hit->distance, path.power);
+    out.power.absorbed += glm::dvec3(sent - path.power);
     return hit;
 }
 
@@ -203,7 +224,7 @@ void trace_light_path(const RenderScene& scene, const Wanted& wanted, const Emit
     path.power = start.power;
     path.from_media = start.from_medium;
     out.power.emitted += glm::dvec3(path.power);
-    if (!scene.media)
+    if (!scene.has_media())
         return trace<false>(scene, wanted, random, path, out);
     path.inside = interiors_at(*scene.media, path.ray.origin);
     trace<true>(scene, wanted, random, path, out);

@@ -85,7 +85,7 @@ Rgb average_of_coats(const Bsdf& bsdf)
                                             std::pair(kOff, 5.0f / 18)}) {
             const float x = (static_cast<float>(part) + 0.5f * (1 + place)) / kParts;
             const float cosine = x * x; // 2 c dc = 4 x^3 dx
-            passed += coat_half(bsdf, cosine) * (weight / kParts * 4 * x * x * x);
+            passed += through_coats(bsdf, cosine) * (weight / kParts * 4 * x * x * x);
         }
     return 1.0f - passed;
 }
@@ -132,6 +132,8 @@ Bsdf make_bsdf(const Material& material, const MaterialPoint& at, DiffuseModel m
     out.ior = out.alpha > 0 ? std::max(material.ior, kLeastRoughIndex) : material.ior;
     add_clearcoat(at, out);
     make_opaque(material, at, out);
+    out.only_diffuse = out.glass == 0 && !out.coated && out.reflection == Reflection::none &&
+                       out.clearcoat == Reflection::none;
     return out;
 }
 
@@ -144,11 +146,9 @@ std::vector<Bsdf> make_bsdfs(const std::vector<Material>& materials, DiffuseMode
     return out;
 }
 
-float diffuse_shape(const Bsdf& bsdf, const glm::vec3& normal, const glm::vec3& wi,
-                    const glm::vec3& wo)
+float burley_shape(const Bsdf& bsdf, const glm::vec3& normal, const glm::vec3& wi,
+                   const glm::vec3& wo)
 {
-    if (bsdf.burley_roughness < 0)
-        return 1;
     // The cosine of the half angle between the directions, squared.
     const float cos2_half = 0.5f * (1 + glm::dot(wi, wo));
     const float grazing = 2 * bsdf.burley_roughness * cos2_half - 0.5f;
@@ -181,17 +181,12 @@ float through_clearcoat(const Bsdf& bsdf, float cos_in, float cos_out)
     return (1 - clearcoat_albedo(bsdf, cos_in)) * (1 - clearcoat_albedo(bsdf, cos_out));
 }
 
-Rgb coat_half(const Bsdf& bsdf, float cosine)
+Rgb through_coats(const Bsdf& bsdf, float cosine)
 {
     const Rgb passed =
         bsdf.coated ? 1.0f - albedo_of(bsdf.coat_f0, bsdf.coat_f90, cosine, bsdf.alpha) : Rgb(1);
     return bsdf.clearcoat == Reflection::none ? passed
                                               : passed * (1 - clearcoat_albedo(bsdf, cosine));
-}
-
-Rgb diffuse_albedo(const Bsdf& bsdf, float cosine)
-{
-    return bsdf.diffuse * coat_half(bsdf, cosine) * (1.0f - bsdf.coat_average);
 }
 
 float fresnel_dielectric(float cosine, float eta)
@@ -228,7 +223,7 @@ Rgb glass_reflectance(const Bsdf& bsdf, float cosine, float eta)
     return f < 1 ? f * bsdf.glass_reflection : Rgb(1);
 }
 
-SpecularLobes specular_lobes(const Bsdf& bsdf, float cosine, bool front, bool solid)
+SpecularLobes smooth_lobes(const Bsdf& bsdf, float cosine, bool front, bool solid)
 {
     SpecularLobes out;
     if (bsdf.clearcoat == Reflection::mirror)

@@ -2,6 +2,7 @@
 
 #include "common/math/rgb.h"
 #include "common/scene/scene.h"
+#include "render/media/matt_only.h"
 #include "render/shading/textured_material.h"
 
 #include <glm/geometric.hpp>
@@ -35,8 +36,9 @@ enum class Reflection : std::uint8_t {
 /// A material, ready for shading.  docs/light_transport.md (1)-(4).
 /// The base (diffuse) lobe is separable: f(wi, wo) = diffuse / pi * coat_half(wi) * coat_half(wo).
 struct Bsdf {
-    Rgb diffuse{0.0f};   ///< the factor above, albedo where there is no coat
-    bool coated = false; ///< a dielectric lies over the diffuse lobe
+    Rgb diffuse{0.0f};         ///< the factor above, albedo where there is no coat
+    bool only_diffuse = false; ///< there is no more to it than that lobe
+    bool coated = false;       ///< a dielectric lies over the diffuse lobe
     Reflection reflection = Reflection::none;
     float alpha = 0.0f;     ///< width of the facets' distribution; 0: mirror, clear glass
     Rgb coat_f0{0.0f};      ///< reflectance of the coat at normal and ...
@@ -56,14 +58,19 @@ struct Bsdf {
     Rgb emission{0.0f};          ///< radiance, W/(m2 sr)
     bool emits_behind = false;
 
+    /// The diffuse lobe is all, which may be black: coats and reflections are not looked at.
+    bool is_matt() const { return kMattOnly || only_diffuse; }
     bool has_diffuse() const { return !is_black(diffuse); }
     /// Some reflection becomes what is asked for.
     bool reflects(Reflection kind) const { return reflection == kind || clearcoat == kind; }
     /// Photons are stored here: there is a diffuse lobe or a reflection that is gathered.
-    bool gathers() const { return has_diffuse() || reflects(Reflection::gathered); }
+    bool gathers() const { return has_diffuse() || (!is_matt() && reflects(Reflection::gathered)); }
     /// A direction is to be drawn to follow the path: there is a followed reflection or rough
     /// glass.
-    bool follows() const { return reflects(Reflection::followed) || (glass > 0 && alpha > 0); }
+    bool follows() const
+    {
+        return !is_matt() && (reflects(Reflection::followed) || (glass > 0 && alpha > 0));
+    }
 };
 
 /// The material at a point.
@@ -72,10 +79,17 @@ Bsdf make_bsdf(const Material& material, const MaterialPoint& at, DiffuseModel m
 /// One for each material of the scene, by its factors alone.
 std::vector<Bsdf> make_bsdfs(const std::vector<Material>& materials, DiffuseModel model);
 
-/// What the diffuse lobe is multiplied by for a pair of directions, docs/light_transport.md (13); 1
-/// for Lambert.  normal: shading; all unit, the directions away from the surface.
-float diffuse_shape(const Bsdf& bsdf, const glm::vec3& normal, const glm::vec3& wi,
-                    const glm::vec3& wo);
+/// The factor of Burley's lobe, docs/light_transport.md (13).
+float burley_shape(const Bsdf& bsdf, const glm::vec3& normal, const glm::vec3& wi,
+                   const glm::vec3& wo);
+
+/// What the diffuse lobe is multiplied by for a pair of directions; 1 for Lambert.  normal:
+/// shading; all unit, the directions away from the surface.
+inline float diffuse_shape(const Bsdf& bsdf, const glm::vec3& normal, const glm::vec3& wi,
+                           const glm::vec3& wo)
+{
+    return bsdf.burley_roughness < 0 ? 1.0f : burley_shape(bsdf, normal, wi, wo);
+}
 
 /// The clear coat as a material of its own; there must be one.
 Bsdf clearcoat_alone(const Bsdf& bsdf);
@@ -87,13 +101,23 @@ float clearcoat_albedo(const Bsdf& bsdf, float cosine);
 /// the shading normal, of both directions.  1 without one.  docs/light_transport.md (24).
 float through_clearcoat(const Bsdf& bsdf, float cos_in, float cos_out);
 
+/// What gets through the coats that there may be.
+Rgb through_coats(const Bsdf& bsdf, float cosine);
+
 /// What of the light from (or to) a direction gets through the coats; 1 without any.
 /// cosine: of the angle to the shading normal, [0, 1].
-Rgb coat_half(const Bsdf& bsdf, float cosine);
+inline Rgb coat_half(const Bsdf& bsdf, float cosine)
+{
+    return bsdf.is_matt() ? Rgb(1) : through_coats(bsdf, cosine);
+}
 
 /// The part of light along one direction that the diffuse lobe scatters over the whole hemisphere:
 /// the integral of f(wi, wo) cos(wo) over wo.
-Rgb diffuse_albedo(const Bsdf& bsdf, float cosine);
+inline Rgb diffuse_albedo(const Bsdf& bsdf, float cosine)
+{
+    return bsdf.is_matt() ? bsdf.diffuse
+                          : bsdf.diffuse * through_coats(bsdf, cosine) * (1.0f - bsdf.coat_average);
+}
 
 /// Reflectance of a smooth interface between dielectrics for unpolarised light; 1 at total
 /// reflection. cosine: of incidence, [0, 1].  eta: index beyond the interface over index before it.
@@ -122,9 +146,15 @@ struct SpecularLobes {
     float eta = 1.0f; ///< index beyond the interface over index before it; 1 through a thin wall
 };
 
+/// The same of a surface that is not matt.
+SpecularLobes smooth_lobes(const Bsdf& bsdf, float cosine, bool front, bool solid);
+
 /// cosine: as above.  front, solid: as above; a thin wall is crossed straight.  Zero where the
 /// lobes are spread over facets.
-SpecularLobes specular_lobes(const Bsdf& bsdf, float cosine, bool front, bool solid);
+inline SpecularLobes specular_lobes(const Bsdf& bsdf, float cosine, bool front, bool solid)
+{
+    return bsdf.is_matt() ? SpecularLobes{} : smooth_lobes(bsdf, cosine, front, solid);
+}
 
 /// The direction beyond a smooth interface; away from the surface on the other side.
 /// direction: unit, away from the surface on the side the light comes from; normal: unit, same

@@ -1,28 +1,11 @@
 #include "render/shading/gathered_lobes.h"
 
-#include "common/math/sampling.h"
 #include "render/shading/ggx.h"
 
 namespace hipmap {
 
-GatheredLobes::GatheredLobes(const Bsdf& bsdf, const glm::vec3& shading_normal,
-                             const glm::vec3& geometric_normal, const glm::vec3& out)
-    : bsdf_(bsdf), normal_(shading_normal), geometric_(geometric_normal), out_(out),
-      cosine_(std::max(0.0f, glm::dot(shading_normal, out))),
-      base_(bsdf.diffuse * coat_half(bsdf, cosine_) / kPi)
+Rgb GatheredLobes::of_all(const glm::vec3& in, float cosine) const
 {
-}
-
-Rgb GatheredLobes::diffuse(const glm::vec3& in, float cosine) const
-{
-    return base_ * coat_half(bsdf_, cosine) * diffuse_shape(bsdf_, normal_, in, out_);
-}
-
-Rgb GatheredLobes::operator()(const glm::vec3& in) const
-{
-    const float cosine = glm::dot(normal_, in);
-    if (!(cosine > 0))
-        return Rgb(0);
     Rgb value = diffuse(in, cosine);
     if (bsdf_.reflection == Reflection::gathered)
         value += facets(bsdf_, in, cosine);

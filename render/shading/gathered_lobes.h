@@ -1,5 +1,6 @@
 #pragma once
 
+#include "common/math/sampling.h"
 #include "render/shading/bsdf.h"
 
 namespace hipmap {
@@ -11,27 +12,46 @@ class GatheredLobes {
   public:
     /// Normals: unit, on the side of `out`.  out: unit, away from the surface.
     GatheredLobes(const Bsdf& bsdf, const glm::vec3& shading_normal,
-                  const glm::vec3& geometric_normal, const glm::vec3& out);
+                  const glm::vec3& geometric_normal, const glm::vec3& out)
+        : bsdf_(bsdf), normal_(shading_normal), geometric_(geometric_normal), out_(out),
+          base_(bsdf.diffuse / kPi)
+    {
+        if (!bsdf.is_matt())
+            base_ *= through_coats(bsdf, std::max(0.0f, glm::dot(shading_normal, out)));
+    }
 
     /// f(wi, wo), per steradian, with what is folded, docs/light_transport.md (19); zero for light
     /// from below.  in: unit, away from the surface.
-    Rgb operator()(const glm::vec3& in) const;
+    Rgb operator()(const glm::vec3& in) const
+    {
+        const float cosine = glm::dot(normal_, in);
+        if (!(cosine > 0))
+            return Rgb(0);
+        return bsdf_.is_matt() ? base_ * diffuse_shape(bsdf_, normal_, in, out_)
+                               : of_all(in, cosine);
+    }
 
     /// Of the diffuse lobe alone.  cosine: of `in` to the shading normal, above zero.
-    Rgb diffuse(const glm::vec3& in, float cosine) const;
+    Rgb diffuse(const glm::vec3& in, float cosine) const
+    {
+        const Rgb base = bsdf_.is_matt() ? base_ : base_ * through_coats(bsdf_, cosine);
+        return base * diffuse_shape(bsdf_, normal_, in, out_);
+    }
 
     /// That but for the factor of the diffuse lobe that depends on `in`.  Enough where all
     /// photons carry that factor, see docs/photon_maps.md (1).
     const Rgb& base() const { return base_; }
 
   private:
+    /// Of diffuse lobe and facets.
+    Rgb of_all(const glm::vec3& in, float cosine) const;
+
     /// Of the facets of one reflection, with what is folded.
     Rgb facets(const Bsdf& bsdf, const glm::vec3& in, float cosine) const;
 
     const Bsdf& bsdf_;
     glm::vec3 normal_, geometric_, out_;
-    float cosine_; ///< of `out`
-    Rgb base_;     ///< D / pi * coat_half(out)
+    Rgb base_; ///< D / pi * coat_half(out)
 };
 
 /// f(wi, wo) of an opaque surface's facets, per steradian.  Both directions above the surface;

@@ -8,9 +8,19 @@ namespace hipmap {
 
 namespace {
 
-/// Keeps the normal as it is where the tilted one would turn away from the ray.
-void tilt_by_map(const RenderScene& scene, const RayHit& hit, float sign, Interaction& at)
+/// What differs from point to point.
+void add_details(const RenderScene& scene, const RayHit& hit, MaterialId material, float sign,
+                 Interaction& at)
 {
+    if (scene.varying[material] != 0)
+        at.bsdf = make_bsdf(scene.scene.materials[material],
+                            material_at(scene.scene, hit.face, hit.barycentric),
+                            scene.scene.diffuse_model);
+    if (scene.coverage)
+        at.coverage = scene.coverage(hit.face, hit.barycentric);
+    if (scene.bumpy[material] == 0)
+        return;
+    // The normal stays as it is where the tilted one would turn away from the ray.
     const glm::vec3 tilted = sign * mapped_normal(scene.scene, at.point, hit.barycentric);
     const float cosine = glm::dot(at.back, tilted);
     if (!(cosine > 0))
@@ -26,13 +36,7 @@ Interaction interact(const RenderScene& scene, const Ray& ray, const RayHit& hit
     Interaction out;
     out.point = surface_point(scene.mesh(), hit.face, hit.barycentric);
     const MaterialId material = scene.mesh().material_of_face[hit.face];
-    out.bsdf = scene.varying[material] == 0
-                   ? scene.bsdfs[material]
-                   : make_bsdf(scene.scene.materials[material],
-                               material_at(scene.scene, hit.face, hit.barycentric),
-                               scene.scene.diffuse_model);
-    if (scene.coverage)
-        out.coverage = scene.coverage(hit.face, hit.barycentric);
+    out.bsdf = scene.bsdfs[material];
     out.back = -ray.direction;
     out.front = glm::dot(out.back, out.point.geometric_normal) >= 0;
     const float sign = out.front ? 1.0f : -1.0f;
@@ -43,8 +47,8 @@ Interaction interact(const RenderScene& scene, const Ray& ray, const RayHit& hit
         out.shading_normal = out.normal;
         out.cosine = std::max(0.0f, glm::dot(out.back, out.normal));
     }
-    if (scene.bumpy[material] != 0)
-        tilt_by_map(scene, hit, sign, out);
+    if (!scene.is_plain(material))
+        add_details(scene, hit, material, sign, out);
     out.solid = scene.partition.closed[hit.face] != 0;
     const bool flipped = scene.partition.flipped[hit.face] != 0;
     out.side = out.front == flipped ? 1 : 0;
@@ -65,7 +69,7 @@ Interaction scattering_point(const glm::vec3& position, const glm::vec3& back,
 Interiors interiors_towards(const RenderScene& scene, const Interaction& at,
                             const glm::vec3& direction)
 {
-    if (at.inside == nullptr)
+    if (!at.in_media())
         return {};
     Interiors inside = *at.inside;
     if (glm::dot(direction, at.normal) < 0)
@@ -73,17 +77,15 @@ Interiors interiors_towards(const RenderScene& scene, const Interaction& at,
     return inside;
 }
 
-Rgb unoccluded(const RenderScene& scene, const Interaction& at, const Ray& shadow)
+Rgb unoccluded_in_media(const RenderScene& scene, const Interaction& at, const Ray& shadow)
 {
-    if (at.inside == nullptr)
-        return Rgb(scene.rays.occluded(shadow) ? 0.0f : 1.0f);
     return let_through(*scene.media, shadow, interiors_towards(scene, at, shadow.direction));
 }
 
 std::optional<RayHit> first_surface(const RenderScene& scene, const Interaction& at, const Ray& ray,
                                     Rgb& left)
 {
-    if (at.inside == nullptr)
+    if (!at.in_media())
         return scene.rays.nearest(ray);
     Interiors inside = interiors_towards(scene, at, ray.direction);
     return walk(*scene.media, ray, inside,
@@ -116,12 +118,7 @@ Ray transmitted_ray(const Interaction& at, float eta)
 
 Rgb absorption_beyond(const Interaction& at)
 {
-    return at.solid && at.front && at.inside == nullptr ? at.bsdf.absorption : Rgb(0);
-}
-
-Rgb transmittance(const Rgb& absorption, float distance)
-{
-    return is_black(absorption) ? Rgb(1) : glm::exp(-absorption * distance);
+    return at.solid && at.front && !at.in_media() ? at.bsdf.absorption : Rgb(0);
 }
 
 float particle_correction(const Interaction& at, const glm::vec3& towards)

@@ -3,6 +3,8 @@
 #include "common/rays/surface_point.h"
 #include "render/shading/render_scene.h"
 
+#include <glm/exponential.hpp>
+
 namespace hipmap {
 
 /// A ray that has met a surface, or a medium that scatters it.  Both normals lie on the side that
@@ -20,6 +22,8 @@ struct Interaction {
     std::uint8_t side = 0;    ///< 0 or 1: of the connected surface, the same for all its faces
     const PhaseFunction* phase = nullptr; ///< of a medium; null: at a surface.  Borrowed
     const Interiors* inside = nullptr;    ///< what the ray came through; null: there are no media
+
+    bool in_media() const { return !kMattOnly && inside != nullptr; }
 };
 
 /// Cost: constant.  Thread-safe.
@@ -36,7 +40,12 @@ Interiors interiors_towards(const RenderScene& scene, const Interaction& at,
 
 /// What reaches the point of light along a shadow ray from there: 0 or 1, and with media in the way
 /// what they leave of it.
-Rgb unoccluded(const RenderScene& scene, const Interaction& at, const Ray& shadow);
+Rgb unoccluded_in_media(const RenderScene& scene, const Interaction& at, const Ray& shadow);
+inline Rgb unoccluded(const RenderScene& scene, const Interaction& at, const Ray& shadow)
+{
+    return at.in_media() ? unoccluded_in_media(scene, at, shadow)
+                         : Rgb(scene.rays.occluded(shadow) ? 0.0f : 1.0f);
+}
 
 /// The first surface that a ray from the point meets; `left` is multiplied with what media on the
 /// way leave of light.
@@ -55,7 +64,17 @@ Rgb absorption_beyond(const Interaction& at);
 
 /// What is left after `distance` in an absorbing inside (Beer-Lambert), docs/light_transport.md
 /// (8).
-Rgb transmittance(const Rgb& absorption, float distance);
+inline Rgb transmittance(const Rgb& absorption, float distance)
+{
+    return is_black(absorption) ? Rgb(1) : glm::exp(-absorption * distance);
+}
+
+/// Takes that from what a ray carries.
+inline void absorb(const Rgb& absorption, float distance, Rgb& weight)
+{
+    if (!kMattOnly && !is_black(absorption))
+        weight *= glm::exp(-absorption * distance);
+}
 
 /// Veach's correction for particles at a surface with a shading normal, docs/light_transport.md
 /// (9). towards: where the particle goes on, unit.

@@ -122,6 +122,8 @@ void grow_lamp_tree(LightSet& lights)
         if (is_black(lamp_power(lights, lamp)))
             continue;
         const bool sized = has_size(lights, lamp);
+        lights.has_lamps = true;
+        lights.has_sized_lamps = lights.has_sized_lamps || sized;
         if (few || is_sun(lights, lamp)) {
             lights.other_lamps.push_back(lamp);
             if (sized)
@@ -160,18 +162,17 @@ LightSet collect_lights(const Scene& scene, const std::vector<Bsdf>& bsdfs)
 
 bool has_sky(const LightSet& lights)
 {
-    return !lights.sky.empty() || !is_black(lights.environment);
+    return has_sky_picture(lights) || !is_black(lights.environment);
 }
 
 bool can_be_met(const LightSet& lights)
 {
-    return has_sky(lights) || !lights.emissive_faces.empty() || !lights.sized_lamps.empty() ||
-           lights.chosen_have_size;
+    return has_sky(lights) || !lights.emissive_faces.empty() || has_sized_lamps(lights);
 }
 
 Rgb sky_radiance(const LightSet& lights, const glm::vec3& direction)
 {
-    return lights.sky.empty() ? lights.environment : sky_radiance(lights.sky, direction);
+    return has_sky_picture(lights) ? sky_radiance(lights.sky, direction) : lights.environment;
 }
 
 EmissivePoint sample_emissive_point(const LightSet& lights, const TriangleMesh& mesh, double u_face,

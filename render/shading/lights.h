@@ -29,6 +29,8 @@ struct LightSet {
     std::vector<std::uint32_t> other_lamps;   ///< all of which are sampled
     std::vector<std::uint32_t> sized_lamps;   ///< those of the others that rays can run into
     bool chosen_have_size = false;            ///< some of chosen_lamps are such
+    bool has_lamps = false;                   ///< some lamp shines
+    bool has_sized_lamps = false;             ///< rays can run into some
     Rgb environment{0.0f};                    ///< of a uniform sky
     SkyPicture sky;                           ///< instead of that, unless empty
     glm::vec3 centre{0.0f};                   ///< of a sphere around all faces
@@ -37,6 +39,24 @@ struct LightSet {
 
 /// Light comes from beyond the scene, but for suns.
 bool has_sky(const LightSet& lights);
+
+/// There are lamps that shine.
+inline bool has_lamps(const LightSet& lights)
+{
+    return !kMattOnly && lights.has_lamps;
+}
+
+/// There are such that rays can run into.
+inline bool has_sized_lamps(const LightSet& lights)
+{
+    return !kMattOnly && lights.has_sized_lamps;
+}
+
+/// The sky is a picture.
+inline bool has_sky_picture(const LightSet& lights)
+{
+    return !kMattOnly && !lights.sky.empty();
+}
 
 /// There is some light that a ray may run into.
 bool can_be_met(const LightSet& lights);

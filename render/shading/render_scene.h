@@ -22,6 +22,7 @@ struct RenderScene {
     std::vector<std::uint8_t>
         varying;                     ///< [M] 1: textures or vertices' colours multiply the factors
     std::vector<std::uint8_t> bumpy; ///< [M] 1: a texture tilts the shading normal
+    std::vector<std::uint8_t> plain; ///< [M] 1: neither, and faces stop all light
     LightSet lights;
     std::optional<MediaSet> media; ///< none: nothing but surfaces and glass that absorbs
     bool directional = false; ///< photons are weighed by the direction they came from: some surface
@@ -32,6 +33,9 @@ struct RenderScene {
     RenderScene(RenderScene&&) = delete; // media borrow the rays
 
     const TriangleMesh& mesh() const { return scene.mesh; }
+    bool has_media() const { return !kMattOnly && media.has_value(); }
+    /// The same at all points.
+    bool is_plain(MaterialId material) const { return kMattOnly || plain[material] != 0; }
 };
 
 /// Radiance that a point of a face emits from the sides that shine.

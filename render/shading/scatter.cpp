@@ -67,6 +67,42 @@ float facet_chance(const Interaction& at)
     return sum > 0 ? glossy / sum : 0;
 }
 
+/// Adds the diffuse lobe, of which `chance` is drawn.  in: above the face.
+inline void add_diffuse(const Interaction& at, const glm::vec3& in, float chance, Scattered& out)
+{
+    const float cosine = glm::dot(in, at.shading_normal);
+    if (!(cosine > 0))
+        return;
+    const GatheredLobes lobes(at.bsdf, at.shading_normal, at.normal, at.back);
+    out.value += lobes.diffuse(in, cosine) * cosine;
+    out.density += chance * cosine / kPi;
+}
+
+/// Of a surface that has the diffuse lobe alone.
+inline Scattered scattered_by_matt(const Interaction& at, const glm::vec3& in)
+{
+    Scattered out;
+    if (glm::dot(in, at.normal) > 0)
+        add_diffuse(at, in, 1, out);
+    return out;
+}
+
+inline glm::vec3 sample_diffuse(const Interaction& at, RandomSequence& random)
+{
+    return Frame(at.shading_normal).to_world(sample_cosine_hemisphere(random.next2()));
+}
+
+inline ScatterSample sample_matt(const Interaction& at, RandomSequence& random)
+{
+    ScatterSample out;
+    out.direction = sample_diffuse(at, random);
+    const Scattered there = scattered_by_matt(at, out.direction);
+    out.density = there.density;
+    if (there.density > 0)
+        out.weight = there.value / there.density;
+    return out;
+}
+
 /// facets: the chance above.
 Scattered gathered(const Interaction& at, const glm::vec3& in, float facets)
 {
@@ -77,12 +113,7 @@ Scattered gathered(const Interaction& at, const glm::vec3& in, float facets)
         out = scattered_by_facets(at, in, Lobes::gathered);
         out.density *= facets;
     }
-    const float cosine = glm::dot(in, at.shading_normal);
-    if (cosine > 0) {
-        const GatheredLobes lobes(at.bsdf, at.shading_normal, at.normal, at.back);
-        out.value += lobes.diffuse(in, cosine) * cosine;
-        out.density += (1 - facets) * cosine / kPi;
-    }
+    add_diffuse(at, in, 1 - facets, out);
     return out;
 }
 
@@ -96,16 +127,14 @@ Scattered scattered_below_clearcoat(const Interaction& at, const glm::vec3& in, 
     return follows ? scattered_by_facets(at, in, lobes) : Scattered{};
 }
 
-ScatterSample sample_below_clearcoat(const Interaction& at, Lobes lobes, RandomSequence& random)
+/// facets: as above.
+ScatterSample sample_gathered(const Interaction& at, float facets, RandomSequence& random)
 {
-    if (lobes == Lobes::followed)
-        return sample_own_facets(at, lobes, random);
-    const float facets = facet_chance(at);
     ScatterSample out;
     if (facets > 0 && random.next() < facets)
-        out.direction = sample_own_facets(at, lobes, random).direction;
+        out.direction = sample_own_facets(at, Lobes::gathered, random).direction;
     else
-        out.direction = Frame(at.shading_normal).to_world(sample_cosine_hemisphere(random.next2()));
+        out.direction = sample_diffuse(at, random);
     const Scattered there = gathered(at, out.direction, facets);
     out.density = there.density;
     if (there.density > 0)
@@ -131,9 +160,16 @@ ScatterSample sample_in_medium(const Interaction& at, Lobes lobes, RandomSequenc
     return out;
 }
 
-} // namespace
+ScatterSample sample_below_clearcoat(const Interaction& at, Lobes lobes, RandomSequence& random)
+{
+    return lobes == Lobes::followed ? sample_own_facets(at, lobes, random)
+                                    : sample_gathered(at, facet_chance(at), random);
+}
 
-Scattered scattered(const Interaction& at, const glm::vec3& in, Lobes lobes)
+// Functions of their own, so that matt surfaces are spared their registers.  Media are not matt.
+
+[[gnu::noinline]] Scattered scattered_by_all(const Interaction& at, const glm::vec3& in,
+                                             Lobes lobes)
 {
     if (at.phase != nullptr)
         return scattered_in_medium(at, in, lobes);
@@ -145,6 +181,31 @@ Scattered scattered(const Interaction& at, const glm::vec3& in, Lobes lobes)
     out.value += coat.value;
     out.density += chance * (coat.density - out.density);
     return out;
+}
+
+[[gnu::noinline]] ScatterSample sample_all(const Interaction& at, Lobes lobes,
+                                           RandomSequence& random)
+{
+    if (at.phase != nullptr)
+        return sample_in_medium(at, lobes, random);
+    const float chance = clearcoat_chance(at, lobes, false);
+    if (chance == 0)
+        return sample_below_clearcoat(at, lobes, random);
+    ScatterSample out = random.next() < chance ? sample_own_facets(clearcoat_of(at), lobes, random)
+                                               : sample_below_clearcoat(at, lobes, random);
+    const Scattered there = scattered_by_all(at, out.direction, lobes);
+    out.density = there.density;
+    out.weight = there.density > 0 ? there.value / there.density : Rgb(0);
+    return out;
+}
+
+} // namespace
+
+Scattered scattered(const Interaction& at, const glm::vec3& in, Lobes lobes)
+{
+    if (!at.bsdf.is_matt())
+        return scattered_by_all(at, in, lobes);
+    return lobes == Lobes::gathered ? scattered_by_matt(at, in) : Scattered{};
 }
 
 ScatterSample sample_facets(const Interaction& at, Lobes lobes, RandomSequence& random)
@@ -160,21 +221,15 @@ ScatterSample sample_facets(const Interaction& at, Lobes lobes, RandomSequence& 
 
 ScatterSample sample_scatter(const Interaction& at, Lobes lobes, RandomSequence& random)
 {
-    if (at.phase != nullptr)
-        return sample_in_medium(at, lobes, random);
-    const float chance = clearcoat_chance(at, lobes, false);
-    if (chance == 0)
-        return sample_below_clearcoat(at, lobes, random);
-    ScatterSample out = random.next() < chance ? sample_own_facets(clearcoat_of(at), lobes, random)
-                                               : sample_below_clearcoat(at, lobes, random);
-    const Scattered there = scattered(at, out.direction, lobes);
-    out.density = there.density;
-    out.weight = there.density > 0 ? there.value / there.density : Rgb(0);
-    return out;
+    if (!at.bsdf.is_matt())
+        return sample_all(at, lobes, random);
+    return lobes == Lobes::gathered ? sample_matt(at, random) : ScatterSample{};
 }
 
 Rgb scattered_share(const Interaction& at, Lobes lobes)
 {
+    if (at.bsdf.is_matt())
+        return lobes == Lobes::gathered ? at.bsdf.diffuse : Rgb(0);
     const Rgb share = share_below_clearcoat(at, lobes, false);
     return has_clearcoat(at, lobes) ? share + clearcoat_albedo(at.bsdf, at.cosine) : share;
 }

@@ -1,0 +1,100 @@
+#!/usr/bin/env python3
+"""Counts what effects cost a scene that has none of them.
+
+    cmake --preset release -B build/matt -DHIPMAP_MATT_ONLY=ON -DHIPMAP_TESTS=OFF
+    cmake --build build/matt --target render
+    bench/cost_of_absence.py [--without build/matt] [--scene assets/cornell_diffuse.glb]
+
+Instructions of a pass on one thread (valgrind's callgrind: one run after another gives the same), and bytes a
+photon, of render in build/release over those of a build with all effects of materials but the diffuse lobe compiled
+out.  Exit code 1 if a ratio is above 1.01 or the two builds' images differ.
+"""
+
+import argparse
+import json
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+INTEGRATORS = ("path", "progressive", "direct")
+MARK = 1.01
+FEW_PASSES, MANY_PASSES = 1, 3
+FEW_PHOTONS, MANY_PHOTONS = 200_000, 1_000_000
+
+
+class Lab:
+    def __init__(self, options, folder):
+        self.options, self.folder = options, pathlib.Path(folder)
+        self.partition = self.folder / "scene.hpm"
+        self.image = self.folder / "image.pfm"
+        self.run([options.tools / "bin/preprocess", options.scene, "-o", self.partition])
+
+    def run(self, command):
+        return subprocess.run([str(word) for word in command], check=True, text=True,
+                              capture_output=True).stderr
+
+    def command(self, build, *arguments):
+        return [build / "bin/render", self.options.scene, self.partition, "-o", self.image,
+                "--threads", "1", *arguments]
+
+    def instructions(self, build, integrator):
+        """Of a pass: what is done once, as reading the scene, is taken off.  And the image."""
+        counts = []
+        for passes in (FEW_PASSES, MANY_PASSES):
+            printed = self.run(["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null",
+                                *self.command(build, "--integrator", integrator, "--size",
+                                              self.options.size, "--photons", self.options.photons,
+                                              "--passes", passes)])
+            counts.append(int(re.search(r"Collected : (\d+)", printed)[1]))
+        return (counts[1] - counts[0]) / (MANY_PASSES - FEW_PASSES), self.image.read_bytes()
+
+    def bytes_of_photon(self, build):
+        """Growth of the most memory held over that of the photons kept."""
+        memory, photons = [], []
+        for paths in (FEW_PHOTONS, MANY_PHOTONS):
+            stats = self.folder / "stats.json"
+            command = self.command(build, "--integrator", "direct", "--size", 8, "--passes", 1,
+                                   "--photons", paths, "--stats", stats)
+            with subprocess.Popen([str(word) for word in command],
+                                  stderr=subprocess.DEVNULL) as process:
+                memory.append(os.wait4(process.pid, 0)[2].ru_maxrss * 1024)
+            photons.append(json.loads(stats.read_text())["photons"]["stored"])
+        return (memory[1] - memory[0]) / (photons[1] - photons[0])
+
+
+def parse_options():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
+    parser.add_argument("--tools", type=pathlib.Path, default=ROOT / "build/release",
+                        help="the build to measure [build/release]")
+    parser.add_argument("--without", type=pathlib.Path, default=ROOT / "build/matt",
+                        help="the build with effects compiled out [build/matt]")
+    parser.add_argument("--scene", type=pathlib.Path, default=ROOT / "assets/cornell_diffuse.glb")
+    parser.add_argument("--size", type=int, default=64, help="pixels across [64]")
+    parser.add_argument("--photons", type=int, default=20_000, help="light paths a pass [20000]")
+    return parser.parse_args()
+
+
+def main():
+    options = parse_options()
+    good = True
+    with tempfile.TemporaryDirectory() as folder:
+        lab = Lab(options, folder)
+        print(f"{'':12} {'with':>14} {'without':>14} {'ratio':>8}")
+        for integrator in INTEGRATORS:
+            ours, image = lab.instructions(options.tools, integrator)
+            theirs, other_image = lab.instructions(options.without, integrator)
+            print(f"{integrator:12} {ours:14.0f} {theirs:14.0f} {ours / theirs:8.4f}")
+            good = good and ours <= MARK * theirs and image == other_image
+            if image != other_image:
+                print(f"{integrator}: the images differ")
+        ours, theirs = lab.bytes_of_photon(options.tools), lab.bytes_of_photon(options.without)
+        print(f"{'bytes/photon':12} {ours:14.1f} {theirs:14.1f} {ours / theirs:8.4f}")
+    return 0 if good else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
