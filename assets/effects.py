@@ -200,6 +200,18 @@ def add_reflections(glb):
     glb.mesh("Glass ball", glass, sphere((0, 0.21, 0.5), 0.2))
 
 
+def add_sheen(glb):
+    """Velvet: dark red with a pale sheen, narrow and wide, on balls and a hanging cloth."""
+    def velvet(name, color, sheen, roughness):
+        return glb.material(name, color, doubleSided=True, extensions={
+            "KHR_materials_sheen": {"sheenColorFactor": sheen, "sheenRoughnessFactor": roughness}})
+
+    glb.mesh("Left ball", velvet("Narrow sheen", (0.25, 0.02, 0.03), [1, 0.75, 0.7], 0.15),
+             sphere((-0.5, 0.36, 0.1), 0.36, 40, 20))
+    glb.mesh("Right ball", velvet("Wide sheen", (0.03, 0.05, 0.2), [0.6, 0.8, 1], 0.6),
+             sphere((0.45, 0.36, 0.1), 0.36, 40, 20))
+
+
 def add_textures(glb):
     """Squares of two colours."""
     def squares(x, y):
@@ -223,6 +235,7 @@ SCENES = {
     "motion": (add_motion, 20),
     "normal_maps": (add_normal_maps, 20),
     "reflections": (add_reflections, 20),
+    "sheen": (add_sheen, 20),
     "soft_shadows": (add_soft_shadows, 0),
     "textures": (add_textures, 20),
     "vertex_colours": (add_vertex_colours, 20),

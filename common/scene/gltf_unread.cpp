@@ -21,12 +21,11 @@ constexpr string_view kRead[] = {
     "KHR_materials_clearcoat",    "KHR_materials_unlit",
     "KHR_mesh_quantization",      "KHR_draco_mesh_compression",
     "EXT_meshopt_compression",    "EXT_mesh_gpu_instancing",
-    "KHR_texture_transform",
+    "KHR_texture_transform",      "KHR_materials_sheen",
 };
 
 /// Read, but not rendered yet.
 constexpr string_view kUnrendered[] = {
-    "KHR_materials_sheen",
     "KHR_materials_anisotropy",
     "KHR_materials_dispersion",
 };
@@ -39,7 +38,9 @@ constexpr string_view kRenderedTextures[] = {"baseColorTexture",
                                              "specularTexture",
                                              "specularColorTexture",
                                              "clearcoatTexture",
-                                             "clearcoatRoughnessTexture"};
+                                             "clearcoatRoughnessTexture",
+                                             "sheenColorTexture",
+                                             "sheenRoughnessTexture"};
 
 /// Read, but of no use to a renderer that follows light.
 constexpr string_view kNeedlessTextures[] = {"occlusionTexture", "thicknessTexture"};

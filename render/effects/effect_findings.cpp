@@ -23,6 +23,15 @@ std::string names_of(const SceneFacts& facts, const Has& has)
         [&](const Material& material, const Bsdf&, bool) { return has(material); });
 }
 
+/// A layer of opaque materials.  glass: materials that transmit and have it too.
+Finding layer_finding(const std::string& names, const std::string& glass, const char* cost)
+{
+    const std::string rest = glass.empty() ? "" : "that of glass is not rendered (" + glass + ")";
+    if (names.empty())
+        return {false, rest.empty() ? "no material has one" : rest, ""};
+    return {true, names + " have one" + (rest.empty() ? "" : "; " + rest), cost};
+}
+
 } // namespace
 
 Finding find_mirror(const SceneFacts& facts)
@@ -167,18 +176,17 @@ Finding find_clearcoat(const SceneFacts& facts)
         [](const Material&, const Bsdf& bsdf, bool) { return bsdf.clearcoat != Reflection::none; });
     const std::string glass =
         names_of(facts, [](const Material& m) { return m.clearcoat > 0 && m.transmission > 0; });
-    const std::string rest = glass.empty() ? "" : "that of glass is not rendered (" + glass + ")";
-    if (names.empty())
-        return {false, rest.empty() ? "no material has one" : rest, ""};
-    return {true, names + " have one" + (rest.empty() ? "" : "; " + rest),
-            "a reflection more on these surfaces"};
+    return layer_finding(names, glass, "a reflection more on these surfaces");
 }
 
 Finding find_sheen(const SceneFacts& facts)
 {
-    return not_rendered_yet(
-        names_of(facts, [](const Material& m) { return !is_black(m.sheen_color); }),
-        "no material has one");
+    const std::string names = facts.materials_where(
+        [](const Material&, const Bsdf& bsdf, bool) { return bsdf.has_sheen(); });
+    const std::string glass = names_of(
+        facts, [](const Material& m) { return !is_black(m.sheen_color) && m.transmission > 0; });
+    return layer_finding(
+        names, glass, "a lobe more on these surfaces; photons keep the direction they came from");
 }
 
 Finding find_anisotropy(const SceneFacts& facts)

@@ -33,7 +33,7 @@ constexpr std::array<Row, kEffects> kRows = {{
     {Effect::vertex_colours, "vertex-colours", find_vertex_colours, true},
     {Effect::alpha, "alpha", find_alpha, true},
     {Effect::clearcoat, "clearcoat", find_clearcoat, true},
-    {Effect::sheen, "sheen", find_sheen, false},
+    {Effect::sheen, "sheen", find_sheen, true},
     {Effect::anisotropy, "anisotropy", find_anisotropy, false},
     {Effect::environment, "environment", find_environment, true},
     {Effect::depth_of_field, "depth-of-field", find_depth_of_field, true},

@@ -14,8 +14,8 @@ namespace {
 
 /// Russian roulette ends paths long before this; between perfect mirrors nothing else would.
 constexpr int kMostBounces = 512;
-enum class Event { absorb, diffuse, gathered, followed, mirror, transmit };
-constexpr int kLobes = 5;
+enum class Event { absorb, diffuse, gathered, followed, mirror, transmit, sheen };
+constexpr int kLobes = 6;
 using Shares = std::array<Rgb, kLobes>; ///< of the light, in the order of the events
 
 /// Russian roulette in RGB, docs/light_transport.md (10): which lobe the path goes on in, and its
@@ -112,45 +112,64 @@ inline Event choose_lobe(LightPath& path, const Shares& shares, int lobes, Rando
     return choose_event(path, shares, lobes, random.next());
 }
 
+/// What the lobes of a surface would do with the path.  Those that are spread have no albedo in
+/// closed form: a direction is drawn first, and what goes there is the share.
+struct LobeSamples {
+    ScatterSample gathered, followed, sheen;
+    SpecularLobes specular;
+};
+
+LobeSamples sample_lobes(const Interaction& at, RandomSequence& random)
+{
+    LobeSamples out;
+    if (at.bsdf.reflects(Reflection::gathered))
+        out.gathered = sample_facets(at, Lobes::gathered, random);
+    if (at.bsdf.follows())
+        out.followed = sample_facets(at, Lobes::followed, random);
+    if (at.bsdf.has_sheen())
+        out.sheen = sample_sheen(at, random);
+    out.specular = specular_lobes(at.bsdf, at.cosine, at.front, at.solid);
+    return out;
+}
+
+/// Sends the path on by a lobe that is neither diffuse nor gathers.
+void follow_specular(const Interaction& at, Event event, const LobeSamples& lobes, LightPath& path)
+{
+    if (event == Event::followed)
+        follow_facet(at, lobes.followed, path);
+    else if (event == Event::mirror)
+        path.ray = mirror_ray(at);
+    else
+        path.ray = transmitted_ray(at, lobes.specular.eta);
+    if (event == Event::transmit)
+        path.absorption = absorption_beyond(at);
+    path.specular = true;
+    if (path.diffuse == 0 && !path.from_media)
+        path.first_specular = true;
+}
+
 /// Sends the path on from a surface of more than the diffuse lobe.  False: it ends there.
 [[gnu::noinline]] bool scatter_by_lobes(const Interaction& at, LightPath& path,
                                         RandomSequence& random, PowerBalance& balance)
 {
-    // Glossy lobes have no albedo in closed form: a direction is drawn first, and what its facet
-    // sends on is the share.
-    ScatterSample gathered, followed;
-    if (at.bsdf.reflects(Reflection::gathered))
-        gathered = sample_facets(at, Lobes::gathered, random);
-    if (at.bsdf.follows())
-        followed = sample_facets(at, Lobes::followed, random);
-    const SpecularLobes specular = specular_lobes(at.bsdf, at.cosine, at.front, at.solid);
-    const Shares shares{diffuse_albedo(at.bsdf, at.cosine), gathered.weight, followed.weight,
-                        specular.mirror, specular.transmit};
-    switch (choose_lobe(path, shares, kLobes, random, balance)) {
-    case Event::absorb:
+    const LobeSamples lobes = sample_lobes(at, random);
+    const Shares shares{diffuse_albedo(at.bsdf, at.cosine),
+                        lobes.gathered.weight,
+                        lobes.followed.weight,
+                        lobes.specular.mirror,
+                        lobes.specular.transmit,
+                        lobes.sheen.weight};
+    const Event event = choose_lobe(path, shares, kLobes, random, balance);
+    if (event == Event::absorb)
         return false;
-    case Event::diffuse:
+    if (event == Event::diffuse)
         return scatter_diffusely(at, path, random, balance);
-    case Event::gathered:
-        follow_facet(at, gathered, path);
+    if (event == Event::gathered || event == Event::sheen) {
+        follow_facet(at, event == Event::sheen ? lobes.sheen : lobes.gathered, path);
         ++path.diffuse;
-        break;
-    case Event::followed:
-        follow_facet(at, followed, path);
-        path.specular = true;
-        break;
-    case Event::mirror:
-        path.ray = mirror_ray(at);
-        path.specular = true;
-        break;
-    case Event::transmit:
-        path.ray = transmitted_ray(at, specular.eta);
-        path.absorption = absorption_beyond(at);
-        path.specular = true;
-        break;
+        return true;
     }
-    if (path.specular && path.diffuse == 0 && !path.from_media)
-        path.first_specular = true;
+    follow_specular(at, event, lobes, path);
     return true;
 }
 

@@ -1,6 +1,7 @@
 #include "render/shading/bsdf.h"
 
 #include "render/shading/glossy_albedo.h"
+#include "render/shading/sheen.h"
 
 #include <glm/glm.hpp>
 
@@ -73,8 +74,16 @@ void add_clearcoat(const MaterialPoint& at, Bsdf& out)
     out.clearcoat_alpha = alpha_of(at.clearcoat_roughness);
 }
 
-/// What all coats keep from the diffuse lobe, averaged over the cosine-weighted hemisphere.
-/// Three-point Gauss-Legendre on eight parts: the coats change fast only near grazing.
+void add_sheen(const MaterialPoint& at, Bsdf& out)
+{
+    if (is_black(at.sheen_color) || at.transmission > 0)
+        return;
+    out.sheen = at.sheen_color;
+    out.sheen_alpha = std::clamp(at.sheen_roughness, kLeastSheenAlpha, 1.0f);
+}
+
+/// What all coats and fibres keep from the diffuse lobe, averaged over the cosine-weighted
+/// hemisphere. Three-point Gauss-Legendre on eight parts: the coats change fast only near grazing.
 Rgb average_of_coats(const Bsdf& bsdf)
 {
     constexpr int kParts = 8;
@@ -104,7 +113,7 @@ void make_opaque(const Material& material, const MaterialPoint& at, Bsdf& out)
         out.coat_f90 = f90;
         out.coat_average = average_albedo_of(f0, f90, out.alpha);
     }
-    if (out.clearcoat != Reflection::none)
+    if (out.clearcoat != Reflection::none || out.has_sheen())
         out.coat_average = average_of_coats(out);
     out.diffuse /= glm::max(1.0f - out.coat_average, Rgb(1e-6f));
     out.reflect_f0 = at.metallic * at.base_color + opaque * out.coat_f0;
@@ -131,9 +140,10 @@ Bsdf make_bsdf(const Material& material, const MaterialPoint& at, DiffuseModel m
     out.glass_reflection = glm::min(at.specular_color, Rgb(1)) * at.specular;
     out.ior = out.alpha > 0 ? std::max(material.ior, kLeastRoughIndex) : material.ior;
     add_clearcoat(at, out);
+    add_sheen(at, out);
     make_opaque(material, at, out);
     out.only_diffuse = out.glass == 0 && !out.coated && out.reflection == Reflection::none &&
-                       out.clearcoat == Reflection::none;
+                       out.clearcoat == Reflection::none && is_black(out.sheen);
     return out;
 }
 
@@ -181,10 +191,30 @@ float through_clearcoat(const Bsdf& bsdf, float cos_in, float cos_out)
     return (1 - clearcoat_albedo(bsdf, cos_in)) * (1 - clearcoat_albedo(bsdf, cos_out));
 }
 
+float past_sheen(const Bsdf& bsdf, float cosine)
+{
+    return bsdf.has_sheen() ? 1 - max_channel(bsdf.sheen) * sheen_albedo(cosine, bsdf.sheen_alpha)
+                            : 1;
+}
+
+float through_layers(const Bsdf& bsdf, float cos_in, float cos_out)
+{
+    const float passed = through_clearcoat(bsdf, cos_in, cos_out);
+    return bsdf.has_sheen() ? passed * past_sheen(bsdf, cos_in) * past_sheen(bsdf, cos_out)
+                            : passed;
+}
+
+Rgb sheen_share(const Bsdf& bsdf, float cosine)
+{
+    return bsdf.has_sheen() ? bsdf.sheen * sheen_albedo(cosine, bsdf.sheen_alpha) : Rgb(0);
+}
+
 Rgb through_coats(const Bsdf& bsdf, float cosine)
 {
-    const Rgb passed =
+    Rgb passed =
         bsdf.coated ? 1.0f - albedo_of(bsdf.coat_f0, bsdf.coat_f90, cosine, bsdf.alpha) : Rgb(1);
+    if (bsdf.has_sheen())
+        passed *= past_sheen(bsdf, cosine);
     return bsdf.clearcoat == Reflection::none ? passed
                                               : passed * (1 - clearcoat_albedo(bsdf, cosine));
 }
@@ -231,7 +261,7 @@ SpecularLobes smooth_lobes(const Bsdf& bsdf, float cosine, bool front, bool soli
     if (bsdf.alpha > 0)
         return out;
     if (bsdf.reflection == Reflection::mirror)
-        out.mirror += opaque_reflectance(bsdf, cosine) * through_clearcoat(bsdf, cosine, cosine);
+        out.mirror += opaque_reflectance(bsdf, cosine) * through_layers(bsdf, cosine, cosine);
     if (bsdf.glass > 0) {
         const float eta = index_beyond(bsdf, front, solid);
         const Rgb reflected = glass_reflectance(bsdf, cosine, eta);

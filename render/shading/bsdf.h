@@ -49,6 +49,8 @@ struct Bsdf {
     Reflection clearcoat = Reflection::none; ///< what becomes of the reflection of a coat over all
     float clearcoat_share = 0.0f;
     float clearcoat_alpha = 0.0f;
+    Rgb sheen{0.0f}; ///< colour of fibres that stand on all but the clear coat
+    float sheen_alpha = 1.0f;
     float glass = 0.0f;         ///< share that is a dielectric that transmits
     Rgb glass_tint{1.0f};       ///< transmitted at each crossing
     Rgb glass_reflection{1.0f}; ///< scale of its Fresnel reflection (KHR_materials_specular)
@@ -61,10 +63,14 @@ struct Bsdf {
     /// The diffuse lobe is all, which may be black: coats and reflections are not looked at.
     bool is_matt() const { return kMattOnly || only_diffuse; }
     bool has_diffuse() const { return !is_black(diffuse); }
+    bool has_sheen() const { return !is_matt() && !is_black(sheen); }
     /// Some reflection becomes what is asked for.
     bool reflects(Reflection kind) const { return reflection == kind || clearcoat == kind; }
-    /// Photons are stored here: there is a diffuse lobe or a reflection that is gathered.
-    bool gathers() const { return has_diffuse() || (!is_matt() && reflects(Reflection::gathered)); }
+    /// Photons are stored here: there is a diffuse lobe, sheen or a reflection that is gathered.
+    bool gathers() const
+    {
+        return has_diffuse() || has_sheen() || (!is_matt() && reflects(Reflection::gathered));
+    }
     /// A direction is to be drawn to follow the path: there is a followed reflection or rough
     /// glass.
     bool follows() const
@@ -101,7 +107,17 @@ float clearcoat_albedo(const Bsdf& bsdf, float cosine);
 /// the shading normal, of both directions.  1 without one.  docs/light_transport.md (24).
 float through_clearcoat(const Bsdf& bsdf, float cos_in, float cos_out);
 
-/// What gets through the coats that there may be.
+/// What of light along one direction gets past the fibres of a sheen; 1 without one.
+float past_sheen(const Bsdf& bsdf, float cosine);
+
+/// What of light that is reflected below the clear coat and the fibres gets through them both
+/// times.  Cosines: as above.  docs/light_transport.md (24), (28).
+float through_layers(const Bsdf& bsdf, float cos_in, float cos_out);
+
+/// Share of light along one direction that the fibres scatter, clear coat apart.
+Rgb sheen_share(const Bsdf& bsdf, float cosine);
+
+/// What gets through the coats that there may be, and past fibres.
 Rgb through_coats(const Bsdf& bsdf, float cosine);
 
 /// What of the light from (or to) a direction gets through the coats; 1 without any.

@@ -49,7 +49,7 @@ Scattered reflected(const Interaction& at, const glm::vec3& in, Lobes lobes)
     const float spread = ggx_distribution(at.shading_normal, half, alpha) *
                          ggx_visibility(cosine, at.cosine, alpha) * cosine;
     Scattered out;
-    out.value = shares.reflect * (spread * through_clearcoat(at.bsdf, cosine, at.cosine));
+    out.value = shares.reflect * (spread * through_layers(at.bsdf, cosine, at.cosine));
     out.density = shares.reflect_chance() * facet_density(at.shading_normal, at.back, half, alpha) /
                   (4 * toward);
     return out;
@@ -145,7 +145,7 @@ ScatterSample sample_own_facets(const Interaction& at, Lobes lobes, RandomSequen
         out.direction = mirrored(out.direction, at.normal);
     const Rgb share = out.transmitted ? shares.transmit / (1 - chance) : shares.reflect / chance;
     out.weight = share * (ggx_shadowing(cosine, at.cosine, at.bsdf.alpha) *
-                          through_clearcoat(at.bsdf, cosine, at.cosine));
+                          through_layers(at.bsdf, cosine, at.cosine));
     out.density = scattered_by_facets(at, out.direction, lobes).density;
     return out;
 }

@@ -1,6 +1,7 @@
 #include "render/shading/gathered_lobes.h"
 
 #include "render/shading/ggx.h"
+#include "render/shading/sheen.h"
 
 namespace hipmap {
 
@@ -11,6 +12,8 @@ Rgb GatheredLobes::of_all(const glm::vec3& in, float cosine) const
         value += facets(bsdf_, in, cosine);
     if (bsdf_.clearcoat == Reflection::gathered)
         value += facets(clearcoat_alone(bsdf_), in, cosine);
+    if (bsdf_.has_sheen())
+        value += scattered_by_sheen(bsdf_, normal_, in, out_);
     return value;
 }
 
@@ -26,6 +29,17 @@ Rgb GatheredLobes::facets(const Bsdf& bsdf, const glm::vec3& in, float cosine) c
     return value;
 }
 
+Rgb scattered_by_sheen(const Bsdf& bsdf, const glm::vec3& normal, const glm::vec3& in,
+                       const glm::vec3& out)
+{
+    const float cos_in = glm::dot(normal, in), cos_out = glm::dot(normal, out);
+    const glm::vec3 both = in + out;
+    const float along = cos_in + cos_out;
+    const float sin2_half = 1 - along * along / glm::dot(both, both);
+    return bsdf.sheen * (sheen_lobe(cos_in, cos_out, sin2_half, bsdf.sheen_alpha) *
+                         through_clearcoat(bsdf, cos_in, cos_out));
+}
+
 Rgb reflected_by_facets(const Bsdf& bsdf, const glm::vec3& normal, const glm::vec3& in,
                         const glm::vec3& out)
 {
@@ -33,7 +47,7 @@ Rgb reflected_by_facets(const Bsdf& bsdf, const glm::vec3& normal, const glm::ve
     const float spread = ggx_distribution(normal, half, bsdf.alpha) *
                          ggx_visibility(glm::dot(normal, in), glm::dot(normal, out), bsdf.alpha);
     return opaque_reflectance(bsdf, glm::dot(half, out)) *
-           (spread * through_clearcoat(bsdf, glm::dot(normal, in), glm::dot(normal, out)));
+           (spread * through_layers(bsdf, glm::dot(normal, in), glm::dot(normal, out)));
 }
 
 } // namespace hipmap

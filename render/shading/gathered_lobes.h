@@ -5,8 +5,8 @@
 
 namespace hipmap {
 
-/// The lobes of a surface that photons are gathered for, seen from one direction: the diffuse one
-/// and a glossy reflection too rough to be followed.  What depends on that direction alone is
+/// The lobes of a surface that photons are gathered for, seen from one direction: the diffuse one,
+/// sheen and a glossy reflection too rough to be followed.  What depends on that direction alone is
 /// ready, so that a photon costs little.  Borrows the Bsdf.
 class GatheredLobes {
   public:
@@ -53,6 +53,11 @@ class GatheredLobes {
     glm::vec3 normal_, geometric_, out_;
     Rgb base_; ///< D / pi * coat_half(out)
 };
+
+/// f(wi, wo) of the fibres of a sheen, per steradian, as far as a clear coat lets it.  There must
+/// be some; both directions above the surface.  docs/light_transport.md (28).
+Rgb scattered_by_sheen(const Bsdf& bsdf, const glm::vec3& normal, const glm::vec3& in,
+                       const glm::vec3& out);
 
 /// f(wi, wo) of an opaque surface's facets, per steradian.  Both directions above the surface;
 /// alpha above zero.  docs/light_transport.md (16).

@@ -16,7 +16,7 @@ bool may_be_specular(const Material& material, const Bsdf& bsdf)
 
 bool may_gather_by_direction(const Material& material, const Bsdf& bsdf)
 {
-    if (bsdf.burley_roughness >= 0 || bsdf.clearcoat == Reflection::gathered)
+    if (bsdf.burley_roughness >= 0 || bsdf.clearcoat == Reflection::gathered || bsdf.has_sheen())
         return true;
     const bool may_reflect =
         material.metallic > 0 || material.specular * max_channel(material.specular_color) > 0;

@@ -26,9 +26,9 @@ Rgb share_below_clearcoat(const Interaction& at, Lobes lobes, bool facets)
     Rgb share(0.0f);
     if (lobes == Lobes::gathered) {
         if (!facets)
-            share = diffuse_albedo(bsdf, at.cosine);
+            share = diffuse_albedo(bsdf, at.cosine) + passed * sheen_share(bsdf, at.cosine);
         if (bsdf.reflection == Reflection::gathered)
-            share += passed * reflection_albedo(bsdf, at.cosine);
+            share += passed * past_sheen(bsdf, at.cosine) * reflection_albedo(bsdf, at.cosine);
         return share;
     }
     if (bsdf.reflection == Reflection::followed)
@@ -57,14 +57,39 @@ float clearcoat_chance(const Interaction& at, Lobes lobes, bool facets)
     return coat / (coat + max_channel(share_below_clearcoat(at, lobes, facets)));
 }
 
-/// Chance that a gathered direction is drawn from the facets.
-float facet_chance(const Interaction& at)
+/// Chances that a gathered direction is drawn from facets and fibres, not from the diffuse lobe.
+struct GatheredChances {
+    float facets = 0.0f, sheen = 0.0f;
+};
+
+GatheredChances gathered_chances(const Interaction& at)
 {
-    if (at.bsdf.reflection != Reflection::gathered)
-        return 0;
-    const float glossy = max_channel(reflection_albedo(at.bsdf, at.cosine));
+    GatheredChances out;
+    if (at.bsdf.reflection == Reflection::gathered)
+        out.facets = max_channel(reflection_albedo(at.bsdf, at.cosine));
+    out.sheen = max_channel(sheen_share(at.bsdf, at.cosine));
+    const float glossy = out.facets + out.sheen;
+    if (!(glossy > 0))
+        return {};
     const float sum = glossy + max_channel(diffuse_albedo(at.bsdf, at.cosine));
-    return sum > 0 ? glossy / sum : 0;
+    return {out.facets / sum, out.sheen / sum};
+}
+
+constexpr float kEvenDensity = 1 / (2 * kPi); ///< over the hemisphere, by which sheen is drawn
+
+/// in: above the face.
+Scattered scattered_by_fibres(const Interaction& at, const glm::vec3& in)
+{
+    const float cosine = glm::dot(in, at.shading_normal);
+    if (!(cosine > 0))
+        return {};
+    return {scattered_by_sheen(at.bsdf, at.shading_normal, in, at.back) * cosine, kEvenDensity};
+}
+
+glm::vec3 sample_evenly(const Interaction& at, RandomSequence& random)
+{
+    const glm::vec2 u = random.next2();
+    return Frame(at.shading_normal).to_world(direction_from_cosine(u.x, u.y));
 }
 
 /// Adds the diffuse lobe, of which `chance` is drawn.  in: above the face.
@@ -103,17 +128,21 @@ inline ScatterSample sample_matt(const Interaction& at, RandomSequence& random)
     return out;
 }
 
-/// facets: the chance above.
-Scattered gathered(const Interaction& at, const glm::vec3& in, float facets)
+Scattered gathered(const Interaction& at, const glm::vec3& in, const GatheredChances& chances)
 {
     if (!(glm::dot(in, at.normal) > 0))
         return {};
     Scattered out;
-    if (facets > 0) {
+    if (chances.facets > 0) {
         out = scattered_by_facets(at, in, Lobes::gathered);
-        out.density *= facets;
+        out.density *= chances.facets;
     }
-    add_diffuse(at, in, 1 - facets, out);
+    if (chances.sheen > 0) {
+        const Scattered sheen = scattered_by_fibres(at, in);
+        out.value += sheen.value;
+        out.density += chances.sheen * sheen.density;
+    }
+    add_diffuse(at, in, 1 - chances.facets - chances.sheen, out);
     return out;
 }
 
@@ -121,21 +150,25 @@ Scattered scattered_below_clearcoat(const Interaction& at, const glm::vec3& in, 
 {
     const Bsdf& bsdf = at.bsdf;
     if (lobes == Lobes::gathered)
-        return bsdf.gathers() ? gathered(at, in, facet_chance(at)) : Scattered{};
+        return bsdf.gathers() ? gathered(at, in, gathered_chances(at)) : Scattered{};
     const bool follows =
         bsdf.reflection == Reflection::followed || (bsdf.glass > 0 && bsdf.alpha > 0);
     return follows ? scattered_by_facets(at, in, lobes) : Scattered{};
 }
 
-/// facets: as above.
-ScatterSample sample_gathered(const Interaction& at, float facets, RandomSequence& random)
+ScatterSample sample_gathered(const Interaction& at, RandomSequence& random)
 {
+    const GatheredChances chances = gathered_chances(at);
+    const float glossy = chances.facets + chances.sheen;
+    const float drawn = glossy > 0 ? random.next() : 1.0f;
     ScatterSample out;
-    if (facets > 0 && random.next() < facets)
+    if (drawn < chances.facets)
         out.direction = sample_own_facets(at, Lobes::gathered, random).direction;
+    else if (drawn < glossy)
+        out.direction = sample_evenly(at, random);
     else
         out.direction = sample_diffuse(at, random);
-    const Scattered there = gathered(at, out.direction, facets);
+    const Scattered there = gathered(at, out.direction, chances);
     out.density = there.density;
     if (there.density > 0)
         out.weight = there.value / there.density;
@@ -163,7 +196,7 @@ ScatterSample sample_in_medium(const Interaction& at, Lobes lobes, RandomSequenc
 ScatterSample sample_below_clearcoat(const Interaction& at, Lobes lobes, RandomSequence& random)
 {
     return lobes == Lobes::followed ? sample_own_facets(at, lobes, random)
-                                    : sample_gathered(at, facet_chance(at), random);
+                                    : sample_gathered(at, random);
 }
 
 // Functions of their own, so that matt surfaces are spared their registers.  Media are not matt.
@@ -216,6 +249,18 @@ ScatterSample sample_facets(const Interaction& at, Lobes lobes, RandomSequence& 
     const bool coat = random.next() < chance;
     ScatterSample out = sample_own_facets(coat ? clearcoat_of(at) : at, lobes, random);
     out.weight /= coat ? chance : 1 - chance;
+    return out;
+}
+
+ScatterSample sample_sheen(const Interaction& at, RandomSequence& random)
+{
+    ScatterSample out;
+    out.direction = sample_evenly(at, random);
+    if (!(glm::dot(out.direction, at.normal) > 0))
+        return out;
+    const Scattered there = scattered_by_fibres(at, out.direction);
+    out.density = there.density;
+    out.weight = there.value / kEvenDensity;
     return out;
 }
 

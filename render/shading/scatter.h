@@ -36,9 +36,12 @@ struct ScatterSample {
 /// direction is exact.  Thread-safe.
 ScatterSample sample_scatter(const Interaction& at, Lobes lobes, RandomSequence& random);
 
-/// The same from the facets of the lobes alone, without the diffuse one: no weight exceeds the sum
-/// of what the facet drawn reflects and transmits.
+/// The same from the facets of the lobes alone, without diffuse lobe and sheen: no weight exceeds
+/// the sum of what the facet drawn reflects and transmits.
 ScatterSample sample_facets(const Interaction& at, Lobes lobes, RandomSequence& random);
+
+/// The same from the fibres of a sheen, which there must be.
+ScatterSample sample_sheen(const Interaction& at, RandomSequence& random);
 
 /// About the share of light that the lobes scatter, for chances: zero only if they scatter none.
 Rgb scattered_share(const Interaction& at, Lobes lobes);

@@ -66,6 +66,8 @@ MaterialPoint material_factors(const Material& material)
     out.specular_color = material.specular_color;
     out.clearcoat = material.clearcoat;
     out.clearcoat_roughness = material.clearcoat_roughness;
+    out.sheen_color = material.sheen_color;
+    out.sheen_roughness = material.sheen_roughness;
     return out;
 }
 
@@ -80,6 +82,8 @@ bool is_rendered(TextureUse use)
     case TextureUse::specular_color:
     case TextureUse::clearcoat:
     case TextureUse::clearcoat_roughness:
+    case TextureUse::sheen_color:
+    case TextureUse::sheen_roughness:
         return true;
     default:
         return false;
@@ -120,6 +124,8 @@ MaterialPoint material_at(const Scene& scene, FaceId face, const glm::vec2& bary
     out.specular_color *= Rgb(read(TextureUse::specular_color));
     out.clearcoat *= read(TextureUse::clearcoat).x;
     out.clearcoat_roughness *= read(TextureUse::clearcoat_roughness).y;
+    out.sheen_color *= Rgb(read(TextureUse::sheen_color));
+    out.sheen_roughness *= read(TextureUse::sheen_roughness).w;
     if (!scene.mesh.attributes.colours.empty()) {
         const Rgb colour(vertex_colour(scene, face, barycentric));
         out.base_color *= colour;

@@ -18,6 +18,8 @@ struct MaterialPoint {
     Rgb specular_color{1.0f};
     float clearcoat = 0.0f;
     float clearcoat_roughness = 0.0f;
+    Rgb sheen_color{0.0f};
+    float sheen_roughness = 0.0f;
 };
 
 /// A vertex attribute between the corners of a face.

@@ -30,7 +30,7 @@ def is_specular(m):
 
 
 def gathers(m):
-    return m["matt"] or any(r > FOLLOWED for r in reflections(m))
+    return m["matt"] or m["sheen"] or any(r > FOLLOWED for r in reflections(m))
 
 
 def see_through(m):
@@ -60,8 +60,9 @@ BY_MATERIAL = {
     "normal-maps": lambda m: "normalTexture" in m["textures"],
     "alpha": see_through,
     "clearcoat": lambda m: m["coat"] > 0 and not m["glass"],
+    "sheen": lambda m: m["sheen"],
 }
-NEVER = ("subsurface", "sheen", "anisotropy", "motion-blur")
+NEVER = ("subsurface", "anisotropy", "motion-blur")
 
 
 def expected(facts):

@@ -10,7 +10,7 @@ from glb_file import COMPONENTS
 
 FORMATS = {5120: "b", 5121: "B", 5122: "h", 5123: "H", 5125: "I", 5126: "f"}
 RENDERED = ("transmissionTexture", "specularTexture", "specularColorTexture", "clearcoatTexture",
-            "clearcoatRoughnessTexture")
+            "clearcoatRoughnessTexture", "sheenColorTexture", "sheenRoughnessTexture")
 
 
 class GltfFacts:
@@ -160,6 +160,7 @@ class GltfFacts:
             "cutoff": written.get("alphaCutoff", 0.5),
             "coat": number("clearcoat", "clearcoatFactor", 0),
             "coat_roughness": number("clearcoat", "clearcoatRoughnessFactor", 0),
+            "sheen": any(number("sheen", "sheenColorFactor", [0])) and transmission == 0 and not unlit,
             "dispersion": number("dispersion", "dispersion", 0),
         }
 

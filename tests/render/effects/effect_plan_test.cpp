@@ -127,6 +127,11 @@ TEST_CASE("effect plan: an effect is on if and only if the scene calls for it", 
     lacquer.clearcoat_roughness = 0.6f;
     CHECK(on_in(plan_of(with_pane(lacquer))) ==
           Effects{Effect::indirect, Effect::glossy, Effect::clearcoat});
+    Material velvet = tiny::matt(Rgb(0.5f));
+    velvet.sheen_color = Rgb(1);
+    CHECK(on_in(plan_of(with_pane(velvet))) == Effects{Effect::indirect, Effect::sheen});
+    velvet.transmission = 1;
+    CHECK_FALSE(plan_of(with_pane(velvet)).has(Effect::sheen));
     Scene through_lens = plain_floor();
     through_lens.cameras[0].aperture_radius = 0.1f;
     CHECK(on_in(plan_of(through_lens)) == plain);
@@ -186,13 +191,13 @@ TEST_CASE("effect plan: reasons name what becomes of reflections", "[effects]")
 
 TEST_CASE("effect plan: what the file has and the renderer has not is off, and said", "[effects]")
 {
-    Material material = named(tiny::matt(Rgb(0.5f)), "velvet");
-    material.sheen_color = Rgb(1);
+    Material material = named(tiny::matt(Rgb(0.5f)), "brushed");
+    material.anisotropy = 1;
     Scene scene = with_pane(material);
     const EffectPlan plan = plan_of(scene);
     CHECK(on_in(plan) == Effects{Effect::indirect});
-    CHECK(plan.effects[static_cast<std::size_t>(Effect::sheen)].reason ==
-          "in the file ('velvet'), not rendered yet");
+    CHECK(plan.effects[static_cast<std::size_t>(Effect::anisotropy)].reason ==
+          "in the file ('brushed'), not rendered yet");
 }
 
 TEST_CASE("effect plan: names are in the order of the effects, all different", "[effects]")
