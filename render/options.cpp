@@ -3,6 +3,7 @@
 #include "common/command_line/scene_arguments.h"
 #include "common/image/image_format.h"
 #include "common/input_error.h"
+#include "render/check_method.h"
 
 #include <map>
 
@@ -224,25 +225,6 @@ void add_picture(CLI::App& app, RenderArguments& arguments)
     add_count(app, "--threads", arguments.threads, 0, 4096, "Threads; 0: all cores [0]");
 }
 
-/// Throws InputError if what is asked for is not of the integrator asked for.
-void check_method(const RenderOptions& render)
-{
-    const bool looks_at_maps = render.integrator == Integrator::direct;
-    if (render.irradiance == GatheredIrradiance::precomputed &&
-        render.integrator != Integrator::progressive)
-        throw InputError("--irradiance precomputed is for --integrator progressive; choose that or "
-                         "--irradiance estimated");
-    if (render.direct == DirectLight::photons && !looks_at_maps)
-        throw InputError("--direct photons is for --integrator direct; choose that or --direct "
-                         "shadow-rays");
-    if (render.maps.estimate == EstimateForm::thesis && !looks_at_maps)
-        throw InputError("--estimate thesis is for --integrator direct; choose that or --estimate "
-                         "clipped");
-    if (render.direct == DirectLight::photons && render.maps.mode == MapMode::none)
-        throw InputError("--direct photons needs photons, and --maps none has none; choose other "
-                         "maps or --direct shadow-rays");
-}
-
 } // namespace
 
 void add_render_arguments(CLI::App& app, RenderArguments& arguments)
@@ -299,8 +281,6 @@ void complete_arguments(const CLI::App& app, RenderArguments& arguments)
     MapOptions& maps = arguments.render.maps;
     if (app.count("--local-min") == 0)
         maps.local_min = kLocalMinPerNeighbour * maps.neighbours;
-    if (app.count("--alpha") > 0 && arguments.render.integrator != Integrator::progressive)
-        throw InputError("--alpha is for --integrator progressive; choose that or leave it out");
     check_method(arguments.render);
 }
 
