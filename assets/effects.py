@@ -9,7 +9,8 @@ import math
 import os
 import sys
 
-from glb_writer import Glb, byte, png, quad, sphere
+import smoke_density
+from glb_writer import Glb, box, byte, png, quad, sphere
 
 WHITE = (0.74, 0.74, 0.72)
 
@@ -170,6 +171,17 @@ def add_milk(glb):
     glb.mesh("Ball of smoke", cloud, sphere((0.45, 0.39, 0), 0.38, 40, 20))
 
 
+def add_smoke(glb):
+    """Smoke of a density that differs from place to place, in a box that has no surface."""
+    smoke = {"scattering": [16, 16, 15], "absorption": [2, 3, 4], "phase": "schlick", "g": 0.3,
+             "density": "smoke.vol"}
+    cloud = glb.material("Smoke", (1, 1, 1),
+                         extras={"hipmap": {"boundary": False, "medium": smoke}})
+    glb.mesh("Box of smoke", cloud, box((-0.55, 0.01, -0.6), (0.65, 1.7, 0.6)))
+    red = glb.material("Red", (0.7, 0.15, 0.1))
+    glb.mesh("Ball", red, sphere((-0.75, 0.2, 0.3), 0.2, 40, 20))
+
+
 def add_absorption(glb):
     """The same glass, thin and thick."""
     glass = glb.material("Bottle glass", (1, 1, 1), base={"roughnessFactor": 0}, extensions={
@@ -236,6 +248,7 @@ SCENES = {
     "normal_maps": (add_normal_maps, 20),
     "reflections": (add_reflections, 20),
     "sheen": (add_sheen, 20),
+    "smoke": (add_smoke, 20),
     "soft_shadows": (add_soft_shadows, 0),
     "textures": (add_textures, 20),
     "vertex_colours": (add_vertex_colours, 20),
@@ -243,7 +256,8 @@ SCENES = {
 
 
 def build_all(folder):
-    """Writes NAME.glb of every scene; returns the names."""
+    """Writes NAME.glb of every scene, and smoke.vol; returns the names."""
+    smoke_density.write(os.path.join(folder, "smoke.vol"))
     for name, (add, radiance) in SCENES.items():
         glb = stage(radiance)
         add(glb)

@@ -131,6 +131,20 @@ def quad(corner, right, up):
     return positions, [normal] * 4, [(0, 1), (1, 1), (1, 0), (0, 0)], [(0, 1, 2), (0, 2, 3)]
 
 
+def box(low, high):
+    """Seen from outside."""
+    (x, y, z), (dx, dy, dz) = low, (b - a for a, b in zip(low, high))
+    sides = [quad((x, y, z + dz), (dx, 0, 0), (0, dy, 0)),
+             quad((x + dx, y, z), (-dx, 0, 0), (0, dy, 0)),
+             quad((x, y, z), (0, 0, dz), (0, dy, 0)),
+             quad((x + dx, y, z + dz), (0, 0, -dz), (0, dy, 0)),
+             quad((x, y + dy, z + dz), (dx, 0, 0), (0, 0, -dz)),
+             quad((x, y, z), (dx, 0, 0), (0, 0, dz))]
+    positions, normals, uvs, faces = ([row for side in sides for row in side[i]] for i in range(4))
+    return positions, normals, uvs, [tuple(4 * (i // 2) + c for c in face)
+                                     for i, face in enumerate(faces)]
+
+
 def sphere(centre, radius, segments=32, rings=16):
     positions, normals, uvs, faces = [], [], [], []
     for ring in range(rings + 1):

@@ -88,11 +88,20 @@ void add_texture(Hasher& hasher, const TextureSlot& slot)
     hasher.add(wrap_u, wrap_v, magnify, minify, srgb);
 }
 
+void add_density(Hasher& hasher, const DensityGrid* density)
+{
+    if (density == nullptr)
+        return;
+    const auto& [nodes, values] = *density;
+    hasher.add(nodes);
+    hasher.add_array(values);
+}
+
 void add_material(Hasher& hasher, const Material& material)
 {
     const auto& [name, base_color, metallic, roughness, emission, double_sided, transmission, ior,
                  specular, specular_color, absorption, thickness, scattering, medium_emission,
-                 phase, boundary, dispersion, clearcoat, clearcoat_roughness, sheen_color,
+                 phase, density, boundary, dispersion, clearcoat, clearcoat_roughness, sheen_color,
                  sheen_roughness, anisotropy, anisotropy_rotation, alpha, alpha_mode, alpha_cutoff,
                  unlit, textures] = material;
     hasher.add(base_color, metallic, roughness, emission, double_sided, transmission, ior, specular,
@@ -100,6 +109,7 @@ void add_material(Hasher& hasher, const Material& material)
                phase.g, boundary, dispersion, clearcoat, clearcoat_roughness, sheen_color,
                sheen_roughness, anisotropy, anisotropy_rotation, alpha, alpha_mode, alpha_cutoff,
                unlit);
+    add_density(hasher, density.get());
     hasher.add(static_cast<std::uint64_t>(textures.size()));
     for (const TextureSlot& slot : textures)
         add_texture(hasher, slot);
@@ -107,9 +117,10 @@ void add_material(Hasher& hasher, const Material& material)
 
 void add_medium(Hasher& hasher, const Medium& medium)
 {
-    const auto& [absorption, scattering, emission, phase] = medium;
+    const auto& [absorption, scattering, emission, phase, density] = medium;
     const auto& [kind, g] = phase;
     hasher.add(absorption, scattering, emission, kind, g);
+    add_density(hasher, density.get());
 }
 
 void add_picture(Hasher& hasher, const TextureImage& picture)

@@ -1,5 +1,6 @@
 #include "common/scene/gltf_extras.h"
 
+#include "common/scene/density_file.h"
 #include "common/scene/hipmap_extras.h"
 #include "common/scene/scene_file.h"
 #include "common/scene/scene_names.h"
@@ -50,8 +51,9 @@ PhaseKind phase_named(const std::string& name, HipmapExtras& extras)
     return PhaseKind::henyey_greenstein;
 }
 
-/// Per metre; what no key names stays as it is.
-void read_medium(HipmapExtras& extras, Medium& medium)
+/// Per metre; what no key names stays as it is.  scene: the file, beside which others lie.
+void read_medium(HipmapExtras& extras, const std::filesystem::path& scene, const std::string& place,
+                 Medium& medium)
 {
     constexpr double kMostG = 0.99;
     const auto read = [&](const char* key, Rgb& to) {
@@ -66,6 +68,8 @@ void read_medium(HipmapExtras& extras, Medium& medium)
     medium.phase = {phase_named(phase, extras), static_cast<float>(g.value_or(0.0))};
     if (medium.phase.kind == PhaseKind::isotropic && medium.phase.g != 0)
         extras.fail("g", "has no meaning for the phase \"isotropic\"");
+    if (const std::optional<std::string> density = extras.text("density"))
+        medium.density = read_density(file_beside(scene, place, *density));
     extras.finish("");
 }
 
@@ -139,20 +143,22 @@ void read_world_extras(const GltfDocument& document, RawScene& scene)
         scene.world_strength = strength;
     }
     if (std::optional<HipmapExtras> keys = extras.object("medium"))
-        read_medium(*keys, scene.around);
+        read_medium(*keys, scene.path, "scene, custom property 'hipmap'", scene.around);
     extras.finish("");
 }
 
 void read_medium_extras(const json& from, Material& material, RawScene& scene)
 {
-    HipmapExtras extras(from, "material " + quote_name(material.name), scene);
+    const std::string place = "material " + quote_name(material.name);
+    HipmapExtras extras(from, place, scene);
     Medium medium = material.inside();
     if (std::optional<HipmapExtras> keys = extras.object("medium"))
-        read_medium(*keys, medium);
+        read_medium(*keys, scene.path, place, medium);
     material.absorption = medium.absorption;
     material.scattering = medium.scattering;
     material.medium_emission = medium.emission;
     material.phase = medium.phase;
+    material.density = medium.density;
     material.boundary = extras.flag("boundary").value_or(true);
     if (!material.boundary)
         material.alpha_mode = AlphaMode::opaque; // of a surface that is not there

@@ -2,7 +2,11 @@
 
 #include "common/math/rgb.h"
 
+#include <glm/vec3.hpp>
+
 #include <cstdint>
+#include <memory>
+#include <vector>
 
 namespace hipmap {
 
@@ -15,14 +19,22 @@ struct PhaseFunction {
                     ///<   Greenstein function it stands for
 };
 
-/// What fills a closed mesh, or surrounds the scene: the same everywhere.
+/// How dense a medium is: what its coefficients are multiplied by, at the nodes of a grid that
+/// fills the box of its mesh, docs/media.md (11).
+struct DensityGrid {
+    glm::uvec3 nodes{2};       ///< along x, y and z of the world, at least 2
+    std::vector<float> values; ///< [x * y * z], x fastest; finite, not negative
+};
+
+/// What fills a closed mesh, or surrounds the scene.
 struct Medium {
     Rgb absorption{0.0f}; ///< per scene unit
     Rgb scattering{0.0f}; ///< per scene unit
     Rgb emission{0.0f};   ///< radiance gained per scene unit, W/(m2 sr)
     PhaseFunction phase;
+    std::shared_ptr<const DensityGrid> density; ///< null: 1 everywhere
 
-    /// What a ray loses per scene unit.
+    /// What a ray loses per scene unit where the density is 1.
     Rgb extinction() const { return absorption + scattering; }
     bool scatters() const { return !is_black(scattering); }
     bool glows() const { return !is_black(emission); }

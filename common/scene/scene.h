@@ -40,9 +40,10 @@ struct Material {
     Rgb scattering{0.0f};      ///< of the inside, per scene unit
     Rgb medium_emission{0.0f}; ///< of the inside, as Medium has it
     PhaseFunction phase;       ///< of the inside
-    bool boundary = true;      ///< false: nothing but where its inside begins, rays go on
-    float dispersion = 0.0f;   ///< KHR_materials_dispersion: 20 / Abbe number
-    float clearcoat = 0.0f;    ///< KHR_materials_clearcoat
+    std::shared_ptr<const DensityGrid> density; ///< of the inside, as Medium has it
+    bool boundary = true;    ///< false: nothing but where its inside begins, rays go on
+    float dispersion = 0.0f; ///< KHR_materials_dispersion: 20 / Abbe number
+    float clearcoat = 0.0f;  ///< KHR_materials_clearcoat
     float clearcoat_roughness = 0.0f;
     Rgb sheen_color{0.0f}; ///< KHR_materials_sheen
     float sheen_roughness = 0.0f;
@@ -54,11 +55,11 @@ struct Material {
     bool unlit = false;                ///< its colour is in `emission`, whatever the light
     std::vector<TextureSlot> textures; ///< one of a use at most
 
-    Medium inside() const { return {absorption, scattering, medium_emission, phase}; }
+    Medium inside() const { return {absorption, scattering, medium_emission, phase, density}; }
     /// Its inside does more than absorb, or is all there is of it.
     bool holds_medium() const
     {
-        return !is_black(scattering) || !is_black(medium_emission) || !boundary;
+        return !is_black(scattering) || !is_black(medium_emission) || density || !boundary;
     }
 };
 

@@ -10,6 +10,7 @@ namespace {
 void drop_medium(Material& material)
 {
     material.scattering = material.medium_emission = Rgb(0);
+    material.density.reset();
     if (material.boundary)
         return;
     material.boundary = true;

@@ -117,10 +117,16 @@ Finding find_media(const SceneFacts& facts)
     if (names.empty() && !around)
         return {false, "nothing that light passes through scatters it or glows", ""};
     const std::string inside = names.empty() ? "" : names + " have an inside that light passes";
+    const std::string grids =
+        facts.materials_where([](const Material& m, const Bsdf&, bool) { return bool(m.density); });
     return {true,
             (around ? "the scene has one around it" : "") +
-                std::string(around && !names.empty() ? "; " : "") + inside,
-            "distances drawn along every ray, and photons in them"};
+                std::string(around && !names.empty() ? "; " : "") + inside +
+                (grids.empty() ? "" : "; a grid says how dense " + grids + " is"),
+            grids.empty()
+                ? "distances drawn along every ray, and photons in them"
+                : "distances drawn along every ray, cell by cell of the grid, and photons "
+                  "in them"};
 }
 
 Finding find_subsurface(const SceneFacts& facts)

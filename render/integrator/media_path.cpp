@@ -18,11 +18,11 @@ WalkEnd fly(const MediaSet& media, Interiors& inside, RandomSequence& random, Pa
 {
     return walk(media, path.ray, inside, [&](const Stretch& stretch) {
         const Medium& medium = media.medium(stretch.inside);
-        const float length = stretch.ray.far - stretch.ray.near;
-        radiance += path.weight * emitted_along(medium, length);
-        const Flight flight = sample_flight(medium, length, path.weight, random);
+        const Column column = column_along(media.density(stretch.inside), stretch.ray);
+        radiance += path.weight * emitted_along(medium, column.whole);
+        const Flight flight = sample_flight(medium, column.whole, path.weight, random);
         path.weight *= flight.weight;
-        const float along = stretch.ray.near + flight.distance;
+        const float along = distance_at(column, flight.column);
         scattering = {stretch.ray.origin + along * stretch.ray.direction, &medium};
         return !flight.scattered;
     });

@@ -133,9 +133,10 @@ float disc_area(const glm::vec3& wall, const glm::vec3& direction, float radius)
 }
 
 /// Adds a photon's part to the sums.
-void add_photon(const VolumeMap& map, std::uint32_t i, const Medium& medium, const Ray& ray,
-                const BeamScales& scales, std::array<Rgb, 3>& sums)
+void add_photon(const VolumeMap& map, std::uint32_t i, const Beam& beam, const BeamScales& scales,
+                std::array<Rgb, 3>& sums)
 {
+    const Ray& ray = beam.column.part;
     const VolumePhoton& photon = map.photons[i];
     const float radius = map.radii[i];
     const glm::vec3& wall = map.walls[i];
@@ -147,8 +148,9 @@ void add_photon(const VolumeMap& map, std::uint32_t i, const Medium& medium, con
     const float distance2 = glm::dot(aside, aside);
     if (!(distance2 < radius * radius) || -glm::dot(aside, wall) > glm::dot(wall, wall))
         return;
-    const float phase = phase_value(medium.phase, -glm::dot(photon.travel, ray.direction));
-    const Rgb part = photon.power * transmitted(medium.extinction(), along - ray.near) * phase;
+    const float phase = phase_value(beam.medium.phase, -glm::dot(photon.travel, ray.direction));
+    const Rgb left = transmitted(beam.medium.extinction(), column_to(beam.column, along));
+    const Rgb part = photon.power * left * phase;
     for (std::size_t s = 0; s < scales.size(); ++s) {
         const float narrower = radius * scales[s];
         if (distance2 < narrower * narrower)
@@ -219,13 +221,12 @@ VolumeMap build_volume_map(const std::vector<VolumePhoton>& photons, const Volum
     return out;
 }
 
-std::array<Rgb, 3> beam_radiance(const VolumeMap& map, const Medium& medium, const Stretch& stretch,
-                                 const BeamScales& scales)
+std::array<Rgb, 3> beam_radiance(const VolumeMap& map, const Beam& beam, const BeamScales& scales)
 {
     std::array<Rgb, 3> sums{};
-    if (map.nodes.empty() || !medium.scatters())
+    if (map.nodes.empty() || !beam.medium.scatters())
         return sums;
-    const Ray& ray = stretch.ray;
+    const Ray& ray = beam.column.part;
     const glm::vec3 inverse = 1.0f / ray.direction;
     std::array<std::uint32_t, 64> waiting; // the tree halves 2^32 photons at most
     std::size_t size = 0;
@@ -236,8 +237,8 @@ std::array<Rgb, 3> beam_radiance(const VolumeMap& map, const Medium& medium, con
         if (!touches(node, ray, inverse))
             continue;
         for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
-            if (map.photons[i].inside == stretch.inside)
-                add_photon(map, i, medium, ray, scales, sums);
+            if (map.photons[i].inside == beam.inside)
+                add_photon(map, i, beam, scales, sums);
         if (node.count == 0) {
             waiting[size++] = node.right;
             waiting[size++] = at + 1;

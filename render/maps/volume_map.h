@@ -48,10 +48,16 @@ VolumeMap build_volume_map(const std::vector<VolumePhoton>& photons, const Volum
 /// Radii that are taken at once, over those of the map: the first is 1, none is larger.
 using BeamScales = std::array<float, 3>;
 
-/// Radiance that photons in the medium of a stretch scatter back along it, less what is lost on the
-/// way to the stretch's near end, by each of the scales, docs/media.md (8).  Thread-safe; the sum
-/// is formed in the same order for the same map and stretch.
-std::array<Rgb, 3> beam_radiance(const VolumeMap& map, const Medium& medium, const Stretch& stretch,
-                                 const BeamScales& scales);
+/// A part of a ray in one medium.  Borrows what it names.
+struct Beam {
+    const Medium& medium;
+    MaterialId inside; ///< kNone: around
+    const Column& column;
+};
+
+/// Radiance that photons in the medium of a beam scatter back along it, less what is lost on the
+/// way to its near end, by each of the scales, docs/media.md (8).  Thread-safe; the sum is formed
+/// in the same order for the same map and beam.
+std::array<Rgb, 3> beam_radiance(const VolumeMap& map, const Beam& beam, const BeamScales& scales);
 
 } // namespace hipmap

@@ -24,22 +24,22 @@ float draw_distance(float extinction, float u)
 
 } // namespace
 
-Rgb transmitted(const Rgb& extinction, float distance)
+Rgb transmitted(const Rgb& extinction, float column)
 {
     Rgb out;
     for (int c = 0; c < 3; ++c)
-        out[c] = extinction[c] > 0 ? std::exp(-extinction[c] * distance) : 1.0f;
+        out[c] = extinction[c] > 0 ? std::exp(-extinction[c] * column) : 1.0f;
     return out;
 }
 
-Rgb emitted_along(const Medium& medium, float distance)
+Rgb emitted_along(const Medium& medium, float column)
 {
     const Rgb extinction = medium.extinction();
     Rgb out;
     for (int c = 0; c < 3; ++c)
         out[c] =
             medium.emission[c] *
-            (extinction[c] > 0 ? -std::expm1(-extinction[c] * distance) / extinction[c] : distance);
+            (extinction[c] > 0 ? -std::expm1(-extinction[c] * column) / extinction[c] : column);
     return out;
 }
 
@@ -52,11 +52,11 @@ Flight sample_flight(const Medium& medium, float limit, const Rgb& carried, Rand
         return out;
     const Rgb chances = carried / sum;
     const int channel = pick_channel(chances, random.next());
-    const float distance = draw_distance(extinction[channel], random.next());
-    out.scattered = distance < limit;
+    const float column = draw_distance(extinction[channel], random.next());
+    out.scattered = column < limit;
     if (out.scattered) {
-        out.distance = distance;
-        const Rgb left = transmitted(extinction, distance);
+        out.column = column;
+        const Rgb left = transmitted(extinction, column);
         const float density = glm::dot(chances, extinction * left);
         out.weight = density > 0 ? medium.scattering * left / density : Rgb(0);
         return out;

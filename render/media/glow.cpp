@@ -10,11 +10,10 @@ constexpr int kMostFaces = 4096; ///< on a line
 
 /// A part of a line where something glows.
 struct GlowingPart {
-    glm::vec3 origin{0.0f};
-    float length = 0.0f;
+    Column column;
     const Medium* medium = nullptr;
 
-    float weight() const { return max_channel(medium->emission) * length; }
+    float weight() const { return max_channel(medium->emission) * column.whole; }
 };
 
 struct Sphere {
@@ -38,8 +37,12 @@ void add_part(const MediaSet& media, const Interiors& inside, Ray ray,
         return;
     if (inside.current() == kNone)
         ray = within_sphere(media, ray);
-    if (ray.near < ray.far && std::isfinite(ray.far))
-        parts.push_back({ray.origin + ray.near * ray.direction, ray.far - ray.near, &medium});
+    if (!(ray.near < ray.far) || !std::isfinite(ray.far))
+        return;
+    ray.origin += ray.near * ray.direction;
+    ray.far -= ray.near;
+    ray.near = 0;
+    parts.push_back({column_along(media.density(inside.current()), ray), &medium});
 }
 
 /// Of the whole line through all faces.
@@ -84,9 +87,12 @@ GlowPath sample_glow(const MediaSet& media, RandomSequence& random)
             drawn -= part.weight();
             continue;
         }
-        const float along = std::min(1.0f, drawn / part.weight()) * part.length;
+        if (!(part.weight() > 0))
+            break;
+        const float share = std::min(1.0f, drawn / part.weight());
         Ray ray;
-        ray.origin = part.origin + along * direction;
+        ray.origin = part.column.part.origin +
+                     distance_at(part.column, share * part.column.whole) * direction;
         ray.direction = direction;
         const float lines = 4 * kPi * kPi * sphere.radius * sphere.radius;
         return {ray, part.medium->emission * (sum / max_channel(part.medium->emission) * lines)};

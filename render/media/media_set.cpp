@@ -66,7 +66,8 @@ std::optional<MediaSet> collect_media(const Scene& scene, const Partition& parti
         worn[scene.mesh.material_of_face[face]] = 1;
         closed[scene.mesh.material_of_face[face]] |= partition.closed[face];
     }
-    MediaSet out{scene.mesh, partition, rays, {}, {}, {}, scene.around};
+    MediaSet out{scene.mesh, partition, rays, {}, {}, {}, scene.around, {}, {},
+                 {},         {},        {},   {}, {}, {}};
     bool wanted = !scene.around.is_clear();
     out.scatters = scene.around.scatters();
     out.glows = scene.around.glows();
@@ -83,6 +84,7 @@ std::optional<MediaSet> collect_media(const Scene& scene, const Partition& parti
     }
     if (!wanted)
         return std::nullopt;
+    out.densities = place_densities(scene, partition);
     find_spaces(out);
     if (out.glows)
         out.glow_power = mean_glow(out);

@@ -4,6 +4,7 @@
 #include "common/rays/embree_scene.h"
 #include "common/rays/surface_point.h"
 #include "common/scene/scene.h"
+#include "render/media/column.h"
 #include "render/media/flight.h"
 #include "render/media/matt_only.h"
 
@@ -43,11 +44,16 @@ struct MediaSet {
     glm::vec3 low{0.0f}, high{0.0f}; ///< box of the faces that have an inside; low > high: none
     bool scatters = false;           ///< any of them
     bool glows = false;
-    Rgb glow_power{0.0f}; ///< about, W / metres_per_unit^2
+    Rgb glow_power{0.0f};                 ///< about, W / metres_per_unit^2
+    std::vector<PlacedDensity> densities; ///< [M + 1] of the insides, and last of `around`
 
     const Medium& medium(MaterialId inside) const
     {
         return inside == kNone ? around : insides[inside];
+    }
+    const PlacedDensity& density(MaterialId inside) const
+    {
+        return inside == kNone ? densities.back() : densities[inside];
     }
 };
 
@@ -88,7 +94,7 @@ struct Stretch {
 inline Rgb left_along(const MediaSet& media, const Stretch& stretch)
 {
     return transmitted(media.medium(stretch.inside).extinction(),
-                       stretch.ray.far - stretch.ray.near);
+                       whole_column(media.density(stretch.inside), stretch.ray));
 }
 
 /// Where a walk has ended.

@@ -62,12 +62,12 @@ std::optional<RayHit> fly_through_media(const MediaSet& media, const Wanted& wan
         const Rgb before = path.power;
         glm::vec3 position(0.0f);
         const WalkEnd end = walk(media, path.ray, path.inside, [&](const Stretch& stretch) {
+            const Column column = column_along(media.density(stretch.inside), stretch.ray);
             const Flight flight =
-                sample_flight(media.medium(stretch.inside), stretch.ray.far - stretch.ray.near,
-                              path.power, random);
+                sample_flight(media.medium(stretch.inside), column.whole, path.power, random);
             path.power *= flight.weight;
             position =
-                stretch.ray.origin + (stretch.ray.near + flight.distance) * stretch.ray.direction;
+                stretch.ray.origin + distance_at(column, flight.column) * stretch.ray.direction;
             return !flight.scattered;
         });
         out.power.absorbed += glm::dvec3(before - path.power);

@@ -43,6 +43,14 @@ Stretch stretch_along(const glm::vec3& origin, const glm::vec3& direction, float
     return out;
 }
 
+std::array<Rgb, 3> radiance_of(const VolumeMap& map, const Medium& medium, const Stretch& stretch,
+                               const BeamScales& scales)
+{
+    const PlacedDensity even;
+    const Column column = column_along(even, stretch.ray);
+    return beam_radiance(map, {medium, stretch.inside, column}, scales);
+}
+
 /// docs/media.md (8), of all photons.
 glm::dvec3 by_all(const VolumeMap& map, const Medium& medium, const Stretch& stretch, double scale)
 {
@@ -77,7 +85,7 @@ TEST_CASE("volume map: its tree finds the photons that a look at all of them doe
         for (const Stretch& stretch : {stretch_along({-1, 0.1f, 0.2f}, {1, 0, 0}, 0.5f, 1.5f),
                                        stretch_along({0, 0, 0}, {0.3f, -0.2f, 1}, 0, 0.3f),
                                        stretch_along({-2, -2.1f, -1.9f}, {1, 1, 1}, 0.1f, 9)}) {
-            const auto found = beam_radiance(map, thin(), stretch, kScales);
+            const auto found = radiance_of(map, thin(), stretch, kScales);
             for (std::size_t i = 0; i < found.size(); ++i) {
                 const glm::dvec3 all = by_all(map, thin(), stretch, kScales[i]);
                 for (int c = 0; c < 3; ++c)
@@ -101,8 +109,8 @@ TEST_CASE("volume map: photons spread evenly have the radiance of their density"
             photon.power = Rgb(1);
             photon.inside = 0;
         }
-        const auto radiance = beam_radiance(build_volume_map(photons, radii, 1, kNowhere), medium,
-                                            stretch, {1, 0.7f, 0.5f});
+        const auto radiance = radiance_of(build_volume_map(photons, radii, 1, kNowhere), medium,
+                                          stretch, {1, 0.7f, 0.5f});
         for (std::size_t i = 0; i < found.size(); ++i)
             found[i].add(radiance[i].x);
     }
@@ -140,7 +148,7 @@ TEST_CASE("volume map: no light is lost where discs reach out of a slab", "[maps
                 const glm::vec3 at(random.next() - 0.5f, height, random.next() - 0.5f);
                 const float half = direction.y > 0 ? 0.5f / direction.y : 1;
                 const Stretch stretch = stretch_along(at, direction, -half, half);
-                found.add(beam_radiance(map, medium, stretch, {1, 0.7f, 0.5f})[0].x / (2 * half));
+                found.add(radiance_of(map, medium, stretch, {1, 0.7f, 0.5f})[0].x / (2 * half));
             }
         }
         CHECK(std::abs(found.z_score(kPhotons / 18.0 / (4 * M_PI))) < kMostZ);

@@ -35,7 +35,7 @@ TEST_CASE("sample_flight: what it passes on and what it scatters are as they sho
                 const double weight = double{carried[c]} * flight.weight[c];
                 passed[c].add(flight.scattered ? 0 : weight);
                 scattered[c].add(flight.scattered ? weight : 0);
-                where[c].add(flight.scattered ? weight * flight.distance : 0);
+                where[c].add(flight.scattered ? weight * flight.column : 0);
             }
         }
         for (int c = 0; c < 3; ++c) {
