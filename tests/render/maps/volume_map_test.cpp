@@ -11,7 +11,13 @@ using namespace hipmap;
 
 namespace {
 
-const EmbreeScene kNowhere{TriangleMesh{}}; ///< without faces
+/// Without faces.  Made when first asked for: before main, Embree would be the first to start TBB,
+/// which then keeps Embree's way with subnormal numbers (zero) for all that runs in parallel.
+const EmbreeScene& nowhere()
+{
+    static const EmbreeScene scene{TriangleMesh{}};
+    return scene;
+}
 
 /// In the unit cube about the origin; every seventh in another medium.
 std::vector<VolumePhoton> photons_of(std::size_t count, std::uint64_t seed)
@@ -80,7 +86,7 @@ TEST_CASE("volume map: its tree finds the photons that a look at all of them doe
     for (const std::size_t count : {1u, 8u, 9u, 3000u}) {
         const std::vector<VolumePhoton> photons = photons_of(count, 1);
         const VolumeMap map = build_volume_map(
-            photons, find_volume_radii(photons_of(count, 2), 10, 1), 0.8f, kNowhere);
+            photons, find_volume_radii(photons_of(count, 2), 10, 1), 0.8f, nowhere());
         REQUIRE(map.photons.size() == count);
         for (const Stretch& stretch : {stretch_along({-1, 0.1f, 0.2f}, {1, 0, 0}, 0.5f, 1.5f),
                                        stretch_along({0, 0, 0}, {0.3f, -0.2f, 1}, 0, 0.3f),
@@ -109,7 +115,7 @@ TEST_CASE("volume map: photons spread evenly have the radiance of their density"
             photon.power = Rgb(1);
             photon.inside = 0;
         }
-        const auto radiance = radiance_of(build_volume_map(photons, radii, 1, kNowhere), medium,
+        const auto radiance = radiance_of(build_volume_map(photons, radii, 1, nowhere()), medium,
                                           stretch, {1, 0.7f, 0.5f});
         for (std::size_t i = 0; i < found.size(); ++i)
             found[i].add(radiance[i].x);
@@ -171,14 +177,14 @@ TEST_CASE("volume radii: where the k-th photon is, and widest without photons", 
     CHECK(volume_radius_at(radii, {50, 0, 0}) == 2);
     CHECK(volume_radius_at(find_volume_radii({}, 10, 2), {0, 0, 0}) == 2);
     CHECK(volume_radius_at(find_volume_radii(photons_of(3, 1), 10, 2), {0, 0, 0}) == 2);
-    CHECK(build_volume_map({}, radii, 1, kNowhere).nodes.empty());
+    CHECK(build_volume_map({}, radii, 1, nowhere()).nodes.empty());
 }
 
 TEST_CASE("volume map: the same at any number of threads", "[maps][media]")
 {
     const std::vector<VolumePhoton> photons = photons_of(20000, 5);
     const auto build = [&] {
-        return build_volume_map(photons, find_volume_radii(photons, 12, 1), 1, kNowhere);
+        return build_volume_map(photons, find_volume_radii(photons, 12, 1), 1, nowhere());
     };
     const VolumeMap many = build();
     const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
