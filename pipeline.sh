@@ -6,13 +6,15 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 
 usage() {
     cat <<'TEXT'
-usage: ./pipeline.sh [SCENE [OUTDIR]]
+usage: ./pipeline.sh [SCENE [OUTDIR [FRAMES]]]
 
 Installs the packages that are missing (as root or with sudo), builds both tools, and runs them on
 SCENE (.glb, .gltf or .obj).  The results go to OUTDIR; report.html there shows them all on one page.
 
   SCENE    default: the bundled scene, assets/cornell.glb
   OUTDIR   default: out/NAME, NAME being the name of SCENE without its suffix
+  FRAMES   of the scene's animation at 24 a second, as 1:24: rendered to OUTDIR/frames besides,
+           and made into a video where ffmpeg is installed
 TEXT
 }
 
@@ -28,13 +30,16 @@ case ${1:-} in
     ;;
 -*) fail_usage "unknown option $1; see ./pipeline.sh --help" ;;
 esac
-[[ $# -le 2 ]] || fail_usage "more than two arguments; see ./pipeline.sh --help"
+[[ $# -le 3 ]] || fail_usage "more than three arguments; see ./pipeline.sh --help"
 
 scene=${1:-$root/assets/cornell.glb}
 [[ -f $scene ]] || fail_usage "$scene: no such file; give a .glb, .gltf or .obj file"
 name=$(basename "$scene")
 name=${name%.*}
 out=${2:-out/$name}
+frames=${3:-}
+[[ $frames =~ ^([0-9]+(:[0-9]+)?)?$ ]] ||
+    fail_usage "$frames: no range of frames; write FIRST:LAST, as 1:24"
 
 "$root/.ci/setup.sh" release preprocess render
 
@@ -45,6 +50,24 @@ partition=$out/$name.hpm
 "$bin/render" "$scene" "$partition" -o "$out/$name.png" -o "$out/$name.exr" \
     --error-image "$out/error.png" --stats "$out/stats.json"
 python3 -B "$root/report/make_report.py" "$out"
+
+# All exposed as the picture is, half a frame's time of motion in each, as in Blender.
+make_frames() {
+    local exposure first=$((10#${frames%%:*}))
+    local print_exposure='import json, sys; print(json.load(sys.stdin)["image"]["exposure_ev"])'
+    exposure=$(python3 -c "$print_exposure" < "$out/stats.json")
+    mkdir -p "$out/frames"
+    "$bin/preprocess" "$scene" -o "$out/frames/$name.hpm" --frames "$frames"
+    "$bin/render" "$scene" "$out/frames/$name.hpm" -o "$out/frames/$name.png" --frames "$frames" \
+        --shutter 0.5 --exposure "$exposure"
+    if command -v ffmpeg > /dev/null; then
+        # Most players want 4:2:0, which has whole pairs of pixels.
+        ffmpeg -loglevel error -y -framerate 24 -start_number "$first" \
+            -i "$out/frames/$name.%04d.png" -vf 'pad=ceil(iw/2)*2:ceil(ih/2)*2' \
+            -pix_fmt yuv420p "$out/$name.mp4"
+    fi
+}
+if [[ -n $frames ]]; then make_frames; fi
 
 describe() { printf '  %-20s %s\n' "$1" "$2"; }
 
@@ -60,3 +83,5 @@ describe groups.png "patches of faces that may get a map together"
 describe "$name.hpm" "the partition that render reads"
 describe partition.json "what preprocess found"
 describe stats.json "what render did, and how long it took"
+if [[ -n $frames ]]; then describe frames/ "frames $frames of the animation"; fi
+if [[ -f $out/$name.mp4 ]]; then describe "$name.mp4" "the same as a video"; fi

@@ -123,6 +123,24 @@ class Scripts(unittest.TestCase):
         self.assertEqual(code, 2)
         self.assertTrue(log[-1].startswith("preprocess "))
 
+    def test_pipeline_makes_frames_and_a_video_where_there_is_ffmpeg(self):
+        scene = os.path.join(self.folder, "ball.glb")
+        shutil.copy(os.path.join(ROOT, "assets/cornell.glb"), scene)
+        self.stand_in(os.path.join(self.folder, "ffmpeg"), LOG)
+        os.makedirs(os.path.join(self.folder, "out"))
+        open(os.path.join(self.folder, "out/stats.json"), "w", encoding="utf-8").close()
+        code, output, errors, log = self.run_script("pipeline.sh", scene, "out", "08:12")
+        self.assertEqual(code, 0, errors)
+        self.assertEqual([line.split()[0] for line in log[-4:]],
+                         ["python3", "preprocess", "render", "ffmpeg"])
+        for line in log[-3:-1]:
+            self.assertIn("--frames 08:12", line)
+        self.assertIn("-start_number 8 -i out/frames/ball.%04d.png", log[-1])
+        self.assertIn("frames 08:12", output)
+        code, _, errors, log = self.run_script("pipeline.sh", scene, "out", "1-12")
+        self.assertEqual((code, log), (2, []))
+        self.assertIn("1-12", errors)
+
     def test_ci_ends_with_the_summary_and_the_result_of_ctest(self):
         summary = "50% tests passed, 1 tests failed out of 2"
         code, output, errors, log = self.run_script(".ci/run")
