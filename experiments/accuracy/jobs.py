@@ -5,6 +5,7 @@ import dataclasses
 import time
 import typing
 
+import cycles
 import plan
 import findings
 from lab import schedule
@@ -67,6 +68,13 @@ def minutes(lab, notebook, scene, setting):
         yield Job(f"minute/{scene.name}/{setting.name}/{seed}", seconds, render)
 
 
+def cycles_minute(lab, scene):
+    """The same by Blender's Cycles, by one seed."""
+    size = lab.study.reference_size
+    yield Job(f"minute/{scene.name}/{plan.CYCLES.name}/0", 1.5 * plan.MINUTE * lab.study.share,
+              lambda: cycles.run(lab, scene, size, plan.MINUTE * lab.study.share))
+
+
 def quotes(lab, notebook, scene):
     """Of errors about as small as the smallest of the curve."""
     for number, part in enumerate(plan.QUOTED_PARTS):
@@ -92,6 +100,8 @@ def stages(lab, notebook, scenes):
     for scene in scenes:
         for setting in plan.MINUTE_SETTINGS.values() if scene.mark else ():
             third += minutes(lab, notebook, scene, setting)
+        if scene.mark and cycles.is_there(lab.study):
+            third += cycles_minute(lab, scene)
         for setting in plan.SETTINGS.values():
             third += images(lab, notebook, scene, setting)
     return [first, second, third, [job for scene in scenes

@@ -23,6 +23,10 @@ class Scene:
     def path(self):
         return ROOT / "assets" / f"{self.name}.glb"
 
+    @property
+    def script(self):
+        return ROOT / "assets" / f"{self.name}.py"
+
 
 SCENES = {scene.name: scene for scene in (
     Scene("cornell", True), Scene("cornell_diffuse", False, 5e-5),
@@ -71,10 +75,13 @@ SETTINGS = {setting.name: setting for setting in (
 
 # Of a minute of two cores, as hipmap renders if nothing is said of the method; and the referee.
 MINUTE = 120
-MINUTE_SETTINGS = {
-    "progressive": progressive("progressive", MINUTE, photons=DEFAULT_PHOTONS),
-    "path": Setting("path", MINUTE, ("--integrator", "path")),
-}
+MINUTE_SETTINGS = {setting.name: setting for setting in (
+    progressive("progressive", MINUTE, photons=DEFAULT_PHOTONS),
+    progressive("progressive, 50,000 photons, alpha = 0.5", MINUTE, "--alpha", 0.5),
+    Setting("path", MINUTE, ("--integrator", "path")),
+)}
+# The peer: Blender's path tracer, on the scene as its script makes it.  Options are render's alone.
+CYCLES = Setting("Cycles", MINUTE, ())
 
 # What errors are quoted for: parts of the error that the longest images of BASE have.
 QUOTED_PARTS = (1.0, 0.7)

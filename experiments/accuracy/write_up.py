@@ -108,9 +108,10 @@ on scenes with caustics, and nowhere else more than {findings.MOST_SLOWER} times
 
 def minute(results):
     lines, share = [], results["about"]["study"]["share"]
+    rivals = {**plan.MINUTE_SETTINGS, plan.CYCLES.name: plan.CYCLES}
     width = 2 * results["about"]["study"]["size"]
     for scene in findings.scenes(results):
-        for name, setting in plan.MINUTE_SETTINGS.items() if scene.mark else ():
+        for name, setting in rivals.items() if scene.mark else ():
             points = findings.curve(results, "minute", scene, setting)
             if not points:
                 continue
@@ -123,10 +124,12 @@ def minute(results):
         f"\nThis run was another: the images had {plan.MINUTE * share:.3g} s, of which the marks are not.")
     return f"""## After a minute of two cores
 
-relMSE after {plan.MINUTE} processor seconds, {width} pixels wide, by `render`'s default of {plan.DEFAULT_PHOTONS:,} photons, from images
-that took about as long, by the slope between half the time and all of it (seeds: {results["about"]["study"]["minute_seeds"]}).{note}
+relMSE after {plan.MINUTE} processor seconds, {width} pixels wide, by `render`'s default of {plan.DEFAULT_PHOTONS:,} photons where
+nothing else is said, from images that took about as long, by the slope between half the time and all of it (seeds:
+{results["about"]["study"]["minute_seeds"]}). Passes of Cycles (Blender's path tracer, where `blender` is installed) are samples of a pixel; its time is
+that of rendering alone, on one thread too.{note}
 
-""" + table(["scene", "integrator", "passes", "processor s", "relMSE", "mark", "verdict"], lines)
+""" + table(["scene", "method", "passes", "processor s", "relMSE", "mark", "verdict"], lines)
 
 
 def quotes(results):
