@@ -6,6 +6,9 @@
 #include "preprocess/partition/contacts.h"
 #include "preprocess/partition/group_candidates.h"
 #include "preprocess/partition/local_candidates.h"
+#include "preprocess/partition/patches.h"
+
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <string>
@@ -93,6 +96,27 @@ FaceTree tree_of_maps(const TriangleMesh& mesh, const SharedMaps& maps)
     return FaceTree(mesh, faces);
 }
 
+Clearances clearances_of(const TriangleMesh& mesh, std::span<const EdgeClass> edge_class,
+                         std::span<const FaceTree> trees, double error)
+{
+    Clearances out{std::vector<std::uint8_t>(mesh.face_count(), 0),
+                   std::vector<float>(mesh.face_count(), 0.0f)};
+    tbb::parallel_for(std::size_t{0}, trees.size(), [&](std::size_t map) {
+        find_clearances({mesh, trees[map]}, edge_class, error, out);
+    });
+    return out;
+}
+
+GroupCandidates groups_of(const TriangleMesh& mesh, std::span<const FaceTree> trees, double error)
+{
+    GroupCandidates out{std::vector<std::uint32_t>(mesh.face_count(), kNone),
+                        std::vector<float>(mesh.face_count(), 0.0f)};
+    tbb::parallel_for(std::size_t{0}, trees.size(), [&](std::size_t map) {
+        find_group_candidates({mesh, trees[map]}, error, out);
+    });
+    return out;
+}
+
 } // namespace
 
 PartitionResult build_partition(const Scene& scene, const PartitionOptions& options)
@@ -123,11 +147,14 @@ PartitionResult build_partition(const Scene& scene, const PartitionOptions& opti
     summary.given_up = timed(
         "join seams", [&] { return join ? join_seams(mesh, edges, classes, maps, tree, out) : 0; });
     summary.joined_maps = maps_by_edges - maps.count;
+    const std::vector<FaceTree> trees = timed("build trees of maps", [&] {
+        return trees_of_maps(mesh, maps, std::vector<std::uint8_t>(maps.count, 1));
+    });
     LocalCandidates locals = timed("find local candidates", [&] {
         return find_local_candidates(mesh, classes.edge_class, maps);
     });
     Clearances clearances = timed("find clearances", [&] {
-        return find_clearances(mesh, classes.edge_class, maps, tree, out.position_error);
+        return clearances_of(mesh, classes.edge_class, trees, out.position_error);
     });
     const ContactScene contact_scene{mesh,
                                      classes.edge_class,
@@ -139,9 +166,8 @@ PartitionResult build_partition(const Scene& scene, const PartitionOptions& opti
         return add_contacts(contact_scene, tree, clearances.clearance, out.contacts);
     });
 
-    GroupCandidates groups = timed("find group candidates", [&] {
-        return find_group_candidates(mesh, maps, tree, out.position_error);
-    });
+    GroupCandidates groups =
+        timed("find group candidates", [&] { return groups_of(mesh, trees, out.position_error); });
 
     out.angle_threshold = options.angle_threshold;
     out.map_count = maps.count;
@@ -154,7 +180,7 @@ PartitionResult build_partition(const Scene& scene, const PartitionOptions& opti
     out.candidate = std::move(locals.candidate);
     out.kept_edges = std::move(clearances.kept_edges);
     out.clearance = std::move(clearances.clearance);
-    out.group_count = groups.count;
+    out.group_count = number_by_first(groups.group_of_face);
     out.group_of_face = std::move(groups.group_of_face);
     out.group_radius = std::move(groups.group_radius);
 

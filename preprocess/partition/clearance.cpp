@@ -63,8 +63,8 @@ FaceClearance choose_edges(const Member& face, double error, const Distance& dis
 /// about the same faces, so these are gathered once, if they are not too many.
 class LeafClearances {
   public:
-    LeafClearances(const MapTree& maps, std::span<const EdgeClass> edge_class, double error)
-        : maps_(maps), edge_class_(edge_class), error_(error)
+    LeafClearances(const MapTree& map, std::span<const EdgeClass> edge_class, double error)
+        : map_(map), edge_class_(edge_class), error_(error)
     {
     }
 
@@ -76,7 +76,7 @@ class LeafClearances {
     bool gather(const FaceTree::Range& leaf, double radius);
     FaceClearance clearance_of(const Member& member, bool gathered_all);
 
-    const MapTree& maps_;
+    MapTree map_;
     std::span<const EdgeClass> edge_class_;
     double error_;
     std::vector<Member> members_;
@@ -88,25 +88,21 @@ void LeafClearances::add_member(FaceId face)
     unsigned connected = 0;
     for (unsigned c = 0; c < 3; ++c)
         connected |= unsigned{edge_class_[std::size_t{3} * face + c] == EdgeClass::connected} << c;
-    members_.push_back({FaceSurroundings(maps_, face, error_), connected, 0.0});
+    members_.push_back({FaceSurroundings(map_, face, error_), connected, 0.0});
     Member& member = members_.back();
     member.height = member.around.largest_height(connected);
 }
 
 bool LeafClearances::gather(const FaceTree::Range& leaf, double radius)
 {
-    Bounds<glm::vec3> box = maps_.tree.box(leaf);
+    Bounds<glm::vec3> box = map_.tree.box(leaf);
     box.low = glm::vec3(glm::dvec3(box.low) - radius - error_);
     box.high = glm::vec3(glm::dvec3(box.high) + radius + error_);
-    const MapId map = maps_.map_of_node[leaf.node];
     bool room = true;
     nearby_.clear();
-    maps_.tree.visit(
-        box,
-        [&](const FaceTree::Range& range) {
-            return !room || (map != kNone && maps_.lacks(map, range));
-        },
-        [&](FaceId face) { room = room && nearby_.add(maps_.mesh, face, box); });
+    map_.tree.visit(
+        box, [&](const FaceTree::Range&) { return !room; },
+        [&](FaceId face) { room = room && nearby_.add(map_.mesh, face, box); });
     return room;
 }
 
@@ -125,7 +121,7 @@ FaceClearance LeafClearances::clearance_of(const Member& member, bool gathered_a
 
 void LeafClearances::find(const FaceTree::Range& leaf, Clearances& out)
 {
-    const std::span<const FaceId> faces = maps_.tree.faces(leaf);
+    const std::span<const FaceId> faces = map_.tree.faces(leaf);
     members_.clear();
     double radius = 0;
     for (const FaceId face : faces) {
@@ -135,10 +131,8 @@ void LeafClearances::find(const FaceTree::Range& leaf, Clearances& out)
     }
     const bool gathered = gather(leaf, radius);
     for (std::size_t i = 0; i < faces.size(); ++i) {
-        const bool alone = maps_.faces_of_map[maps_.map_of_face[faces[i]]] == 1;
         const bool gathered_all = gathered && members_[i].height <= radius;
-        const FaceClearance found =
-            alone ? FaceClearance{0, kInfinity} : clearance_of(members_[i], gathered_all);
+        const FaceClearance found = clearance_of(members_[i], gathered_all);
         out.kept_edges[faces[i]] = static_cast<std::uint8_t>(found.edges);
         out.clearance[faces[i]] = static_cast<float>(found.clearance);
     }
@@ -154,24 +148,21 @@ float position_error_of(const TriangleMesh& mesh)
     return static_cast<float>(kPositionError * largest);
 }
 
-Clearances find_clearances(const TriangleMesh& mesh, std::span<const EdgeClass> edge_class,
-                           const SharedMaps& maps, const FaceTree& tree, double position_error)
+void find_clearances(const MapTree& map, std::span<const EdgeClass> edge_class,
+                     double position_error, Clearances& out)
 {
-    Clearances out;
-    out.kept_edges.assign(mesh.face_count(), 0);
-    out.clearance.assign(mesh.face_count(), 0.0f);
-    MapTree in{mesh, maps.map_of_face, tree, tree.labels_of_nodes(maps.map_of_face), {}};
-    in.faces_of_map.assign(maps.count, 0);
-    for (const MapId map : maps.map_of_face)
-        if (map != kNone)
-            ++in.faces_of_map[map];
-    tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, tree.leaf_count()),
+    const std::span<const FaceId> faces = map.tree.faces(map.tree.root());
+    if (faces.size() == 1) {
+        out.kept_edges[faces[0]] = 0;
+        out.clearance[faces[0]] = std::numeric_limits<float>::infinity();
+        return;
+    }
+    tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, map.tree.leaf_count()),
                       [&](const auto& leaves) {
-                          LeafClearances clearances(in, edge_class, position_error);
+                          LeafClearances clearances(map, edge_class, position_error);
                           for (std::uint32_t i = leaves.begin(); i < leaves.end(); ++i)
-                              clearances.find(tree.leaf(i), out);
+                              clearances.find(map.tree.leaf(i), out);
                       });
-    return out;
 }
 
 } // namespace hipmap

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "preprocess/partition/face_tree.h"
-#include "preprocess/partition/share_maps.h"
+#include "preprocess/partition/map_trees.h"
 
 namespace hipmap {
 
@@ -14,13 +13,14 @@ struct Clearances {
 /// face, and of how far corners may be apart that were meant to be at one place.  Scene units.
 float position_error_of(const TriangleMesh& mesh);
 
-/// Finds for every face how near its shared map comes to it again, docs/partition_file.md (4).  Of
-/// the sets of edges that contain all connected ones, each face keeps the one with the largest
-/// limiting radius at any of its points; of equal ones the smallest, then the lowest bits.
-/// A face near more of its map than is worth looking through (4096 faces) gets clearance 0.
-/// tree: all faces that have a map.  position_error: at least position_error_of(mesh).
-/// Near linear, parallel; the same at any thread count.
-Clearances find_clearances(const TriangleMesh& mesh, std::span<const EdgeClass> edge_class,
-                           const SharedMaps& maps, const FaceTree& tree, double position_error);
+/// Finds for every face of a map how near the map comes to it again, docs/partition_file.md (4),
+/// and sets `out`, which has room for all faces of the mesh, at these faces alone.  Of the sets of
+/// edges that contain all connected ones, each face keeps the one with the largest limiting radius
+/// at any of its points; of equal ones the smallest, then the lowest bits. A face near more of its
+/// map than is worth looking through (4096 faces) gets clearance 0. position_error: at least
+/// position_error_of(mesh). Near linear, parallel; the same at any thread count, whatever other
+/// maps there are.
+void find_clearances(const MapTree& map, std::span<const EdgeClass> edge_class,
+                     double position_error, Clearances& out);
 
 } // namespace hipmap

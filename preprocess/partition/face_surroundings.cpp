@@ -32,12 +32,11 @@ float box_distance2(const Bounds<glm::vec3>& a, const Bounds<glm::vec3>& b)
 
 } // namespace
 
-FaceSurroundings::FaceSurroundings(const MapTree& maps, FaceId face, double error)
-    : maps_(maps), face_(face), map_(maps.map_of_face[face]), error_(error),
-      corners_(corners_of(maps.mesh, face))
+FaceSurroundings::FaceSurroundings(const MapTree& map, FaceId face, double error)
+    : map_(map), face_(face), error_(error), corners_(corners_of(map.mesh, face))
 {
     for (int c = 0; c < 3; ++c)
-        planes_[c] = edge_plane(maps.mesh, face, c);
+        planes_[c] = edge_plane(map.mesh, face, c);
 }
 
 double FaceSurroundings::largest_height(unsigned edges) const
@@ -79,7 +78,7 @@ bool FaceSurroundings::behind(unsigned edges, const Bounds<glm::vec3>& box) cons
 
 double FaceSurroundings::distance_of(unsigned edges, FaceId other) const
 {
-    const std::array<glm::dvec3, 3> corners = corners_of(maps_.mesh, other);
+    const std::array<glm::dvec3, 3> corners = corners_of(map_.mesh, other);
     unsigned cut = 0; // by which planes
     for (int c = 0; c < 3; ++c) {
         if (!(edges >> c & 1))
@@ -90,25 +89,24 @@ double FaceSurroundings::distance_of(unsigned edges, FaceId other) const
             return kInfinity;
         cut |= unsigned{in_front < 3} << c;
     }
-    ConvexPolygon front(corners, scaled_normal(maps_.mesh, other));
+    ConvexPolygon front(corners, scaled_normal(map_.mesh, other));
     for (int c = 0; c < 3 && !front.points().empty(); ++c)
         if (cut >> c & 1)
             front.clip(planes_[c].origin, planes_[c].inward, error_);
     if (front.points().size() < 3)
         return kInfinity;
-    return distance(ConvexPolygon(corners_, scaled_normal(maps_.mesh, face_)), front);
+    return distance(ConvexPolygon(corners_, scaled_normal(map_.mesh, face_)), front);
 }
 
 double FaceSurroundings::distance_in_front(unsigned edges, const NearbyFaces& nearby,
                                            double bound) const
 {
-    const Bounds<glm::vec3> box = face_box(maps_.mesh, face_);
+    const Bounds<glm::vec3> box = face_box(map_.mesh, face_);
     double nearest = bound;
     for (std::size_t i = 0; i < nearby.count(); ++i) {
         const FaceId other = nearby.face(i);
         if ((nearby.front(i) & edges) != edges || other == face_ ||
-            maps_.map_of_face[other] != map_ ||
-            box_distance2(box, face_box(maps_.mesh, other)) >= nearest * nearest)
+            box_distance2(box, face_box(map_.mesh, other)) >= nearest * nearest)
             continue;
         nearest = std::min(nearest, distance_of(edges, other));
         if (nearest <= 2 * error_)
@@ -123,8 +121,8 @@ double FaceSurroundings::distance_in_front(unsigned edges, double bound) const
         FaceTree::Range range;
         float distance2;
     };
-    const Bounds<glm::vec3> box = face_box(maps_.mesh, face_);
-    const FaceTree& tree = maps_.tree;
+    const Bounds<glm::vec3> box = face_box(map_.mesh, face_);
+    const FaceTree& tree = map_.tree;
     std::array<Visit, FaceTree::kMostDepth + 1> stack;
     std::size_t depth = 0;
     int looked_at = 0;
@@ -132,8 +130,7 @@ double FaceSurroundings::distance_in_front(unsigned edges, double bound) const
     stack[depth++] = {tree.root(), 0.0f};
     while (depth > 0) {
         const auto [range, distance2] = stack[--depth];
-        if (distance2 >= nearest * nearest || maps_.lacks(map_, range) ||
-            behind(edges, tree.box(range)))
+        if (distance2 >= nearest * nearest || behind(edges, tree.box(range)))
             continue;
         if (!tree.is_leaf(range)) {
             const auto halves = tree.children(range);
@@ -146,7 +143,7 @@ double FaceSurroundings::distance_in_front(unsigned edges, double bound) const
             continue;
         }
         for (const FaceId other : tree.faces(range)) {
-            if (other == face_ || maps_.map_of_face[other] != map_)
+            if (other == face_)
                 continue;
             nearest = std::min(nearest, distance_of(edges, other));
             ++looked_at;

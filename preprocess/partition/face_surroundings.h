@@ -1,30 +1,14 @@
 #pragma once
 
-#include "preprocess/partition/face_tree.h"
+#include "preprocess/partition/map_trees.h"
 #include "preprocess/partition/nearby_faces.h"
-#include "preprocess/partition/share_maps.h"
 
 namespace hipmap {
-
-/// What the clearances of faces are found in.
-struct MapTree {
-    const TriangleMesh& mesh;
-    std::span<const MapId> map_of_face;
-    const FaceTree& tree;
-    std::vector<MapId> map_of_node; ///< by FaceTree::Range::node; kNone: of several maps
-    std::vector<std::uint32_t> faces_of_map;
-
-    /// Whether a node has no face of a map.
-    bool lacks(MapId map, const FaceTree::Range& range) const
-    {
-        return map_of_node[range.node] != map && map_of_node[range.node] != kNone;
-    }
-};
 
 /// A face with the planes through its edges, among the faces of its shared map.
 class FaceSurroundings {
   public:
-    FaceSurroundings(const MapTree& maps, FaceId face, double error);
+    FaceSurroundings(const MapTree& map, FaceId face, double error);
 
     const std::array<EdgePlane, 3>& planes() const { return planes_; }
 
@@ -43,9 +27,8 @@ class FaceSurroundings {
     bool behind(unsigned edges, const Bounds<glm::vec3>& box) const;
     double distance_of(unsigned edges, FaceId other) const;
 
-    const MapTree& maps_;
+    MapTree map_;
     FaceId face_;
-    MapId map_;
     double error_;
     std::array<glm::dvec3, 3> corners_;
     std::array<EdgePlane, 3> planes_;

@@ -25,6 +25,8 @@ class FaceTree {
         std::uint32_t node, begin, end;
     };
 
+    FaceTree() = default; ///< of no faces
+
     /// Halves the faces of each node along its longest axis.  The same faces give the same tree.
     /// O(n log n), parallel; 24 bytes a node, at most one node to four faces.
     FaceTree(const TriangleMesh& mesh, std::span<const FaceId> faces);
@@ -97,7 +99,8 @@ class FaceTree {
     void build(const TriangleMesh& mesh, std::span<Item> items, const Range& range);
 
     std::vector<FaceId> faces_;
-    std::vector<Bounds<glm::vec3>> boxes_; ///< the children of node i are 2 i + 1 and 2 i + 2
+    std::vector<Bounds<glm::vec3>> boxes_ =
+        std::vector<Bounds<glm::vec3>>(1); ///< the children of node i are 2 i + 1 and 2 i + 2
     std::uint32_t depth_ = 0;              ///< of the leaves
 };
 

@@ -24,20 +24,12 @@ float rounded_down(double value)
 
 } // namespace
 
-GroupCandidates find_group_candidates(const TriangleMesh& mesh, const SharedMaps& maps,
-                                      const FaceTree& tree, double position_error)
+void find_group_candidates(const MapTree& map, double position_error, GroupCandidates& out)
 {
-    const std::vector<MapId> map_of_node = tree.labels_of_nodes(maps.map_of_face);
-    const Patches patches = find_patches(mesh, maps, tree, map_of_node);
-    const PatchSurroundings around{mesh,
-                                   tree,
-                                   maps.map_of_face,
-                                   patches.patch_of_face,
-                                   map_of_node,
-                                   tree.labels_of_nodes(patches.patch_of_face)};
-    GroupCandidates out;
-    out.group_of_face.assign(mesh.face_count(), kNone);
-    out.group_radius.assign(mesh.face_count(), 0.0f);
+    const Patches patches = find_patches(map, out.group_of_face);
+    const PatchSurroundings around{map.mesh, map.tree, out.group_of_face,
+                                   map.tree.labels_of_nodes(out.group_of_face)};
+    std::vector<std::uint8_t> kept(patches.first.size(), 0);
     tbb::parallel_for(std::size_t{1}, patches.first.size(), [&](std::size_t i) {
         const std::span<const Clump> clumps = patches.of(i - 1);
         double area = 0;
@@ -48,15 +40,16 @@ GroupCandidates find_group_candidates(const TriangleMesh& mesh, const SharedMaps
         if (found.empty())
             return;
         const double best = std::ranges::max(found, {}, &FaceDistance::distance).distance;
-        if (!(best - position_error > widest_filter_radius(area)))
-            return;
-        for (const auto& [face, distance] : found) {
-            out.group_of_face[face] = patches.patch_of_face[face];
-            out.group_radius[face] = rounded_down(std::max(0.0, distance - position_error));
-        }
+        kept[i] = best - position_error > widest_filter_radius(area);
+        for (const auto& [face, distance] : found)
+            if (kept[i] != 0)
+                out.group_radius[face] = rounded_down(std::max(0.0, distance - position_error));
     });
-    out.count = number_by_first(out.group_of_face);
-    return out;
+    for (std::size_t i = 1; i < patches.first.size(); ++i)
+        for (const Clump& clump : patches.of(i - 1))
+            for (const FaceId face : map.tree.faces({0, clump.begin, clump.end}))
+                if (kept[i] == 0)
+                    out.group_of_face[face] = kNone;
 }
 
 } // namespace hipmap

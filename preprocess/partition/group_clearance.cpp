@@ -11,7 +11,7 @@ namespace hipmap {
 namespace {
 
 /// Nodes that the searches of one patch may go through, besides so many for each of its faces:
-/// enough by far unless other maps lie all through the patch.
+/// enough by far.
 constexpr std::int64_t kMostNodes = 4096;
 constexpr std::int64_t kMostNodesPerFace = 64;
 
@@ -70,7 +70,6 @@ Outside nearest_outside(const PatchSurroundings& around, FaceId from, const glm:
         double distance2;
     };
     const FaceTree& tree = around.tree;
-    const MapId map = around.map_of_face[from];
     const std::uint32_t patch = around.patch_of_face[from];
     std::array<Visit, FaceTree::kMostDepth + 2> stack;
     std::size_t depth = 0;
@@ -78,13 +77,11 @@ Outside nearest_outside(const PatchSurroundings& around, FaceId from, const glm:
     stack[depth++] = {tree.root(), 0.0};
     while (depth > 0 && --budget >= 0) {
         const auto [range, distance2] = stack[--depth];
-        const MapId map_here = around.map_of_node[range.node];
-        if (distance2 >= nearest.distance2 || (map_here != map && map_here != kNone) ||
-            around.patch_of_node[range.node] == patch)
+        if (distance2 >= nearest.distance2 || around.patch_of_node[range.node] == patch)
             continue;
         if (tree.is_leaf(range)) {
             for (const FaceId face : tree.faces(range)) {
-                if (around.map_of_face[face] != map || around.patch_of_face[face] == patch ||
+                if (around.patch_of_face[face] == patch ||
                     box_distance2(point, face_box(around.mesh, face)) >= nearest.distance2)
                     continue;
                 if (const double d2 = face_distance2(around.mesh, face, point);

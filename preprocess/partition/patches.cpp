@@ -2,7 +2,6 @@
 
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
-#include <tbb/parallel_sort.h>
 
 #include <algorithm>
 #include <numbers>
@@ -72,7 +71,7 @@ std::size_t halve(std::span<Clump> clumps, double area)
 /// Gives the faces of each patch the number of one of them.
 /// faces: in the order of the tree.  largest: area of a patch, and of any clump at most.
 void split(std::span<Clump> clumps, std::span<const FaceId> faces, double largest,
-           std::vector<std::uint32_t>& patch_of_face)
+           std::span<std::uint32_t> patch_of_face)
 {
     std::size_t count = 0;
     double area = 0;
@@ -98,84 +97,44 @@ void split(std::span<Clump> clumps, std::span<const FaceId> faces, double larges
             patch_of_face[face] = faces[clumps[0].begin];
 }
 
-Clump clump_of(const TriangleMesh& mesh, const FaceTree& tree, std::uint32_t begin,
-               std::uint32_t end, MapId map)
+Clump clump_of(const MapTree& map, std::uint32_t begin, std::uint32_t end)
 {
     Bounds<glm::vec3> box;
-    Clump clump{{}, begin, end, map, 0.0};
-    for (const FaceId face : tree.faces({0, begin, end})) {
-        const Bounds<glm::vec3> of_face = face_box(mesh, face);
+    Clump clump{{}, begin, end, 0.0};
+    for (const FaceId face : map.tree.faces({0, begin, end})) {
+        const Bounds<glm::vec3> of_face = face_box(map.mesh, face);
         box.add(of_face.low);
         box.add(of_face.high);
-        clump.area += face_area(mesh, face);
+        clump.area += face_area(map.mesh, face);
     }
     clump.middle = box.centre();
     return clump;
 }
 
-/// The leaves of the tree; a map where all faces have the same.
-std::vector<Clump> clumps_of_leaves(const TriangleMesh& mesh, const FaceTree& tree,
-                                    std::span<const MapId> map_of_node)
+std::vector<Clump> clumps_of_leaves(const MapTree& map)
 {
-    std::vector<Clump> leaves(tree.leaf_count());
-    tbb::parallel_for(std::uint32_t{0}, tree.leaf_count(), [&](std::uint32_t i) {
-        const FaceTree::Range leaf = tree.leaf(i);
-        leaves[i] = clump_of(mesh, tree, leaf.begin, leaf.end, map_of_node[leaf.node]);
+    std::vector<Clump> leaves(map.tree.leaf_count());
+    tbb::parallel_for(std::uint32_t{0}, map.tree.leaf_count(), [&](std::uint32_t i) {
+        const FaceTree::Range leaf = map.tree.leaf(i);
+        leaves[i] = clump_of(map, leaf.begin, leaf.end);
     });
     return leaves;
 }
 
-/// The largest area of a patch, by map.
-std::vector<double> largest_patches(const TriangleMesh& mesh, const SharedMaps& maps,
-                                    std::span<const FaceId> faces, std::span<const Clump> leaves)
-{
-    std::vector<double> largest(maps.count, 0.0);
-    for (const Clump& leaf : leaves)
-        if (leaf.map != kNone)
-            largest[leaf.map] += leaf.area;
-        else
-            for (const FaceId face : faces.subspan(leaf.begin, leaf.end - leaf.begin))
-                largest[maps.map_of_face[face]] += face_area(mesh, face);
-    for (double& area : largest)
-        area *= std::numbers::sqrt2 * kPatchFraction;
-    return largest;
-}
-
 /// Leaves as far as they are small enough, else their faces; without those larger than a patch.
-/// Sorted by map, then in the order of the tree.
-std::vector<Clump> clumps_of_maps(const TriangleMesh& mesh, const SharedMaps& maps,
-                                  const FaceTree& tree, std::span<const Clump> leaves,
-                                  std::span<const double> largest)
+std::vector<Clump> fine_clumps(const MapTree& map, std::span<const Clump> leaves, double largest)
 {
     std::vector<Clump> clumps;
     for (const Clump& leaf : leaves) {
-        if (leaf.map != kNone && leaf.area <= kClumpFraction * largest[leaf.map]) {
+        if (leaf.area <= kClumpFraction * largest) {
             clumps.push_back(leaf);
             continue;
         }
-        for (std::uint32_t at = leaf.begin; at < leaf.end; ++at) {
-            const MapId map = maps.map_of_face[tree.faces({0, at, at + 1})[0]];
-            const Clump alone = clump_of(mesh, tree, at, at + 1, map);
-            if (alone.area <= largest[map])
+        for (std::uint32_t at = leaf.begin; at < leaf.end; ++at)
+            if (const Clump alone = clump_of(map, at, at + 1); alone.area <= largest)
                 clumps.push_back(alone);
-        }
     }
-    tbb::parallel_sort(clumps.begin(), clumps.end(), [](const Clump& a, const Clump& b) {
-        return a.map != b.map ? a.map < b.map : a.begin < b.begin;
-    });
     return clumps;
-}
-
-/// Where each run of clumps with the same key begins, and the end.
-template <typename Key>
-std::vector<std::uint32_t> runs_of(std::span<const Clump> clumps, const Key& key)
-{
-    std::vector<std::uint32_t> first;
-    for (std::uint32_t i = 0; i < clumps.size(); ++i)
-        if (i == 0 || key(clumps[i]) != key(clumps[i - 1]))
-            first.push_back(i);
-    first.push_back(static_cast<std::uint32_t>(clumps.size()));
-    return first;
 }
 
 } // namespace
@@ -194,24 +153,20 @@ std::uint32_t number_by_first(std::vector<std::uint32_t>& labels)
     return next;
 }
 
-Patches find_patches(const TriangleMesh& mesh, const SharedMaps& maps, const FaceTree& tree,
-                     std::span<const MapId> map_of_node)
+Patches find_patches(const MapTree& map, std::span<std::uint32_t> patch_of_face)
 {
-    const std::span<const FaceId> faces = tree.faces(tree.root());
-    const std::vector<Clump> leaves = clumps_of_leaves(mesh, tree, map_of_node);
-    const std::vector<double> largest = largest_patches(mesh, maps, faces, leaves);
+    const std::span<const FaceId> faces = map.tree.faces(map.tree.root());
     Patches out;
-    out.clumps = clumps_of_maps(mesh, maps, tree, leaves, largest);
-    out.patch_of_face.assign(mesh.face_count(), kNone);
-    const std::vector<std::uint32_t> first =
-        runs_of(out.clumps, [](const Clump& clump) { return clump.map; });
-    tbb::parallel_for(std::size_t{1}, first.size(), [&](std::size_t i) {
-        const auto here = std::span(out.clumps).subspan(first[i - 1], first[i] - first[i - 1]);
-        split(here, faces, largest[here[0].map], out.patch_of_face);
-    });
-    const auto patch_of = [&](const Clump& clump) { return out.patch_of_face[faces[clump.begin]]; };
+    const std::vector<Clump> leaves = clumps_of_leaves(map);
+    const double largest = std::numbers::sqrt2 * kPatchFraction * area_of(leaves);
+    out.clumps = fine_clumps(map, leaves, largest);
+    split(out.clumps, faces, largest, patch_of_face);
+    const auto patch_of = [&](const Clump& clump) { return patch_of_face[faces[clump.begin]]; };
     std::erase_if(out.clumps, [&](const Clump& clump) { return patch_of(clump) == kNone; });
-    out.first = runs_of(out.clumps, patch_of);
+    for (std::uint32_t i = 0; i < out.clumps.size(); ++i)
+        if (i == 0 || patch_of(out.clumps[i]) != patch_of(out.clumps[i - 1]))
+            out.first.push_back(i);
+    out.first.push_back(static_cast<std::uint32_t>(out.clumps.size()));
     return out;
 }
 

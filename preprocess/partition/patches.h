@@ -1,7 +1,6 @@
 #pragma once
 
-#include "preprocess/partition/face_tree.h"
-#include "preprocess/partition/share_maps.h"
+#include "preprocess/partition/map_trees.h"
 
 namespace hipmap {
 
@@ -9,15 +8,13 @@ namespace hipmap {
 struct Clump {
     glm::vec3 middle{0.0f}; ///< of its box, so that the two halves of a square stay together
     std::uint32_t begin = 0, end = 0; ///< in the order of the tree
-    MapId map = kNone;
     double area = 0.0;
 };
 
-/// Compact parts of shared maps.
+/// Compact parts of a shared map.
 struct Patches {
-    std::vector<Clump> clumps;                ///< by patch, then in the order of the tree
-    std::vector<std::uint32_t> first;         ///< [patches + 1] where the clumps of each begin
-    std::vector<std::uint32_t> patch_of_face; ///< [F] one of its faces; kNone for a face in none
+    std::vector<Clump> clumps;        ///< by patch, then in the order of the tree
+    std::vector<std::uint32_t> first; ///< [patches + 1] where the clumps of each begin
 
     std::span<const Clump> of(std::size_t patch) const
     {
@@ -25,12 +22,11 @@ struct Patches {
     }
 };
 
-/// Parts each map into patches of about 1/64 of its area, docs/partition_file.md (Groups), of at
-/// least four faces each.
-/// tree: all faces that have a map.  map_of_node: its labels_of_nodes by map.
+/// Parts a map into patches of about 1/64 of its area, docs/partition_file.md (Groups), of at least
+/// four faces each, and names for each of their faces one face of its patch in `patch_of_face`.
+/// patch_of_face: [F] of the mesh, kNone at the faces of the map; stays so at those in no patch.
 /// Near linear, parallel; the same at any thread count.
-Patches find_patches(const TriangleMesh& mesh, const SharedMaps& maps, const FaceTree& tree,
-                     std::span<const MapId> map_of_node);
+Patches find_patches(const MapTree& map, std::span<std::uint32_t> patch_of_face);
 
 /// Numbers labels 0, 1, .. in the order in which they first appear; kNone stays.
 /// labels: below labels.size().  Returns how many there are.  Linear.
