@@ -5,6 +5,7 @@
 #include "common/stopwatch.h"
 #include "preprocess/colouring/coloured_glb.h"
 #include "preprocess/colouring/partition_pictures.h"
+#include "preprocess/partition/former_frame.h"
 #include "preprocess/summary.h"
 
 #include <numbers>
@@ -21,27 +22,25 @@ void print_summary(const PartitionSummary& summary, double angle_deg, Report& re
         report.warn(sentence);
 }
 
-/// The partition of a scene; the one of the frame before where no face has moved since.
-PartitionResult partition_of(const PreprocessArguments& arguments, const Scene& scene,
-                             std::optional<PartitionResult>& before, Report& report)
+/// Makes the partition of a scene, by that of the frame before, if there was one.
+void make_partition(const PreprocessArguments& arguments, const Scene& scene,
+                    std::optional<FormerFrame>& frame, Report& report)
 {
-    if (before && before->partition.scene == fingerprint(scene)) {
+    if (frame && frame->result.partition.scene == fingerprint(scene)) {
         report.line("no face has moved since the frame before: its partition serves");
-        before->summary.passes.clear();
-        return *before;
+        frame->result.summary.passes.clear();
+        return;
     }
-    PartitionResult out = build_partition(
-        scene, {.angle_threshold = arguments.angle_deg * std::numbers::pi / 180,
-                .split = arguments.split,
-                .weld_distance = arguments.weld_metres / scene.frame.metres_per_unit});
-    if (arguments.frames.asked())
-        before = out;
-    return out;
+    build_partition(scene,
+                    {.angle_threshold = arguments.angle_deg * std::numbers::pi / 180,
+                     .split = arguments.split,
+                     .weld_distance = arguments.weld_metres / scene.frame.metres_per_unit},
+                    frame);
 }
 
-/// before: of the frame before, if there was one; becomes that of this one.
+/// frame: the one before, if there was one; becomes this one.
 int preprocess(const PreprocessArguments& arguments, SceneSource& source,
-               std::optional<PartitionResult>& before)
+               std::optional<FormerFrame>& frame)
 {
     Report report;
     const ThreadLimit threads(arguments.threads);
@@ -54,7 +53,8 @@ int preprocess(const PreprocessArguments& arguments, SceneSource& source,
     const double load_seconds = loading.seconds();
 
     const Scene& scene = loaded.scene;
-    PartitionResult result = partition_of(arguments, scene, before, report);
+    make_partition(arguments, scene, frame, report);
+    PartitionResult& result = frame->result;
     result.summary.passes.insert(result.summary.passes.begin(), {"load scene", load_seconds});
     print_summary(result.summary, arguments.angle_deg, report);
     write_partition(arguments.output, result.partition);
@@ -94,9 +94,9 @@ int preprocess_frames(const PreprocessArguments& arguments)
         return kExitDone;
     });
     SceneSource source(arguments.scene, arguments.scene_options);
-    std::optional<PartitionResult> before;
+    std::optional<FormerFrame> former;
     return for_each_frame(arguments.frames,
-                          [&](int frame) { return preprocess(of(frame), source, before); });
+                          [&](int frame) { return preprocess(of(frame), source, former); });
 }
 
 } // namespace

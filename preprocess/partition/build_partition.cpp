@@ -3,10 +3,11 @@
 #include "common/input_error.h"
 #include "common/stopwatch.h"
 #include "preprocess/partition/clearance.h"
-#include "preprocess/partition/contacts.h"
+#include "preprocess/partition/former_frame.h"
 #include "preprocess/partition/group_candidates.h"
 #include "preprocess/partition/local_candidates.h"
 #include "preprocess/partition/patches.h"
+#include "preprocess/partition/summarise.h"
 
 #include <tbb/parallel_for.h>
 
@@ -16,189 +17,271 @@
 namespace hipmap {
 namespace {
 
-/// Runs passes and notes how long each took.
-struct PassTimer {
-    const PartitionOptions& options;
-    PartitionSummary& summary;
+/// Makes the partition of one frame, by what is known of the one before.
+class PartitionBuilder {
+  public:
+    PartitionBuilder(const Scene& scene, const PartitionOptions& options, const FormerFrame* former)
+        : scene_(scene), options_(options), former_(former)
+    {
+    }
 
+    void join_faces();
+    void join_maps();
+    void look_around_maps();
+    void add_contacts();
+
+    /// The partition.
+    PartitionResult finish();
+    /// What this frame leaves to the next one, but for its partition; after which all is gone.
+    FormerFrame leave();
+
+  private:
+    /// Whether what the former frame found of the map of a face is known to hold.
+    bool is_known(FaceId face) const
+    {
+        const MapId map = maps_.map_of_face[face];
+        return former_ && map != kNone && known_.changed[map] == 0;
+    }
+    /// Runs a pass and notes how long it took.
     template <typename Work>
-    auto operator()(std::string_view name, const Work& work) const
+    auto timed(std::string_view name, const Work& work)
     {
         const Stopwatch watch;
         auto result = work();
-        summary.passes.push_back({name, watch.seconds()});
-        if (options.after_pass)
-            options.after_pass(summary.passes.back());
+        summary_.passes.push_back({name, watch.seconds()});
+        if (options_.after_pass)
+            options_.after_pass(summary_.passes.back());
         return result;
     }
+
+    FaceTree tree_of_all() const;
+    std::size_t join_seams();
+    Clearances find_all_clearances() const;
+    GroupCandidates find_all_groups() const;
+    std::size_t find_all_contacts();
+
+    const Scene& scene_;
+    const TriangleMesh& mesh_ = scene_.mesh;
+    const PartitionOptions& options_;
+    const FormerFrame* former_; ///< null: there is none
+    PartitionResult result_;
+    Partition& out_ = result_.partition;
+    PartitionSummary& summary_ = result_.summary;
+    VertexWeld weld_;
+    HalfEdges edges_;
+    std::vector<std::uint8_t> flipped_; ///< [F] before seams turned any map
+    SharedMaps maps_;
+    FaceTree tree_; ///< of all faces that have a map
+    KnownMaps known_;
+    std::vector<FaceTree> trees_;       ///< of maps that changed
+    std::vector<MadeContact> contacts_; ///< of pairs of faces
+    bool found_all_contacts_ = true;
 };
 
-void count_edges(PartitionSummary& summary, const Partition& partition)
+/// Finds all that is about edges, and maps as edges join them.
+void PartitionBuilder::join_faces()
 {
-    for (std::uint32_t edge = 0; edge < partition.edge_class.size(); ++edge)
-        if (partition.opposite[edge] == kNone || edge < partition.opposite[edge])
-            ++summary.edges[static_cast<std::size_t>(partition.edge_class[edge])];
-    summary.edges[static_cast<std::size_t>(EdgeClass::non_manifold)] =
-        summary.defects.non_manifold_edges + summary.defects.cut_edges;
+    out_.scene = timed("fingerprint", [&] { return fingerprint(scene_); });
+    out_.angle_threshold = options_.angle_threshold;
+    out_.position_error = position_error_of(mesh_);
+    weld_ = timed("weld vertices",
+                  [&] { return weld_vertices(mesh_.positions, options_.weld_distance); });
+    edges_ = timed("find half-edges", [&] {
+        return former_ ? find_half_edges(mesh_, weld_, *former_) : find_half_edges(mesh_, weld_);
+    });
+    EdgeClasses classes = timed("classify edges", [&] {
+        return classify_edges(mesh_, edges_, options_.angle_threshold, options_.split);
+    });
+    maps_ = timed("share maps", [&] { return share_maps(classes.edge_class, edges_.opposite); });
+    summary_.vertices = mesh_.positions.size();
+    summary_.welded_vertices = weld_.count;
+    summary_.edges_in_band = classes.edges_in_band;
+    summary_.defects = edges_.defects;
+    flipped_ = edges_.flipped;
+    out_.edge_class = std::move(classes.edge_class);
 }
 
-void measure_maps(PartitionSummary& summary, const Partition& partition, const TriangleMesh& mesh)
+FaceTree PartitionBuilder::tree_of_all() const
 {
-    summary.maps.resize(partition.map_count);
-    for (MapId id = 0; id < partition.map_count; ++id)
-        summary.maps[id].id = id;
-    for (FaceId face = 0; face < mesh.face_count(); ++face) {
-        if (partition.map_of_face[face] == kNone)
-            continue;
-        PartitionSummary::Map& map = summary.maps[partition.map_of_face[face]];
-        ++map.faces;
-        map.area += face_area(mesh, face);
-    }
+    std::vector<FaceId> faces;
+    faces.reserve(mesh_.face_count());
+    for (FaceId face = 0; face < mesh_.face_count(); ++face)
+        if (maps_.map_of_face[face] != kNone)
+            faces.push_back(face);
+    return FaceTree(mesh_, faces);
 }
 
 /// Joins maps that go on across seams; returns the edges given up on the way.
-/// Changes edges.flipped and maps; fills bridged_edges of `out`, and contacts with what is open.
-std::size_t join_seams(const TriangleMesh& mesh, HalfEdges& edges, const EdgeClasses& classes,
-                       SharedMaps& maps, const FaceTree& tree, Partition& out)
+std::size_t PartitionBuilder::join_seams()
 {
-    Seams seams = find_seams(mesh, edges, classes.edge_class, maps, tree, out.position_error);
-    for (FaceId face = 0; face < mesh.face_count(); ++face)
-        if (maps.map_of_face[face] != kNone)
-            edges.flipped[face] ^= seams.turned[maps.map_of_face[face]];
-    maps = std::move(seams.maps);
-    out.bridged_edges = std::move(seams.bridged_edges);
-    out.contacts = std::move(seams.open_parts);
+    Seams seams = find_seams(mesh_, edges_, out_.edge_class, maps_, tree_, out_.position_error);
+    for (FaceId face = 0; face < mesh_.face_count(); ++face)
+        if (maps_.map_of_face[face] != kNone)
+            edges_.flipped[face] ^= seams.turned[maps_.map_of_face[face]];
+    maps_ = std::move(seams.maps);
+    out_.bridged_edges = std::move(seams.bridged_edges);
+    out_.contacts = std::move(seams.open_parts);
     return seams.given_up;
 }
 
-/// Adds the boundaries that are no edges to those that are open at seams; returns the faces given
-/// up on the way.
-std::size_t add_contacts(const ContactScene& scene, const FaceTree& tree,
-                         std::span<const float> clearance, std::vector<MapContact>& contacts)
+/// Finishes the maps.
+void PartitionBuilder::join_maps()
 {
+    tree_ = timed("build tree", [&] { return tree_of_all(); });
+    // Faces in one plane differ by less than any threshold but none.
+    const bool join = options_.split == SplitBy::normals || options_.angle_threshold > kAngleBand;
+    const std::uint32_t by_edges = maps_.count;
+    summary_.given_up = timed("join seams", [&] { return join ? join_seams() : 0; });
+    summary_.joined_maps = by_edges - maps_.count;
+    out_.map_count = maps_.count;
+    out_.map_of_face = maps_.map_of_face;
+    out_.opposite = std::move(edges_.opposite);
+    out_.flipped = std::move(edges_.flipped);
+    out_.closed = std::move(edges_.closed);
+    if (former_)
+        known_ = timed("compare maps", [&] { return find_known_maps(mesh_, out_, *former_); });
+    else
+        known_.changed.assign(maps_.count, 1);
+}
+
+Clearances PartitionBuilder::find_all_clearances() const
+{
+    Clearances out{std::vector<std::uint8_t>(mesh_.face_count(), 0),
+                   std::vector<float>(mesh_.face_count(), 0.0f)};
+    for (FaceId face = 0; face < mesh_.face_count(); ++face)
+        if (is_known(face)) {
+            out.kept_edges[face] = former_->result.partition.kept_edges[face];
+            out.clearance[face] = former_->result.partition.clearance[face];
+        }
+    tbb::parallel_for(MapId{0}, maps_.count, [&](MapId map) {
+        if (known_.changed[map] != 0)
+            find_clearances({mesh_, trees_[map]}, out_.edge_class, out_.position_error, out);
+    });
+    return out;
+}
+
+GroupCandidates PartitionBuilder::find_all_groups() const
+{
+    GroupCandidates out{std::vector<std::uint32_t>(mesh_.face_count(), kNone),
+                        std::vector<float>(mesh_.face_count(), 0.0f)};
+    std::vector<FaceId> first(former_ ? former_->result.partition.group_count : 0, kNone);
+    for (FaceId face = 0; face < mesh_.face_count(); ++face) {
+        const std::uint32_t group =
+            is_known(face) ? former_->result.partition.group_of_face[face] : kNone;
+        if (group == kNone)
+            continue;
+        first[group] = std::min(first[group], face);
+        out.group_of_face[face] = first[group];
+        out.group_radius[face] = former_->result.partition.group_radius[face];
+    }
+    tbb::parallel_for(MapId{0}, maps_.count, [&](MapId map) {
+        if (known_.changed[map] != 0)
+            find_group_candidates({mesh_, trees_[map]}, out_.position_error, out);
+    });
+    return out;
+}
+
+/// Fills what depends on the faces of each map alone.
+void PartitionBuilder::look_around_maps()
+{
+    trees_ =
+        timed("build trees of maps", [&] { return trees_of_maps(mesh_, maps_, known_.changed); });
+    LocalCandidates locals = timed("find local candidates", [&] {
+        return find_local_candidates(mesh_, out_.edge_class, maps_);
+    });
+    Clearances clearances = timed("find clearances", [&] { return find_all_clearances(); });
+    GroupCandidates groups = timed("find group candidates", [&] { return find_all_groups(); });
+    out_.reach = std::move(locals.reach);
+    out_.candidate = std::move(locals.candidate);
+    out_.kept_edges = std::move(clearances.kept_edges);
+    out_.clearance = std::move(clearances.clearance);
+    out_.group_count = number_by_first(groups.group_of_face);
+    out_.group_of_face = std::move(groups.group_of_face);
+    out_.group_radius = std::move(groups.group_radius);
+    trees_.clear();
+}
+
+/// Finds the contacts of pairs of faces; returns the faces given up on the way.
+std::size_t PartitionBuilder::find_all_contacts()
+{
+    // Where some faces were given up, it depends on all that they meet which of them count.
+    const bool keep = former_ && former_->found_all_contacts;
+    const std::vector<std::uint8_t> all(keep ? 0 : maps_.count, 1);
+    const std::span<const std::uint8_t> wanted = keep ? known_.changed : all;
+    const ContactScene scene{mesh_,
+                             out_.edge_class,
+                             out_.opposite,
+                             out_.map_of_face,
+                             out_.bridged_edges,
+                             out_.position_error};
     std::size_t given_up = 0;
-    for (const FoundContacts& found :
-         {find_contacts(scene, tree), find_own_contacts(scene, tree, clearance)}) {
-        contacts.insert(contacts.end(), found.contacts.begin(), found.contacts.end());
+    for (const FoundContacts& found : {find_contacts(scene, tree_, wanted),
+                                       find_own_contacts(scene, tree_, out_.clearance, wanted)}) {
+        contacts_.insert(contacts_.end(), found.contacts.begin(), found.contacts.end());
         given_up += found.given_up;
     }
-    sort_contacts(contacts);
+    for (std::size_t i = 0; keep && i < former_->contacts.size(); ++i) {
+        MadeContact made = former_->contacts[i];
+        made.by = known_.now[made.by];
+        made.contact.map = known_.now[made.contact.map];
+        if (made.by != kNone && made.contact.map != kNone)
+            contacts_.push_back(made);
+    }
+    sort_contacts(contacts_);
     return given_up;
 }
 
-FaceTree tree_of_maps(const TriangleMesh& mesh, const SharedMaps& maps)
+/// Adds the boundaries that are no edges to those that are open at seams.
+void PartitionBuilder::add_contacts()
 {
-    std::vector<FaceId> faces;
-    faces.reserve(mesh.face_count());
-    for (FaceId face = 0; face < mesh.face_count(); ++face)
-        if (maps.map_of_face[face] != kNone)
-            faces.push_back(face);
-    return FaceTree(mesh, faces);
+    const std::size_t given_up = timed("find contacts", [&] { return find_all_contacts(); });
+    found_all_contacts_ = given_up == 0;
+    summary_.given_up += given_up;
+    for (const MadeContact& made : contacts_)
+        out_.contacts.push_back(made.contact);
+    sort_contacts(out_.contacts);
 }
 
-Clearances clearances_of(const TriangleMesh& mesh, std::span<const EdgeClass> edge_class,
-                         std::span<const FaceTree> trees, double error)
+PartitionResult PartitionBuilder::finish()
 {
-    Clearances out{std::vector<std::uint8_t>(mesh.face_count(), 0),
-                   std::vector<float>(mesh.face_count(), 0.0f)};
-    tbb::parallel_for(std::size_t{0}, trees.size(), [&](std::size_t map) {
-        find_clearances({mesh, trees[map]}, edge_class, error, out);
-    });
-    return out;
+    summarise(mesh_, result_);
+    return std::move(result_);
 }
 
-GroupCandidates groups_of(const TriangleMesh& mesh, std::span<const FaceTree> trees, double error)
+FormerFrame PartitionBuilder::leave()
 {
-    GroupCandidates out{std::vector<std::uint32_t>(mesh.face_count(), kNone),
-                        std::vector<float>(mesh.face_count(), 0.0f)};
-    tbb::parallel_for(std::size_t{0}, trees.size(), [&](std::size_t map) {
-        find_group_candidates({mesh, trees[map]}, error, out);
-    });
-    return out;
+    return {mesh_.positions,      std::move(weld_),    std::move(flipped_),
+            std::move(contacts_), found_all_contacts_, {}};
+}
+
+void build(PartitionBuilder& builder, const TriangleMesh& mesh)
+{
+    if (mesh.face_count() > kNone / 3 || mesh.positions.size() >= kNone)
+        throw InputError("the scene has " + std::to_string(mesh.face_count()) +
+                         " faces, too many to number their edges; split it");
+    builder.join_faces();
+    builder.join_maps();
+    builder.look_around_maps();
+    builder.add_contacts();
 }
 
 } // namespace
 
 PartitionResult build_partition(const Scene& scene, const PartitionOptions& options)
 {
-    const TriangleMesh& mesh = scene.mesh;
-    if (mesh.face_count() > kNone / 3 || mesh.positions.size() >= kNone)
-        throw InputError("the scene has " + std::to_string(mesh.face_count()) +
-                         " faces, too many to number their edges; split it");
-    PartitionResult result;
-    Partition& out = result.partition;
-    PartitionSummary& summary = result.summary;
-    const PassTimer timed{options, summary};
+    PartitionBuilder builder(scene, options, nullptr);
+    build(builder, scene.mesh);
+    return builder.finish();
+}
 
-    out.scene = timed("fingerprint", [&] { return fingerprint(scene); });
-    const VertexWeld weld = timed(
-        "weld vertices", [&] { return weld_vertices(mesh.positions, options.weld_distance); });
-    HalfEdges edges = timed("find half-edges", [&] { return find_half_edges(mesh, weld); });
-    EdgeClasses classes = timed("classify edges", [&] {
-        return classify_edges(mesh, edges, options.angle_threshold, options.split);
-    });
-    SharedMaps maps =
-        timed("share maps", [&] { return share_maps(classes.edge_class, edges.opposite); });
-    out.position_error = position_error_of(mesh);
-    // Faces in one plane differ by less than any threshold but none.
-    const bool join = options.split == SplitBy::normals || options.angle_threshold > kAngleBand;
-    const FaceTree tree = timed("build tree", [&] { return tree_of_maps(mesh, maps); });
-    const std::uint32_t maps_by_edges = maps.count;
-    summary.given_up = timed(
-        "join seams", [&] { return join ? join_seams(mesh, edges, classes, maps, tree, out) : 0; });
-    summary.joined_maps = maps_by_edges - maps.count;
-    const std::vector<FaceTree> trees = timed("build trees of maps", [&] {
-        return trees_of_maps(mesh, maps, std::vector<std::uint8_t>(maps.count, 1));
-    });
-    LocalCandidates locals = timed("find local candidates", [&] {
-        return find_local_candidates(mesh, classes.edge_class, maps);
-    });
-    Clearances clearances = timed("find clearances", [&] {
-        return clearances_of(mesh, classes.edge_class, trees, out.position_error);
-    });
-    const ContactScene contact_scene{mesh,
-                                     classes.edge_class,
-                                     edges.opposite,
-                                     maps.map_of_face,
-                                     out.bridged_edges,
-                                     out.position_error};
-    summary.given_up += timed("find contacts", [&] {
-        return add_contacts(contact_scene, tree, clearances.clearance, out.contacts);
-    });
-
-    GroupCandidates groups =
-        timed("find group candidates", [&] { return groups_of(mesh, trees, out.position_error); });
-
-    out.angle_threshold = options.angle_threshold;
-    out.map_count = maps.count;
-    out.map_of_face = std::move(maps.map_of_face);
-    out.edge_class = std::move(classes.edge_class);
-    out.opposite = std::move(edges.opposite);
-    out.flipped = std::move(edges.flipped);
-    out.closed = std::move(edges.closed);
-    out.reach = std::move(locals.reach);
-    out.candidate = std::move(locals.candidate);
-    out.kept_edges = std::move(clearances.kept_edges);
-    out.clearance = std::move(clearances.clearance);
-    out.group_count = number_by_first(groups.group_of_face);
-    out.group_of_face = std::move(groups.group_of_face);
-    out.group_radius = std::move(groups.group_radius);
-
-    summary.faces = mesh.face_count();
-    summary.vertices = mesh.positions.size();
-    summary.welded_vertices = weld.count;
-    summary.edges_in_band = classes.edges_in_band;
-    summary.defects = edges.defects;
-    summary.contacts = out.contacts.size();
-    summary.bridged_edges = out.bridged_edges.size();
-    summary.candidates = static_cast<std::size_t>(std::ranges::count(out.candidate, 1));
-    summary.groups = out.group_count;
-    summary.grouped_faces =
-        mesh.face_count() - static_cast<std::size_t>(std::ranges::count(out.group_of_face, kNone));
-    summary.closed_faces = static_cast<std::size_t>(std::ranges::count(out.closed, 1));
-    count_edges(summary, out);
-    measure_maps(summary, out, mesh);
-    return result;
+void build_partition(const Scene& scene, const PartitionOptions& options,
+                     std::optional<FormerFrame>& former)
+{
+    PartitionBuilder builder(scene, options, former ? &*former : nullptr);
+    build(builder, scene.mesh);
+    PartitionResult result = builder.finish();
+    former = builder.leave();
+    former->result = std::move(result);
 }
 
 } // namespace hipmap

@@ -16,12 +16,22 @@ namespace {
 /// More faces than this that meet one are not looked at: a bound for files made to have too many.
 constexpr int kMostPairs = 1024;
 
-bool precedes(const MapContact& l, const MapContact& r)
+auto key_of(const MapContact& c)
 {
-    const auto key = [](const MapContact& c) {
-        return std::tie(c.map, c.a.x, c.a.y, c.a.z, c.b.x, c.b.y, c.b.z);
-    };
-    return key(l) < key(r);
+    return std::tie(c.map, c.a.x, c.a.y, c.a.z, c.b.x, c.b.y, c.b.z);
+}
+
+auto key_of(const MadeContact& c)
+{
+    return std::tuple_cat(key_of(c.contact), std::tie(c.by));
+}
+
+template <typename Contact>
+void sort_without_twins(std::vector<Contact>& contacts)
+{
+    tbb::parallel_sort(contacts.begin(), contacts.end(),
+                       [](const Contact& l, const Contact& r) { return key_of(l) < key_of(r); });
+    contacts.erase(std::unique(contacts.begin(), contacts.end()), contacts.end());
 }
 
 bool before(const glm::dvec3& a, const glm::dvec3& b)
@@ -117,6 +127,33 @@ struct BoxedFace {
     Bounds<glm::vec3> box;
 };
 
+Bounds<glm::vec3> widened(const Bounds<glm::vec3>& box, double by)
+{
+    return {glm::vec3(glm::dvec3(box.low) - by), glm::vec3(glm::dvec3(box.high) + by)};
+}
+
+/// [F] 1: of a map that is wanted, or so near one that it may meet it, within twice what is looked
+/// through from a face.
+std::vector<std::uint8_t> faces_near(const ContactScene& scene, const FaceTree& tree,
+                                     std::span<const std::uint8_t> wanted)
+{
+    const auto face_count = static_cast<FaceId>(scene.mesh.face_count());
+    std::vector<std::uint8_t> near(face_count, 1);
+    if (std::ranges::count(wanted, 0) == 0)
+        return near;
+    std::ranges::fill(near, 0);
+    for (FaceId face = 0; face < face_count; ++face) {
+        if (scene.map_of_face[face] == kNone || wanted[scene.map_of_face[face]] == 0)
+            continue;
+        near[face] = 1;
+        const Bounds<glm::vec3> box = widened(face_box(scene.mesh, face), 8 * scene.error);
+        tree.visit(
+            box, [](const FaceTree::Range&) { return false; },
+            [&](FaceId other) { near[other] |= meet(box, face_box(scene.mesh, other)); });
+    }
+    return near;
+}
+
 /// Whether a pair of faces is looked at from `f`: from the smaller one, as a floor may meet any
 /// number of small things, but few large ones meet a small one.
 bool is_smaller(const BoxedFace& f, const BoxedFace& g)
@@ -136,14 +173,13 @@ FoundContacts contacts_of_pairs(const ContactScene& scene, const FaceTree& tree,
     const auto face_count = static_cast<FaceId>(scene.mesh.face_count());
     tbb::parallel_for(tbb::blocked_range<FaceId>(0, face_count), [&](const auto& faces) {
         FoundContacts& mine = found.local();
+        std::vector<MapContact> lines;
         for (FaceId f = faces.begin(); f < faces.end(); ++f) {
             const MapId map = scene.map_of_face[f];
             if (map == kNone || !starts(f))
                 continue;
             const BoxedFace own{f, face_box(scene.mesh, f)};
-            Bounds<glm::vec3> box = own.box;
-            box.low = glm::vec3(glm::dvec3(box.low) - 4 * scene.error);
-            box.high = glm::vec3(glm::dvec3(box.high) + 4 * scene.error);
+            const Bounds<glm::vec3> box = widened(own.box, 4 * scene.error);
             int pairs = 0;
             tree.visit(
                 box,
@@ -152,8 +188,13 @@ FoundContacts contacts_of_pairs(const ContactScene& scene, const FaceTree& tree,
                 },
                 [&](FaceId g) {
                     const BoxedFace other{g, face_box(scene.mesh, g)};
-                    if (meet(box, other.box) && wanted(own, other) && ++pairs <= kMostPairs)
-                        append_contacts(scene, std::min(f, g), std::max(f, g), mine.contacts);
+                    if (!meet(box, other.box) || !wanted(own, other) || ++pairs > kMostPairs)
+                        return;
+                    lines.clear();
+                    append_contacts(scene, std::min(f, g), std::max(f, g), lines);
+                    for (const MapContact& line : lines)
+                        mine.contacts.push_back(
+                            {line, line.map == map ? scene.map_of_face[g] : map});
                 });
             mine.given_up += pairs > kMostPairs;
         }
@@ -191,16 +232,22 @@ void append_contacts(const ContactScene& scene, FaceId f, FaceId g, std::vector<
 
 void sort_contacts(std::vector<MapContact>& contacts)
 {
-    tbb::parallel_sort(contacts.begin(), contacts.end(), precedes);
-    contacts.erase(std::unique(contacts.begin(), contacts.end()), contacts.end());
+    sort_without_twins(contacts);
 }
 
-FoundContacts find_contacts(const ContactScene& scene, const FaceTree& tree)
+void sort_contacts(std::vector<MadeContact>& contacts)
+{
+    sort_without_twins(contacts);
+}
+
+FoundContacts find_contacts(const ContactScene& scene, const FaceTree& tree,
+                            std::span<const std::uint8_t> wanted)
 {
     const auto& map_of_face = scene.map_of_face;
     const std::vector<MapId> map_of_node = tree.labels_of_nodes(map_of_face);
+    const std::vector<std::uint8_t> starts = faces_near(scene, tree, wanted);
     return contacts_of_pairs(
-        scene, tree, [](FaceId) { return true; },
+        scene, tree, [&](FaceId face) { return starts[face] != 0; },
         [&](const FaceTree::Range& range, MapId map) { return map_of_node[range.node] == map; },
         [&](const BoxedFace& f, const BoxedFace& g) {
             return map_of_face[f.face] != map_of_face[g.face] && is_smaller(f, g);
@@ -208,14 +255,15 @@ FoundContacts find_contacts(const ContactScene& scene, const FaceTree& tree)
 }
 
 FoundContacts find_own_contacts(const ContactScene& scene, const FaceTree& tree,
-                                std::span<const float> clearance)
+                                std::span<const float> clearance,
+                                std::span<const std::uint8_t> wanted)
 {
     const auto& map_of_face = scene.map_of_face;
     const std::vector<MapId> map_of_node = tree.labels_of_nodes(map_of_face);
     // What stands on a face or cuts through it is in front of all of its planes.
     const auto is_met = [&](FaceId face) { return clearance[face] <= scene.error; };
     return contacts_of_pairs(
-        scene, tree, is_met,
+        scene, tree, [&](FaceId face) { return wanted[map_of_face[face]] != 0 && is_met(face); },
         [&](const FaceTree::Range& range, MapId map) {
             return map_of_node[range.node] != map && map_of_node[range.node] != kNone;
         },

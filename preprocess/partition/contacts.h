@@ -23,19 +23,33 @@ void append_contacts(const ContactScene& scene, FaceId f, FaceId g, std::vector<
 /// Orders contacts by map and place, and keeps one of equal ones.
 void sort_contacts(std::vector<MapContact>& contacts);
 
-struct FoundContacts {
-    std::vector<MapContact> contacts; ///< sorted, none twice
-    std::size_t given_up = 0;         ///< faces that meet too many larger ones to look at all
+/// A contact and the map of the other face that makes it, which may be the same one.
+struct MadeContact {
+    MapContact contact;
+    MapId by = kNone;
+
+    bool operator==(const MadeContact&) const = default;
 };
 
-/// The contacts of all pairs of faces of different maps.
-/// tree: all faces but the degenerate ones.
-/// Near linear in faces and contacts, parallel; the same at any thread count.
-FoundContacts find_contacts(const ContactScene& scene, const FaceTree& tree);
+/// Orders contacts by map, place and what makes them, and keeps one of equal ones.
+void sort_contacts(std::vector<MadeContact>& contacts);
 
-/// The same for all pairs of faces of one map.
+struct FoundContacts {
+    std::vector<MadeContact> contacts; ///< sorted, none twice
+    std::size_t given_up = 0;          ///< faces that meet too many larger ones to look at all
+};
+
+/// The contacts of pairs of faces of different maps, all that have a face of some maps and perhaps
+/// others.
+/// tree: all faces but the degenerate ones.  wanted: [maps] 1 for those maps.
+/// Near linear in faces and contacts, parallel; the same at any thread count.
+FoundContacts find_contacts(const ContactScene& scene, const FaceTree& tree,
+                            std::span<const std::uint8_t> wanted);
+
+/// The contacts of all pairs of faces of one map, of the maps that are wanted.
 /// clearance: [F] as in Partition; only faces that have none need be looked at.
 FoundContacts find_own_contacts(const ContactScene& scene, const FaceTree& tree,
-                                std::span<const float> clearance);
+                                std::span<const float> clearance,
+                                std::span<const std::uint8_t> wanted);
 
 } // namespace hipmap
