@@ -86,17 +86,14 @@ int preprocess(const PreprocessArguments& arguments, SceneSource& source,
 
 int preprocess_frames(const PreprocessArguments& arguments)
 {
-    const auto of = [&](int frame) {
-        return frame < 0 ? arguments : arguments_of_frame(arguments, frame);
-    };
-    for_each_frame(arguments.frames, [&](int frame) {
-        check_outputs(of(frame));
+    for_each_frame_of(arguments, [](const PreprocessArguments& one) {
+        check_outputs(one);
         return kExitDone;
     });
     SceneSource source(arguments.scene, arguments.scene_options);
     std::optional<FormerFrame> former;
-    return for_each_frame(arguments.frames,
-                          [&](int frame) { return preprocess(of(frame), source, former); });
+    return for_each_frame_of(
+        arguments, [&](const PreprocessArguments& one) { return preprocess(one, source, former); });
 }
 
 } // namespace

@@ -171,10 +171,10 @@ int render(RenderArguments& arguments, SceneSource& source)
     const Stopwatch reading;
     LoadedScene loaded = load(arguments, source);
     const Partition partition = load_partition(arguments, loaded.scene);
-    const ShutterTime shutter = shutter_time(arguments);
-    const auto at = [&](double time) { return load_at(arguments, source, time).scene; };
-    run.effects =
-        plan_run(arguments, loaded.scene, partition, find_moving(loaded.scene, shutter, at));
+    const ShutterMotion motion =
+        find_motion(loaded.scene, shutter_time(arguments),
+                    [&](double time) { return load_at(arguments, source, time).scene; });
+    run.effects = plan_run(arguments, loaded.scene, partition, motion.names);
     if (arguments.explain) {
         print_audit(report, loaded.audit);
         explain(run.effects, report);
@@ -183,7 +183,7 @@ int render(RenderArguments& arguments, SceneSource& source)
     SkyPicture sky = load_sky(loaded.scene, arguments.sky.turn_deg);
     std::vector<std::string> settings = settings_of(arguments.render, loaded.scene, partition, sky);
     if (run.effects.has(Effect::motion_blur))
-        settings.push_back(shutter_setting(shutter, at));
+        settings.push_back(motion.setting);
     const std::optional<RenderState> found = find_state(arguments, settings);
     if (arguments.frames.asked())
         report.line("frame " + std::to_string(arguments.frames.first));
@@ -227,11 +227,8 @@ int render(RenderArguments& arguments, SceneSource& source)
 
 int render_frames(const RenderArguments& arguments)
 {
-    const auto of = [&](int frame) {
-        return frame < 0 ? arguments : arguments_of_frame(arguments, frame);
-    };
-    for_each_frame(arguments.frames, [&](int frame) {
-        check_outputs(of(frame));
+    for_each_frame_of(arguments, [](const RenderArguments& one) {
+        check_outputs(one);
         return kExitDone;
     });
     const auto is_exposed = [](const std::filesystem::path& image) {
@@ -243,10 +240,7 @@ int render_frames(const RenderArguments& arguments)
         Report().line("assumed: each frame is exposed by itself, so brightness may jump "
                       "(--exposure EV holds it)");
     SceneSource source(arguments.scene, arguments.scene_options);
-    return for_each_frame(arguments.frames, [&](int frame) {
-        RenderArguments one = of(frame);
-        return render(one, source);
-    });
+    return for_each_frame_of(arguments, [&](RenderArguments one) { return render(one, source); });
 }
 
 } // namespace

@@ -3,13 +3,14 @@
 #include "common/scene/fingerprint.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 
 namespace hipmap {
 
 namespace {
 
-constexpr int kMoments = 5; ///< at which motion is looked for
+constexpr std::size_t kMoments = 5; ///< at which motion is looked for
 
 void add_once(std::vector<std::string>& names, const std::string& name)
 {
@@ -56,29 +57,26 @@ ShutterTime shutter_time(const RenderArguments& arguments)
     return {arguments.scene_options.time.value_or(0) - seconds / 2, seconds};
 }
 
-std::vector<std::string> find_moving(const Scene& still, const ShutterTime& shutter,
-                                     const std::function<Scene(double time)>& at)
+ShutterMotion find_motion(const Scene& still, const ShutterTime& shutter,
+                          const std::function<Scene(double time)>& at)
 {
-    std::vector<std::string> names;
+    ShutterMotion out;
     if (!(shutter.seconds > 0))
-        return names;
-    for (int i = 0; i < kMoments; ++i) {
+        return out;
+    std::array<Fingerprint, kMoments> contents;
+    for (std::size_t i = 0; i < kMoments; ++i) {
         const Scene now = at(shutter.at(static_cast<double>(i) / (kMoments - 1)));
-        add_moved_objects(still.mesh, now.mesh, names);
-        add_moved_lights(still, now, names);
+        add_moved_objects(still.mesh, now.mesh, out.names);
+        add_moved_lights(still, now, out.names);
+        if (i == 0 || i + 1 == kMoments)
+            contents[i] = content_fingerprint(now);
     }
-    return names;
-}
-
-std::string shutter_setting(const ShutterTime& shutter, const std::function<Scene(double time)>& at)
-{
-    const Fingerprint opening = content_fingerprint(at(shutter.at(0)));
-    const Fingerprint closing = content_fingerprint(at(shutter.at(1)));
     char text[96];
     std::snprintf(text, sizeof text, "shutter=%.17g+%.17g s, %016llx to %016llx", shutter.open,
-                  shutter.seconds, static_cast<unsigned long long>(opening.words[0]),
-                  static_cast<unsigned long long>(closing.words[0]));
-    return text;
+                  shutter.seconds, static_cast<unsigned long long>(contents.front().words[0]),
+                  static_cast<unsigned long long>(contents.back().words[0]));
+    out.setting = text;
+    return out;
 }
 
 } // namespace hipmap

@@ -18,13 +18,16 @@ struct ShutterTime {
 /// --shutter frames about the moment of the frame, half of them before it, as in Blender.
 ShutterTime shutter_time(const RenderArguments& arguments);
 
-/// The names of objects, lamps and the camera that are not where they are in `still` at some of
-/// five moments from the shutter's opening to its closing.
-std::vector<std::string> find_moving(const Scene& still, const ShutterTime& shutter,
-                                     const std::function<Scene(double time)>& at);
+/// What a scene does while the shutter is open.
+struct ShutterMotion {
+    /// The names of objects, lamps and the camera that are not where they are at the moment of the
+    /// frame at some of five moments from the shutter's opening to its closing.
+    std::vector<std::string> names;
+    std::string setting; ///< what a state says of it, besides what settings_of does
+};
 
-/// What a state says of the shutter, besides what settings_of does.
-std::string shutter_setting(const ShutterTime& shutter,
-                            const std::function<Scene(double time)>& at);
+/// still: at the moment of the frame.  Loads the five moments, or nothing if the shutter is shut.
+ShutterMotion find_motion(const Scene& still, const ShutterTime& shutter,
+                          const std::function<Scene(double time)>& at);
 
 } // namespace hipmap

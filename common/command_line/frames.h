@@ -29,4 +29,13 @@ void set_frame(SceneOptions& options, FrameOptions& frames, int frame);
 /// the last one called returned.  Without frames: body(-1).
 int for_each_frame(const FrameOptions& frames, const std::function<int(int frame)>& body);
 
+/// The same with the arguments of each frame, by arguments_of_frame; without frames with all.
+template <typename Arguments, typename Body>
+int for_each_frame_of(const Arguments& all, const Body& body)
+{
+    return for_each_frame(all.frames, [&](int frame) {
+        return body(frame < 0 ? all : arguments_of_frame(all, frame));
+    });
+}
+
 } // namespace hipmap

@@ -15,9 +15,14 @@ namespace {
 /// Of the work of a pass, what its photons are taken for in the progress shown.
 constexpr double kPhotonShare = 0.3;
 
+/// A scene at some moment, and its faces as maps see them.
+struct MappedScene {
+    const RenderScene& scene;
+    const MapSurfaces& surfaces;
+};
+
 /// What all passes share.
 struct Progressive {
-    std::shared_ptr<const MapSurfaces> surfaces;
     FirstRadii first;
     VolumeRadii first_volume;
     SampleAllotment allotment;
@@ -29,11 +34,6 @@ struct PassMapsByKind {
     std::optional<PhotonIrradiance> irradiance; ///< of `global`
     std::optional<VolumeMap> volume;            ///< if the scene has media
 };
-
-std::shared_ptr<const MapSurfaces> surfaces_of(const RenderScene& scene)
-{
-    return std::make_shared<MapSurfaces>(scene.mesh(), scene.partition);
-}
 
 /// It is Lambert's alone.
 bool precomputes(const RenderScene& scene, const RenderOptions& options)
@@ -74,13 +74,14 @@ void count_searches(const GatherScratch& scratch, RenderStatistics& statistics)
     statistics.indirect.searches += scratch.indirect.search.statistics;
 }
 
-PassMapsByKind make_maps(const RenderScene& scene, const Progressive& shared,
+PassMapsByKind make_maps(const MappedScene& mapped, const Progressive& shared,
                          const RenderOptions& options, std::uint64_t pass, double shrink,
                          RenderStatistics& statistics)
 {
+    const RenderScene& scene = mapped.scene;
     const TracedPhotons traced = trace_linked(scene, options, pass, statistics);
     const Stopwatch weighing;
-    const std::vector<Photon> weighed = weigh_bounces(traced, shared.first, *shared.surfaces);
+    const std::vector<Photon> weighed = weigh_bounces(traced, shared.first, mapped.surfaces);
     statistics.seconds_maps += weighing.seconds();
     const auto maps_of = [&](const std::vector<Photon>& photons, KindStatistics& kind) {
         return build_maps(scene, photons, options.maps, kind, statistics);
@@ -92,17 +93,17 @@ PassMapsByKind make_maps(const RenderScene& scene, const Progressive& shared,
         {},
         build_volume(scene, traced, shared.first_volume, static_cast<float>(shrink), statistics)};
     if (precomputes(scene, options))
-        maps.irradiance = estimate_at_photons(maps.global, *shared.surfaces, {});
+        maps.irradiance = estimate_at_photons(maps.global, mapped.surfaces, {});
     return maps;
 }
 
 /// shrink: radius over the first radius.
-RenderedPass gather_pass(const RenderScene& scene, const Progressive& shared,
+RenderedPass gather_pass(const MappedScene& mapped, const Progressive& shared,
                          const PassMapsByKind& photons, const PictureJob& job, double shrink,
                          const PassControl& control, RenderStatistics& statistics)
 {
-    const GatherMaps maps{scene,
-                          *shared.surfaces,
+    const GatherMaps maps{mapped.scene,
+                          mapped.surfaces,
                           photons.caustic,
                           photons.global,
                           photons.indirect,
@@ -119,27 +120,28 @@ RenderedPass gather_pass(const RenderScene& scene, const Progressive& shared,
         [&](const GatherScratch& scratch) { count_searches(scratch, statistics); });
 }
 
-RenderedPass render_pass(const RenderScene& scene, const Progressive& shared,
+RenderedPass render_pass(const MappedScene& mapped, const Progressive& shared,
                          const RenderOptions& options, std::uint64_t pass,
                          const PassControl& control, RenderStatistics& statistics)
 {
     const double shrink = radius_of_pass(pass, options.alpha);
-    const PassMapsByKind photons = make_maps(scene, shared, options, pass, shrink, statistics);
-    return gather_pass(scene, shared, photons, {scene, options, pass, shared.allotment}, shrink,
-                       control, statistics);
+    const PassMapsByKind photons = make_maps(mapped, shared, options, pass, shrink, statistics);
+    return gather_pass(mapped, shared, photons, {mapped.scene, options, pass, shared.allotment},
+                       shrink, control, statistics);
 }
 
 /// Allots samples by two images from the same photons; returns the mean of their channels.
-double render_pilot(const RenderScene& scene, const RenderOptions& options, Progressive& shared)
+double render_pilot(const MappedScene& mapped, const RenderOptions& options, Progressive& shared)
 {
+    const RenderScene& scene = mapped.scene;
     RenderStatistics ignored;
     RenderOptions small = pilot_options(options);
     small.width = (options.width + 1) / 2;
     small.height = (options.height + 1) / 2;
-    const PassMapsByKind photons = make_maps(scene, shared, small, kPilotPass, 1, ignored);
+    const PassMapsByKind photons = make_maps(mapped, shared, small, kPilotPass, 1, ignored);
     const SampleAllotment evenly{{}, allot_light_samples(scene, small)};
     const auto image_of = [&](std::uint64_t pass) {
-        return gather_pass(scene, shared, photons, {scene, small, pass, evenly}, 1.0, {}, ignored)
+        return gather_pass(mapped, shared, photons, {scene, small, pass, evenly}, 1.0, {}, ignored)
             .images.radiance;
     };
     const Image first = image_of(kPilotPass), second = image_of(kPilotPass - 1);
@@ -153,24 +155,24 @@ double render_pilot(const RenderScene& scene, const RenderOptions& options, Prog
 PassSource make_progressive_source(const RenderScene& scene, const RenderOptions& options,
                                    RenderStatistics& statistics)
 {
-    const std::shared_ptr<Progressive> shared(new Progressive{surfaces_of(scene), {}, {}, {}});
+    const auto surfaces = std::make_shared<const MapSurfaces>(scene.mesh(), scene.partition);
+    const auto shared = std::make_shared<Progressive>();
     find_first_radii(scene, options, *shared);
     PassSource source;
     source.width = options.width;
     source.height = options.height;
-    source.pilot_mean = render_pilot(scene, options, *shared);
+    source.pilot_mean = render_pilot({scene, *surfaces}, options, *shared);
     source.alpha = options.alpha;
     source.allotment = checksum(shared->allotment);
     source.bias = precomputes(scene, options) ? BiasKnowledge::unknown : BiasKnowledge::from_radii;
-    source.render = [&scene, &options, &statistics, shared](std::uint64_t pass,
-                                                            const PassControl& control) {
-        return render_pass(scene, *shared, options, pass, control, statistics);
+    source.render = [&scene, &options, &statistics, surfaces, shared](std::uint64_t pass,
+                                                                      const PassControl& control) {
+        return render_pass({scene, *surfaces}, *shared, options, pass, control, statistics);
     };
     source.render_in = [&options, &statistics, shared](const RenderScene& now, std::uint64_t pass,
                                                        const PassControl& control) {
-        Progressive moved = *shared;
-        moved.surfaces = surfaces_of(now);
-        return render_pass(now, moved, options, pass, control, statistics);
+        const MapSurfaces surfaces_now(now.mesh(), now.partition);
+        return render_pass({now, surfaces_now}, *shared, options, pass, control, statistics);
     };
     return source;
 }
