@@ -182,6 +182,40 @@ def add_smoke(glb):
     glb.mesh("Ball", red, sphere((-0.75, 0.2, 0.3), 0.2, 40, 20))
 
 
+def prism(centre, side, length, turn):
+    """An equilateral one along z; `turn` (radians) from its apex being on top."""
+    corners = [(centre[0] + side / math.sqrt(3) * math.cos(angle),
+                centre[1] + side / math.sqrt(3) * math.sin(angle))
+               for angle in (turn + math.pi / 2 + 2 * math.pi * i / 3 for i in range(3))]
+    back, front = centre[2] - length / 2, centre[2] + length / 2
+    positions, normals, uvs, faces = [], [], [], []
+
+    def add(points, normal):
+        first = len(positions)
+        positions.extend(points)
+        normals.extend([normal] * len(points))
+        uvs.extend([(0, 0)] * len(points))
+        faces.extend((first, first + i, first + i + 1) for i in range(1, len(points) - 1))
+
+    add([(*corner, front) for corner in corners], (0, 0, 1))
+    add([(*corner, back) for corner in reversed(corners)], (0, 0, -1))
+    for i, a in enumerate(corners):
+        b = corners[(i + 1) % 3]
+        normal = ((b[1] - a[1]) / side, (a[0] - b[0]) / side, 0)
+        add([(*a, front), (*a, back), (*b, back), (*b, front)], normal)
+    return positions, normals, uvs, faces
+
+
+def add_dispersion(glb):
+    """A prism of a glass that parts colours more than any real one, in the light of a spot."""
+    glass = glb.material("Prism", (1, 1, 1), base={"roughnessFactor": 0}, extensions={
+        "KHR_materials_ior": {"ior": 1.6}, "KHR_materials_transmission": {"transmissionFactor": 1},
+        "KHR_materials_dispersion": {"dispersion": 3}})
+    glb.mesh("Prism", glass, prism((-0.6, 0.9, -0.1), 0.22, 0.4, math.radians(-23)))
+    glb.spot("Spot", (-1.4, 0.9, -0.1), (0, -math.sqrt(0.5), 0, math.sqrt(0.5)), 40000,
+             math.radians(1.6))
+
+
 def add_absorption(glb):
     """The same glass, thin and thick."""
     glass = glb.material("Bottle glass", (1, 1, 1), base={"roughnessFactor": 0}, extensions={
@@ -240,6 +274,7 @@ SCENES = {
     "alpha": (add_alpha, 20),
     "clearcoat": (add_clearcoat, 20),
     "depth_of_field": (add_depth_of_field, 20),
+    "dispersion": (add_dispersion, 8),
     "emissive_picture": (add_emissive_picture, 0),
     "environment": (add_environment, 12),
     "fog": (add_fog, 1.5),

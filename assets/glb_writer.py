@@ -75,6 +75,15 @@ class Glb:
                 "interpolation": interpolation})
         self.root.setdefault("animations", []).append(animation)
 
+    def spot(self, name, place, rotation, candela, angle):
+        """Along -Z of `rotation`, of even intensity in all but the outer tenth of its cone."""
+        self.root.setdefault("extensionsUsed", []).append("KHR_lights_punctual")
+        self.root["extensions"] = {"KHR_lights_punctual": {"lights": [
+            {"type": "spot", "name": name, "intensity": candela,
+             "spot": {"innerConeAngle": 0.9 * angle, "outerConeAngle": angle}}]}}
+        self.node(name, translation=list(place), rotation=list(rotation),
+                  extensions={"KHR_lights_punctual": {"light": 0}})
+
     def texture(self, data, **sampler):
         for key, value in (("images", {"bufferView": self.view(data), "mimeType": "image/png"}),
                            ("samplers", sampler)):

@@ -22,12 +22,12 @@ constexpr string_view kRead[] = {
     "KHR_mesh_quantization",      "KHR_draco_mesh_compression",
     "EXT_meshopt_compression",    "EXT_mesh_gpu_instancing",
     "KHR_texture_transform",      "KHR_materials_sheen",
+    "KHR_materials_dispersion",
 };
 
 /// Read, but not rendered yet.
 constexpr string_view kUnrendered[] = {
     "KHR_materials_anisotropy",
-    "KHR_materials_dispersion",
 };
 
 constexpr string_view kRenderedTextures[] = {"baseColorTexture",

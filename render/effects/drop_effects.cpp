@@ -26,6 +26,8 @@ void drop_effects(Scene& scene, const EffectPlan& plan)
     for (Material& material : scene.materials) {
         if (!plan.has(Effect::absorption) && !material.holds_medium())
             material.absorption = Rgb(0);
+        if (!plan.has(Effect::dispersion))
+            material.dispersion = 0;
         if (!plan.has(Effect::clearcoat))
             material.clearcoat = 0;
         if (!plan.has(Effect::sheen))

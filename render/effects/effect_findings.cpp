@@ -104,8 +104,12 @@ Finding find_absorption(const SceneFacts& facts)
 
 Finding find_dispersion(const SceneFacts& facts)
 {
-    return not_rendered_yet(names_of(facts, [](const Material& m) { return m.dispersion > 0; }),
-                            "no glass bends colours differently");
+    const std::string names = facts.materials_where(
+        [](const Material&, const Bsdf& bsdf, bool solid) { return solid && bsdf.dispersion > 0; });
+    if (names.empty())
+        return {false, "no solid glass bends colours differently", ""};
+    return {true, names + " bend colours differently",
+            "noise in colour: paths that meet them go on with one wavelength"};
 }
 
 Finding find_media(const SceneFacts& facts)

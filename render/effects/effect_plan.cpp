@@ -25,7 +25,7 @@ constexpr std::array<Row, kEffects> kRows = {{
     {Effect::refraction, "refraction", find_refraction, false},
     {Effect::caustics, "caustics", find_caustics, true},
     {Effect::absorption, "absorption", find_absorption, true},
-    {Effect::dispersion, "dispersion", find_dispersion, false},
+    {Effect::dispersion, "dispersion", find_dispersion, true},
     {Effect::media, "media", find_media, true},
     {Effect::subsurface, "subsurface", find_subsurface, false},
     {Effect::textures, "textures", find_textures, true},

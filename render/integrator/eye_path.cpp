@@ -2,6 +2,7 @@
 
 #include "render/integrator/direct_light.h"
 #include "render/integrator/media_beams.h"
+#include "render/shading/dispersion.h"
 #include "render/shading/scatter.h"
 
 #include <array>
@@ -27,9 +28,10 @@ struct Branch {
     Rgb weight{1.0f};
     Rgb absorption{0.0f}; ///< of what the ray travels in
     RaySource source;
-    int depth = 0;     ///< surfaces behind it
-    bool clear = true; ///< nothing but mirrors and clear glass is behind it
-    Interiors inside;  ///< what the ray travels in, where there are media
+    float nanometres = 0; ///< of the light followed; 0: all
+    int depth = 0;        ///< surfaces behind it
+    bool clear = true;    ///< nothing but mirrors and clear glass is behind it
+    Interiors inside;     ///< what the ray travels in, where there are media
 };
 
 /// Branches wait on a stack: each of the first kSplitDepth surfaces adds at most one.
@@ -211,6 +213,7 @@ Rgb trace_eye_path(const PassMaps& maps, const Ray& ray, SeenLights seen, Random
             continue;
         Interaction at = interact(maps.scene, branch.ray, *hit);
         at.inside = maps.scene.has_media() ? &branch.inside : nullptr;
+        disperse(at, branch.nanometres, branch.weight, random);
         if (sees_lights)
             radiance += branch.weight * emitted_radiance(at.bsdf, at.point, at.back) *
                         hit_weight(maps.scene, at.point, branch.ray.direction, hit->distance,
@@ -236,7 +239,8 @@ Rgb trace_seen_lights(const RenderScene& scene, const Ray& ray, RandomSequence& 
         radiance += light_on_way(scene, start, branch, hit);
         if (!hit)
             continue;
-        const Interaction at = interact(scene, branch.ray, *hit);
+        Interaction at = interact(scene, branch.ray, *hit);
+        disperse(at, branch.nanometres, branch.weight, random);
         radiance += branch.weight * emitted_radiance(at.bsdf, at.point, at.back);
         if (!at.bsdf.is_matt())
             follow_specular(scene, at, branch, random, stack);

@@ -40,8 +40,10 @@ GatherBranch scatter(const GatherBranch& from, const Interaction& at, Lobes lobe
     next.weight *= sample.weight;
     next.source = source_at(at, sample.density);
     next.clear = false;
-    if (lobes == Lobes::gathered)
+    if (lobes == Lobes::gathered) {
         next.gathers = next.straight = true;
+        next.nanometres = 0;
+    }
     next.ray = scattered_ray(at, sample);
     if (sample.transmitted)
         enter(at, sample.eta, next);

@@ -21,6 +21,7 @@ struct GatherBranch {
     Rgb absorption{0.0f}; ///< of what the ray travels in
     float index2 = 1.0f;  ///< square of the index of what the ray travels in
     RaySource source;
+    float nanometres = 0;      ///< of the light followed; 0: all
     bool clear = true;         ///< nothing but mirrors and clear glass is behind it
     bool gathers = false;      ///< a gathered lobe is behind it
     bool straight = false;     ///< nothing else is since

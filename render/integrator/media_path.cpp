@@ -1,5 +1,6 @@
 #include "render/integrator/media_path.h"
 
+#include "render/shading/dispersion.h"
 #include "render/shading/scatter.h"
 
 namespace hipmap {
@@ -38,6 +39,7 @@ void scatter(const RenderScene& scene, const Scattering& scattering, const Inter
     path.weight *= sample.weight;
     path.source = source_at(at, sample.density);
     path.gathers = path.straight = true;
+    path.nanometres = 0;
     path.ray = scattered_ray(at, sample);
 }
 
@@ -67,6 +69,7 @@ Rgb trace_media_path(const RenderScene& scene, const Ray& ray, RandomSequence& r
                        : radiance;
         Interaction at = interact(scene, path.ray, *end.hit);
         at.inside = &inside;
+        disperse(at, path.nanometres, path.weight, random);
         if (!pass_surface(scene, at, end.hit->distance, light, random, path, radiance))
             return radiance;
         if (glm::dot(path.ray.direction, at.normal) < 0)

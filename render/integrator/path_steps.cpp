@@ -56,6 +56,8 @@ bool follow_lobes(const Interaction& at, Lobes lobes, float chance, RandomSequen
         return false;
     path.straight = lobes == Lobes::gathered;
     path.gathers = path.gathers || path.straight;
+    if (path.straight)
+        path.nanometres = 0;
     path.weight *= sample.weight / chance;
     path.source = source_at(at, chance * sample.density);
     path.ray = scattered_ray(at, sample);
@@ -111,6 +113,7 @@ bool leave_matt(const RenderScene& scene, const Interaction& at, const LightClas
     radiance += path.weight * sampled_light(scene, at, {.gathered = 1}, random);
     const ScatterSample sample = sample_scatter(at, Lobes::gathered, random);
     path.gathers = path.straight = true;
+    path.nanometres = 0;
     path.weight *= sample.weight;
     path.source = source_at(at, sample.density);
     path.ray = scattered_ray(at, sample);

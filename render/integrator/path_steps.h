@@ -13,6 +13,7 @@ struct Path {
     Rgb absorption{0.0f}; ///< of what the ray travels in, where there are no media
     float index2 = 1.0f;  ///< square of the index of what the ray travels in
     RaySource source;
+    float nanometres = 0; ///< of the light followed; 0: all
     bool gathers = false; ///< a gathered lobe is behind it
     bool straight = true; ///< nothing else is since
 

@@ -2,6 +2,7 @@
 
 #include "render/integrator/direct_light.h"
 #include "render/integrator/media_path.h"
+#include "render/shading/dispersion.h"
 
 namespace hipmap {
 
@@ -24,7 +25,8 @@ Rgb trace_path(const RenderScene& scene, const Ray& ray, RandomSequence& random,
                        ? radiance + path.weight * met_sky(scene, path.ray.direction, path.source)
                        : radiance;
         absorb(path.absorption, hit->distance, path.weight);
-        const Interaction at = interact(scene, path.ray, *hit);
+        Interaction at = interact(scene, path.ray, *hit);
+        disperse(at, path.nanometres, path.weight, random);
         if (!pass_surface(scene, at, hit->distance, light, random, path, radiance))
             return radiance;
     }

@@ -3,6 +3,7 @@
 #include "common/math/frame.h"
 #include "common/math/sampling.h"
 #include "render/photons/media_flight.h"
+#include "render/shading/dispersion.h"
 #include "render/shading/scatter.h"
 
 #include <array>
@@ -76,6 +77,13 @@ inline void store(const Interaction& at, LightPath& path, bool directional, cons
     }
 }
 
+/// Counts a bounce off a gathered lobe, after which light is of all wavelengths.
+inline void bounce(LightPath& path)
+{
+    ++path.diffuse;
+    path.nanometres = 0;
+}
+
 /// Sends the path on by the diffuse lobe.  False: into the surface.
 inline bool scatter_diffusely(const Interaction& at, LightPath& path, RandomSequence& random,
                               PowerBalance& balance)
@@ -89,7 +97,7 @@ inline bool scatter_diffusely(const Interaction& at, LightPath& path, RandomSequ
     path.power *= diffuse_shape(at.bsdf, at.shading_normal, at.back, path.ray.direction);
     const bool out = glm::dot(path.ray.direction, at.normal) > 0;
     balance.absorbed += glm::dvec3(out ? incoming - path.power : incoming);
-    ++path.diffuse;
+    bounce(path);
     return out;
 }
 
@@ -166,7 +174,7 @@ void follow_specular(const Interaction& at, Event event, const LobeSamples& lobe
         return scatter_diffusely(at, path, random, balance);
     if (event == Event::gathered || event == Event::sheen) {
         follow_facet(at, event == Event::sheen ? lobes.sheen : lobes.gathered, path);
-        ++path.diffuse;
+        bounce(path);
         return true;
     }
     follow_specular(at, event, lobes, path);
@@ -216,6 +224,7 @@ void trace(const RenderScene& scene, const Wanted& wanted, RandomSequence& rando
         Interaction at = interact(scene, path.ray, *hit);
         if constexpr (media)
             at.inside = &path.inside;
+        disperse(at, path.nanometres, path.power, random);
         if (at.bsdf.gathers() && scene.partition.map_of_face[hit->face] != kNone)
             store(at, path, scene.directional, wanted, out);
         else if (at.bsdf.gathers())

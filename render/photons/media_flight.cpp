@@ -40,6 +40,7 @@ bool scatter_in_medium(const MediaSet& media, const glm::vec3& position, float b
     ++path.scatterings;
     path.from_media = path.media_last = true;
     path.last = kNoPhoton;
+    path.nanometres = 0;
     store_in_medium(position, inside, path, wanted, random, out);
     const float chance = std::min(1.0f, max_channel(path.power) / before);
     const bool goes_on = random.next() < chance && !is_done(path, wanted);

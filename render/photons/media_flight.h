@@ -11,6 +11,7 @@ struct LightPath {
     Rgb power{0.0f};
     Rgb absorption{0.0f}; ///< of what the ray travels in
     Interiors inside;     ///< where there are media
+    float nanometres = 0; ///< of its light; 0: all
     bool specular = false;
     bool first_specular = false; ///< before media and diffuse surfaces
     bool from_media = false;     ///< a medium scattered it, or sent it out

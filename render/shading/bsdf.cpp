@@ -35,9 +35,6 @@ Rgb schlick_average(const Rgb& f0, const Rgb& f90)
 /// matt).
 constexpr float kLeastReflectance = 0.02f;
 
-/// Rough glass of exactly the index of its surroundings would be no surface at all.
-constexpr float kLeastRoughIndex = 1.001f;
-
 /// Albedo of a reflection, whatever its width.
 Rgb albedo_of(const Rgb& f0, const Rgb& f90, float cosine, float alpha)
 {
@@ -139,6 +136,7 @@ Bsdf make_bsdf(const Material& material, const MaterialPoint& at, DiffuseModel m
     out.glass_tint = at.base_color;
     out.glass_reflection = glm::min(at.specular_color, Rgb(1)) * at.specular;
     out.ior = out.alpha > 0 ? std::max(material.ior, kLeastRoughIndex) : material.ior;
+    out.dispersion = out.glass > 0 ? material.dispersion : 0;
     add_clearcoat(at, out);
     add_sheen(at, out);
     make_opaque(material, at, out);

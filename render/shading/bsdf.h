@@ -20,6 +20,9 @@ inline constexpr float kMirrorRoughness = 0.02f;
 /// from photons.  Rough glass is always followed.  For photons, eye paths and path tracer alike.
 inline constexpr float kFollowedRoughness = 0.3f;
 
+/// Rough glass of exactly the index of its surroundings would be no surface at all.
+inline constexpr float kLeastRoughIndex = 1.001f;
+
 inline bool is_followed(float roughness)
 {
     return roughness <= kFollowedRoughness;
@@ -55,6 +58,7 @@ struct Bsdf {
     Rgb glass_tint{1.0f};       ///< transmitted at each crossing
     Rgb glass_reflection{1.0f}; ///< scale of its Fresnel reflection (KHR_materials_specular)
     float ior = 1.5f;
+    float dispersion = 0.0f;     ///< 20 / Abbe number of that glass; 0: colours go the same way
     float burley_roughness = -1; ///< of the diffuse lobe; below zero: Lambert
     Rgb absorption{0.0f};        ///< inside, per scene unit
     Rgb emission{0.0f};          ///< radiance, W/(m2 sr)

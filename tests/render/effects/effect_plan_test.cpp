@@ -120,6 +120,10 @@ TEST_CASE("effect plan: an effect is on if and only if the scene calls for it", 
     CHECK(on_in(plan_of(coloured)) == plain);
     coloured.mesh.attributes.colours[0].x = 0;
     CHECK(on_in(plan_of(coloured)) == Effects{Effect::indirect, Effect::vertex_colours});
+    Material flint = tiny::glass(1.6f);
+    flint.dispersion = 1;
+    CHECK(on_in(plan_of(with_ball(flint))).contains(Effect::dispersion));
+    CHECK_FALSE(on_in(plan_of(with_pane(flint))).contains(Effect::dispersion));
     Material lacquer = tiny::matt(Rgb(0.5f));
     lacquer.clearcoat = 1;
     CHECK(on_in(plan_of(with_pane(lacquer))) ==
@@ -236,7 +240,7 @@ TEST_CASE("effect plan: switches that make no sense are refused with the names t
          {"", "caustics", "-", "-caustic", "-caustics,", "-mirror", "-caustics,,-indirect"}) {
         INFO(text);
         CHECK_THROWS_WITH(parse_effect_switches(text),
-                          Catch::Contains("indirect, caustics, absorption, media"));
+                          Catch::Contains("indirect, caustics, absorption, dispersion, media"));
     }
 }
 
@@ -244,6 +248,7 @@ TEST_CASE("effect plan: what is left out is not in the scene that is rendered", 
 {
     Material glass = tiny::glass(1.5f);
     glass.absorption = Rgb(1);
+    glass.dispersion = 1;
     Scene scene = with_ball(glass);
     tiny::add(scene, tiny::floor_at(0.1f, 0.2f), with_texture(TextureUse::base_color));
     scene.environment = Rgb(1);
@@ -251,13 +256,15 @@ TEST_CASE("effect plan: what is left out is not in the scene that is rendered", 
     const Scene before = scene;
     drop_effects(scene, plan_of(scene));
     CHECK(scene.materials[1].absorption == before.materials[1].absorption);
+    CHECK(scene.materials[1].dispersion == 1);
     CHECK(scene.materials[2].textures.size() == 1);
     CHECK(scene.environment == before.environment);
     CHECK_FALSE(scene.environment_picture.empty());
     EffectOptions options;
-    options.switches = parse_effect_switches("-absorption,-textures,-environment");
+    options.switches = parse_effect_switches("-absorption,-dispersion,-textures,-environment");
     drop_effects(scene, plan_of(scene, options));
     CHECK(scene.materials[1].absorption == Rgb(0));
+    CHECK(scene.materials[1].dispersion == 0);
     CHECK(scene.materials[2].textures.empty());
     CHECK(scene.environment == Rgb(0));
     CHECK(scene.environment_picture.empty());
