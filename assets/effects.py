@@ -101,6 +101,35 @@ def add_clearcoat(glb):
     glb.mesh("Coated ball", coated, sphere((0.45, 0.38, 0), 0.38, 40, 20))
 
 
+def add_anisotropy(glb):
+    """Brushed metal, round a ball and down another, and a disc that was turned."""
+    for name, x, turn in (("Round", -0.65, 0), ("Down", 0.65, math.pi / 2)):
+        brushed = glb.material(name, (0.9, 0.6, 0.35),
+                               base={"metallicFactor": 1, "roughnessFactor": 0.25},
+                               extensions={"KHR_materials_anisotropy": {
+                                   "anisotropyStrength": 0.9, "anisotropyRotation": turn}})
+        ball = sphere((x, 0.34, 0.1), 0.34, 40, 20)
+        round_it = [(math.cos(2 * math.pi * u), 0, -math.sin(2 * math.pi * u), 1)
+                    for u, _ in ball[2]]
+        glb.mesh(name, brushed, ball, TANGENT=round_it)
+    turned = glb.material("Turned", (0.8, 0.8, 0.82),
+                          base={"metallicFactor": 1, "roughnessFactor": 0.2},
+                          extensions={"KHR_materials_anisotropy": {"anisotropyStrength": 0.9}})
+    rim = [2 * math.pi * i / 64 for i in range(64)]
+    slope = (0, math.cos(0.3), math.sin(0.3))  # leans back
+    points, normals, uvs, tangents, faces = [], [], [], [], []
+    for angle, after in zip(rim, rim[1:] + rim[:1]):
+        for a, r in ((angle, 0.02), (after, 0.02), (after, 0.34), (angle, 0.34)):
+            points.append((r * math.cos(a), 0.36 + r * math.sin(a) * slope[1],
+                           -0.3 - r * math.sin(a) * slope[2]))
+            normals.append((0, slope[2], slope[1]))
+            tangents.append((-math.sin(a), math.cos(a) * slope[1], -math.cos(a) * slope[2], 1))
+            uvs.append((r, a))
+        first = len(points) - 4
+        faces += [(first, first + 3, first + 2), (first, first + 2, first + 1)]
+    glb.mesh("Disc", turned, (points, normals, uvs, faces), TANGENT=tangents)
+
+
 def add_depth_of_field(glb):
     """Balls at different distances; the middle one is sharp."""
     colors = ((0.7, 0.15, 0.1), (0.75, 0.6, 0.2), (0.2, 0.55, 0.25), (0.15, 0.3, 0.7))
@@ -272,6 +301,7 @@ def add_textures(glb):
 SCENES = {
     "absorption": (add_absorption, 20),
     "alpha": (add_alpha, 20),
+    "anisotropy": (add_anisotropy, 20),
     "clearcoat": (add_clearcoat, 20),
     "depth_of_field": (add_depth_of_field, 20),
     "dispersion": (add_dispersion, 8),

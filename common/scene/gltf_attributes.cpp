@@ -104,7 +104,9 @@ WantedAttributes find_wanted_attributes(const GltfDocument& document)
         for (const auto& [name, extension] : material["extensions"].items()) {
             if (name.starts_with("KHR_materials_")) // others are not checked
                 note_textures(extension, wanted);
-            wanted.tangents = wanted.tangents || name == "KHR_materials_anisotropy";
+            if (name ==
+                "KHR_materials_anisotropy") // along the tangents, else the first picture's right
+                wanted.tangents = wanted.uv[0] = true;
         }
     }
     return wanted;

@@ -22,12 +22,7 @@ constexpr string_view kRead[] = {
     "KHR_mesh_quantization",      "KHR_draco_mesh_compression",
     "EXT_meshopt_compression",    "EXT_mesh_gpu_instancing",
     "KHR_texture_transform",      "KHR_materials_sheen",
-    "KHR_materials_dispersion",
-};
-
-/// Read, but not rendered yet.
-constexpr string_view kUnrendered[] = {
-    "KHR_materials_anisotropy",
+    "KHR_materials_dispersion",   "KHR_materials_anisotropy",
 };
 
 constexpr string_view kRenderedTextures[] = {"baseColorTexture",
@@ -40,7 +35,8 @@ constexpr string_view kRenderedTextures[] = {"baseColorTexture",
                                              "clearcoatTexture",
                                              "clearcoatRoughnessTexture",
                                              "sheenColorTexture",
-                                             "sheenRoughnessTexture"};
+                                             "sheenRoughnessTexture",
+                                             "anisotropyTexture"};
 
 /// Read, but of no use to a renderer that follows light.
 constexpr string_view kNeedlessTextures[] = {"occlusionTexture", "thicknessTexture"};
@@ -143,9 +139,7 @@ void collect_materials(const json& root, UnreadThings& unread)
             for (const auto& [key, value] : holder->items())
                 unread.add_texture(key, name);
         for (const auto& [key, value] : members(material, "extensions").items()) {
-            if (is_in(kUnrendered, key))
-                unread.add_unrendered(key + " of materials", name);
-            else if (!is_in(kRead, key))
+            if (!is_in(kRead, key))
                 unread.add(clean_name(key) + " of materials", name);
             for (const auto& [slot, texture] : value.items())
                 if (is_in(kRead, key))
@@ -208,7 +202,7 @@ void check_required_extensions(const GltfDocument& document)
 {
     for (const json& required : members(document.json, "extensionsRequired")) {
         const auto& name = required.get_ref<const std::string&>();
-        if (is_in(kRead, name) || is_in(kUnrendered, name) || is_in(kSpared, name))
+        if (is_in(kRead, name) || is_in(kSpared, name))
             continue;
         throw scene_error(document.path, "extensionsRequired",
                           "extension " + quote_name(name) + " is not read; " + cure_for(name));
@@ -223,7 +217,7 @@ void warn_of_unread_gltf(const GltfDocument& document, SceneAudit& audit)
     collect_nodes(document.json, unread);
     for (const json& used : members(document.json, "extensionsUsed")) {
         const auto& name = used.get_ref<const std::string&>();
-        if (!is_in(kRead, name) && !is_in(kUnrendered, name) && !unread.mentions(name))
+        if (!is_in(kRead, name) && !unread.mentions(name))
             unread.add("extension " + clean_name(name), "");
     }
     unread.warn(audit);

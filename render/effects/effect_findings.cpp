@@ -2,6 +2,7 @@
 
 #include "common/scene/scene_names.h"
 #include "render/shading/coverage.h"
+#include "render/shading/stretch.h"
 #include "render/shading/textured_material.h"
 
 #include <algorithm>
@@ -201,8 +202,29 @@ Finding find_sheen(const SceneFacts& facts)
 
 Finding find_anisotropy(const SceneFacts& facts)
 {
-    return not_rendered_yet(names_of(facts, [](const Material& m) { return m.anisotropy > 0; }),
-                            "no reflection is stretched");
+    const TriangleMesh& mesh = facts.scene.mesh;
+    std::vector<std::uint8_t> directed(facts.scene.materials.size(), 0);
+    const glm::vec2 middle(1.0f / 3);
+    for (FaceId face = 0; face < mesh.face_count(); ++face) {
+        const MaterialId material = mesh.material_of_face[face];
+        if (directed[material] == 0 && facts.bsdfs[material].is_stretched())
+            directed[material] =
+                stretched_along(facts.scene, surface_point(mesh, face, middle), middle).has_value();
+    }
+    const auto names = [&](std::uint8_t wanted) {
+        return facts.materials_where([&](const Material& material, const Bsdf& bsdf, bool) {
+            const auto index = static_cast<std::size_t>(&material - facts.scene.materials.data());
+            return bsdf.is_stretched() && directed[index] == wanted;
+        });
+    };
+    const std::string rest =
+        names(0).empty()
+            ? ""
+            : names(0) + " have no texture coordinates to say along what they are stretched";
+    if (names(1).empty())
+        return {false, rest.empty() ? "no reflection is stretched" : rest, ""};
+    return {true, names(1) + " are stretched" + (rest.empty() ? "" : "; " + rest),
+            "a direction where a ray meets them, and a longer formula"};
 }
 
 } // namespace hipmap

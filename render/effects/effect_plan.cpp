@@ -34,7 +34,7 @@ constexpr std::array<Row, kEffects> kRows = {{
     {Effect::alpha, "alpha", find_alpha, true},
     {Effect::clearcoat, "clearcoat", find_clearcoat, true},
     {Effect::sheen, "sheen", find_sheen, true},
-    {Effect::anisotropy, "anisotropy", find_anisotropy, false},
+    {Effect::anisotropy, "anisotropy", find_anisotropy, true},
     {Effect::environment, "environment", find_environment, true},
     {Effect::depth_of_field, "depth-of-field", find_depth_of_field, true},
     {Effect::motion_blur, "motion-blur", find_motion_blur, true},

@@ -46,12 +46,33 @@ Rgb average_albedo_of(const Rgb& f0, const Rgb& f90, float alpha)
     return alpha > 0 ? average_glossy_albedo(alpha).of(f0, f90) : schlick_average(f0, f90);
 }
 
+/// So much of stretched facets' widths' difference is kept from the diffuse lobe below, which
+/// knows the coat's albedo for one width alone: then nothing sends on more than it gets.
+constexpr float kStretchedLoss = 0.15f;
+
 /// Reflectance of the clear coat at normal incidence (its index is 1.5).
 constexpr float kClearcoatF0 = 0.04f;
 
 float alpha_of(float roughness)
 {
     return roughness > kMirrorRoughness ? roughness * roughness : 0;
+}
+
+/// A stretched reflection is no mirror's: across it is at least so rough.
+constexpr float kLeastStretchedRoughness = 0.03f;
+
+float roughness_of(const MaterialPoint& at)
+{
+    return at.anisotropy > 0 ? std::max(at.roughness, kLeastStretchedRoughness) : at.roughness;
+}
+
+/// docs/light_transport.md (31).
+void stretch(float strength, Bsdf& out)
+{
+    if (!(strength > 0) || (out.reflection == Reflection::none && out.glass == 0))
+        return;
+    out.alpha_along = out.alpha + (1 - out.alpha) * strength * strength;
+    out.diffuse *= 1 - kStretchedLoss * (out.alpha_along - out.alpha);
 }
 
 /// Of a reflection that is there.
@@ -116,7 +137,7 @@ void make_opaque(const Material& material, const MaterialPoint& at, Bsdf& out)
     out.reflect_f0 = at.metallic * at.base_color + opaque * out.coat_f0;
     out.reflect_f90 = at.metallic + opaque * out.coat_f90;
     if (!is_black(out.reflect_f0) || !is_black(out.reflect_f90))
-        out.reflection = kind_of(at.roughness);
+        out.reflection = kind_of(roughness_of(at));
 }
 
 } // namespace
@@ -126,7 +147,7 @@ Bsdf make_bsdf(const Material& material, const MaterialPoint& at, DiffuseModel m
     Bsdf out;
     if (!material.boundary)
         return out; // no surface
-    out.alpha = alpha_of(at.roughness);
+    out.alpha = alpha_of(roughness_of(at));
     if (model == DiffuseModel::burley)
         out.burley_roughness = at.roughness;
     out.absorption = material.absorption;
@@ -142,6 +163,7 @@ Bsdf make_bsdf(const Material& material, const MaterialPoint& at, DiffuseModel m
     make_opaque(material, at, out);
     out.only_diffuse = out.glass == 0 && !out.coated && out.reflection == Reflection::none &&
                        out.clearcoat == Reflection::none && is_black(out.sheen);
+    stretch(at.anisotropy, out);
     return out;
 }
 
@@ -217,17 +239,6 @@ Rgb through_coats(const Bsdf& bsdf, float cosine)
                                               : passed * (1 - clearcoat_albedo(bsdf, cosine));
 }
 
-float fresnel_dielectric(float cosine, float eta)
-{
-    const float sin2_beyond = (1 - cosine * cosine) / (eta * eta);
-    if (sin2_beyond >= 1)
-        return 1;
-    const float cos_beyond = std::sqrt(1 - sin2_beyond);
-    const float parallel = (eta * cosine - cos_beyond) / (eta * cosine + cos_beyond);
-    const float perpendicular = (cosine - eta * cos_beyond) / (cosine + eta * cos_beyond);
-    return 0.5f * (parallel * parallel + perpendicular * perpendicular);
-}
-
 Rgb opaque_reflectance(const Bsdf& bsdf, float cosine)
 {
     return schlick(bsdf.reflect_f0, bsdf.reflect_f90, cosine);
@@ -238,17 +249,6 @@ Rgb reflection_albedo(const Bsdf& bsdf, float cosine)
     return bsdf.reflection == Reflection::none
                ? Rgb(0)
                : albedo_of(bsdf.reflect_f0, bsdf.reflect_f90, cosine, bsdf.alpha);
-}
-
-float index_beyond(const Bsdf& bsdf, bool front, bool solid)
-{
-    return solid && !front ? 1 / bsdf.ior : bsdf.ior;
-}
-
-Rgb glass_reflectance(const Bsdf& bsdf, float cosine, float eta)
-{
-    const float f = fresnel_dielectric(cosine, eta);
-    return f < 1 ? f * bsdf.glass_reflection : Rgb(1);
 }
 
 SpecularLobes smooth_lobes(const Bsdf& bsdf, float cosine, bool front, bool solid)
@@ -268,19 +268,6 @@ SpecularLobes smooth_lobes(const Bsdf& bsdf, float cosine, bool front, bool soli
         out.eta = solid ? eta : 1.0f;
     }
     return out;
-}
-
-glm::vec3 refract(const glm::vec3& direction, const glm::vec3& normal, float eta)
-{
-    const float cosine = glm::dot(direction, normal);
-    const float cos2_beyond = 1 - (1 - cosine * cosine) / (eta * eta);
-    const float cos_beyond = std::sqrt(std::max(0.0f, cos2_beyond));
-    return glm::normalize((normal * cosine - direction) / eta - normal * cos_beyond);
-}
-
-glm::vec3 reflect(const glm::vec3& direction, const glm::vec3& normal)
-{
-    return glm::normalize(2 * glm::dot(direction, normal) * normal - direction);
 }
 
 } // namespace hipmap

@@ -43,11 +43,13 @@ struct Bsdf {
     bool only_diffuse = false; ///< there is no more to it than that lobe
     bool coated = false;       ///< a dielectric lies over the diffuse lobe
     Reflection reflection = Reflection::none;
-    float alpha = 0.0f;     ///< width of the facets' distribution; 0: mirror, clear glass
-    Rgb coat_f0{0.0f};      ///< reflectance of the coat at normal and ...
-    Rgb coat_f90{0.0f};     ///< ... grazing incidence
-    Rgb coat_average{0.0f}; ///< its albedo averaged over the cosine-weighted hemisphere
-    Rgb reflect_f0{0.0f};   ///< the same two of metal and coat together, by their shares
+    float alpha = 0.0f;       ///< width of the facets' distribution; 0: mirror, clear glass
+    float alpha_along = 0.0f; ///< of stretched ones along `along`, else 0
+    glm::vec3 along{0.0f};    ///< unit, across the shading normal
+    Rgb coat_f0{0.0f};        ///< reflectance of the coat at normal and ...
+    Rgb coat_f90{0.0f};       ///< ... grazing incidence
+    Rgb coat_average{0.0f};   ///< its albedo averaged over the cosine-weighted hemisphere
+    Rgb reflect_f0{0.0f};     ///< the same two of metal and coat together, by their shares
     Rgb reflect_f90{0.0f};
     Reflection clearcoat = Reflection::none; ///< what becomes of the reflection of a coat over all
     float clearcoat_share = 0.0f;
@@ -68,6 +70,8 @@ struct Bsdf {
     bool is_matt() const { return kMattOnly || only_diffuse; }
     bool has_diffuse() const { return !is_black(diffuse); }
     bool has_sheen() const { return !is_matt() && !is_black(sheen); }
+    /// Facets are wider along one direction than across it.
+    bool is_stretched() const { return !kMattOnly && alpha_along > 0; }
     /// Some reflection becomes what is asked for.
     bool reflects(Reflection kind) const { return reflection == kind || clearcoat == kind; }
     /// Photons are stored here: there is a diffuse lobe, sheen or a reflection that is gathered.

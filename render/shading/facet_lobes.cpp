@@ -1,6 +1,6 @@
 #include "render/shading/facet_lobes.h"
 
-#include "render/shading/ggx.h"
+#include "render/shading/facets.h"
 
 namespace hipmap {
 
@@ -41,42 +41,38 @@ FacetShares facet_shares(const Interaction& at, Lobes lobes, float cosine)
 /// Light that facets reflect into the side it came from.
 Scattered reflected(const Interaction& at, const glm::vec3& in, Lobes lobes)
 {
-    const float alpha = at.bsdf.alpha;
     const glm::vec3 half = glm::normalize(in + at.back);
     const float cosine = glm::dot(in, at.shading_normal);
     const float toward = glm::dot(at.back, half);
     const FacetShares shares = facet_shares(at, lobes, toward);
-    const float spread = ggx_distribution(at.shading_normal, half, alpha) *
-                         ggx_visibility(cosine, at.cosine, alpha) * cosine;
+    const float spread = facet_spread(at.bsdf, at.shading_normal, in, at.back, half) * cosine;
     Scattered out;
     out.value = shares.reflect * (spread * through_layers(at.bsdf, cosine, at.cosine));
-    out.density = shares.reflect_chance() * facet_density(at.shading_normal, at.back, half, alpha) /
-                  (4 * toward);
+    out.density = shares.reflect_chance() *
+                  visible_density(at.bsdf, at.shading_normal, at.back, half) / (4 * toward);
     return out;
 }
 
 /// Light that facets pass on through a thin wall: as reflected, but on the other side.
 Scattered passed(const Interaction& at, const glm::vec3& in)
 {
-    const float alpha = at.bsdf.alpha;
     const glm::vec3 image = mirrored(in, at.shading_normal);
     const glm::vec3 half = glm::normalize(image + at.back);
     const float cosine = glm::dot(image, at.shading_normal);
     const float toward = glm::dot(at.back, half);
     const FacetShares shares = facet_shares(at, Lobes::followed, toward);
-    const float spread = ggx_distribution(at.shading_normal, half, alpha) *
-                         ggx_visibility(cosine, at.cosine, alpha) * cosine;
+    const float spread = facet_spread(at.bsdf, at.shading_normal, image, at.back, half) * cosine;
     Scattered out;
     out.value = shares.transmit * spread;
     out.density = (1 - shares.reflect_chance()) *
-                  facet_density(at.shading_normal, at.back, half, alpha) / (4 * toward);
+                  visible_density(at.bsdf, at.shading_normal, at.back, half) / (4 * toward);
     return out;
 }
 
 /// Light that facets refract into a solid, or out of it.  docs/light_transport.md (17).
 Scattered refracted(const Interaction& at, const glm::vec3& in)
 {
-    const float eta = index_beyond(at.bsdf, at.front, at.solid), alpha = at.bsdf.alpha;
+    const float eta = index_beyond(at.bsdf, at.front, at.solid);
     const glm::vec3 both = at.back + eta * in;
     const glm::vec3 half = glm::normalize(eta > 1 ? -both : both);
     const float toward = glm::dot(at.back, half), beyond = glm::dot(in, half);
@@ -85,12 +81,13 @@ Scattered refracted(const Interaction& at, const glm::vec3& in)
     const FacetShares shares = facet_shares(at, Lobes::followed, toward);
     const float stretch = toward + eta * beyond;
     const float jacobian = eta * eta * -beyond / (stretch * stretch);
-    const float visible = facet_density(at.shading_normal, at.back, half, alpha);
+    const float visible = visible_density(at.bsdf, at.shading_normal, at.back, half);
     const float cosine = -glm::dot(in, at.shading_normal);
     Scattered out;
     out.density = (1 - shares.reflect_chance()) * visible * jacobian;
     out.value = shares.transmit *
-                (ggx_shadowing(cosine, at.cosine, alpha) * visible * jacobian / (eta * eta));
+                (facet_shadowing(at.bsdf, at.shading_normal, in, cosine, at.back, at.cosine) *
+                 visible * jacobian / (eta * eta));
     return out;
 }
 
@@ -124,7 +121,7 @@ Scattered scattered_by_facets(const Interaction& at, const glm::vec3& in, Lobes 
 ScatterSample sample_own_facets(const Interaction& at, Lobes lobes, RandomSequence& random)
 {
     const glm::vec2 u = random.next2();
-    const glm::vec3 half = sample_facet(at.shading_normal, at.back, at.bsdf.alpha, u);
+    const glm::vec3 half = draw_facet(at.bsdf, at.shading_normal, at.back, u);
     const FacetShares shares = facet_shares(at, lobes, glm::dot(at.back, half));
     const float chance = shares.reflect_chance();
     ScatterSample out;
@@ -141,11 +138,13 @@ ScatterSample sample_own_facets(const Interaction& at, Lobes lobes, RandomSequen
     const float cosine = sign * glm::dot(out.direction, at.shading_normal);
     if (!(cosine > 0))
         return out;
+    const glm::vec3 toward = out.direction;
     if (sign * glm::dot(out.direction, at.normal) < 0) // bent past the face by the shading normal
         out.direction = mirrored(out.direction, at.normal);
     const Rgb share = out.transmitted ? shares.transmit / (1 - chance) : shares.reflect / chance;
-    out.weight = share * (ggx_shadowing(cosine, at.cosine, at.bsdf.alpha) *
-                          through_layers(at.bsdf, cosine, at.cosine));
+    out.weight =
+        share * (facet_shadowing(at.bsdf, at.shading_normal, toward, cosine, at.back, at.cosine) *
+                 through_layers(at.bsdf, cosine, at.cosine));
     out.density = scattered_by_facets(at, out.direction, lobes).density;
     return out;
 }

@@ -1,6 +1,6 @@
 #include "render/shading/gathered_lobes.h"
 
-#include "render/shading/ggx.h"
+#include "render/shading/facets.h"
 #include "render/shading/sheen.h"
 
 namespace hipmap {
@@ -44,8 +44,7 @@ Rgb reflected_by_facets(const Bsdf& bsdf, const glm::vec3& normal, const glm::ve
                         const glm::vec3& out)
 {
     const glm::vec3 half = glm::normalize(in + out);
-    const float spread = ggx_distribution(normal, half, bsdf.alpha) *
-                         ggx_visibility(glm::dot(normal, in), glm::dot(normal, out), bsdf.alpha);
+    const float spread = facet_spread(bsdf, normal, in, out, half);
     return opaque_reflectance(bsdf, glm::dot(half, out)) *
            (spread * through_layers(bsdf, glm::dot(normal, in), glm::dot(normal, out)));
 }

@@ -1,12 +1,37 @@
 #include "render/shading/interaction.h"
 
 #include "render/shading/normal_map.h"
+#include "render/shading/picture_axes.h"
+#include "render/shading/stretch.h"
 
 #include <cmath>
 
 namespace hipmap {
 
 namespace {
+
+/// The normal stays as it is where the tilted one would turn away from the ray.
+void tilt(const RenderScene& scene, const RayHit& hit, float sign, Interaction& at)
+{
+    const glm::vec3 tilted = sign * mapped_normal(scene.scene, at.point, hit.barycentric);
+    const float cosine = glm::dot(at.back, tilted);
+    if (!(cosine > 0))
+        return;
+    at.shading_normal = tilted;
+    at.cosine = cosine;
+}
+
+/// Facets stay alike all round where nothing says along what they are stretched.
+void stretch(const RenderScene& scene, const RayHit& hit, Interaction& at)
+{
+    std::optional<glm::vec3> along = stretched_along(scene.scene, at.point, hit.barycentric);
+    if (along)
+        along = part_across(*along, at.shading_normal);
+    if (along)
+        at.bsdf.along = *along;
+    else
+        at.bsdf.alpha_along = 0;
+}
 
 /// What differs from point to point.
 void add_details(const RenderScene& scene, const RayHit& hit, MaterialId material, float sign,
@@ -18,15 +43,10 @@ void add_details(const RenderScene& scene, const RayHit& hit, MaterialId materia
                             scene.scene.diffuse_model);
     if (scene.coverage)
         at.coverage = scene.coverage(hit.face, hit.barycentric);
-    if (scene.bumpy[material] == 0)
-        return;
-    // The normal stays as it is where the tilted one would turn away from the ray.
-    const glm::vec3 tilted = sign * mapped_normal(scene.scene, at.point, hit.barycentric);
-    const float cosine = glm::dot(at.back, tilted);
-    if (!(cosine > 0))
-        return;
-    at.shading_normal = tilted;
-    at.cosine = cosine;
+    if (scene.bumpy[material] != 0)
+        tilt(scene, hit, sign, at);
+    if (at.bsdf.is_stretched())
+        stretch(scene, hit, at);
 }
 
 } // namespace

@@ -18,7 +18,7 @@ RenderScene::RenderScene(const Scene& from_scene, const Partition& from_partitio
     for (const Material& material : scene.materials)
         bumpy.push_back(find_texture(material.textures, TextureUse::normal) != nullptr);
     for (std::size_t m = 0; m < scene.materials.size(); ++m)
-        plain.push_back(varying[m] == 0 && bumpy[m] == 0 && !coverage);
+        plain.push_back(varying[m] == 0 && bumpy[m] == 0 && !bsdfs[m].is_stretched() && !coverage);
     for (const MaterialId material : mesh().material_of_face)
         directional =
             directional || may_gather_by_direction(scene.materials[material], bsdfs[material]);

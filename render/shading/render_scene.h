@@ -22,7 +22,7 @@ struct RenderScene {
     std::vector<std::uint8_t>
         varying;                     ///< [M] 1: textures or vertices' colours multiply the factors
     std::vector<std::uint8_t> bumpy; ///< [M] 1: a texture tilts the shading normal
-    std::vector<std::uint8_t> plain; ///< [M] 1: neither, and faces stop all light
+    std::vector<std::uint8_t> plain; ///< [M] 1: neither, unstretched, and faces stop all light
     LightSet lights;
     std::optional<MediaSet> media; ///< none: nothing but surfaces and glass that absorbs
     bool directional = false; ///< photons are weighed by the direction they came from: some surface

@@ -68,6 +68,7 @@ MaterialPoint material_factors(const Material& material)
     out.clearcoat_roughness = material.clearcoat_roughness;
     out.sheen_color = material.sheen_color;
     out.sheen_roughness = material.sheen_roughness;
+    out.anisotropy = material.anisotropy;
     return out;
 }
 
@@ -84,6 +85,7 @@ bool is_rendered(TextureUse use)
     case TextureUse::clearcoat_roughness:
     case TextureUse::sheen_color:
     case TextureUse::sheen_roughness:
+    case TextureUse::anisotropy:
         return true;
     default:
         return false;
@@ -126,6 +128,7 @@ MaterialPoint material_at(const Scene& scene, FaceId face, const glm::vec2& bary
     out.clearcoat_roughness *= read(TextureUse::clearcoat_roughness).y;
     out.sheen_color *= Rgb(read(TextureUse::sheen_color));
     out.sheen_roughness *= read(TextureUse::sheen_roughness).w;
+    out.anisotropy *= read(TextureUse::anisotropy).z;
     if (!scene.mesh.attributes.colours.empty()) {
         const Rgb colour(vertex_colour(scene, face, barycentric));
         out.base_color *= colour;

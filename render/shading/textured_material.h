@@ -20,6 +20,7 @@ struct MaterialPoint {
     float clearcoat_roughness = 0.0f;
     Rgb sheen_color{0.0f};
     float sheen_roughness = 0.0f;
+    float anisotropy = 0.0f;
 };
 
 /// A vertex attribute between the corners of a face.

@@ -61,8 +61,10 @@ BY_MATERIAL = {
     "alpha": see_through,
     "clearcoat": lambda m: m["coat"] > 0 and not m["glass"],
     "sheen": lambda m: m["sheen"],
+    "anisotropy": lambda m: m["anisotropy"] > 0 and m["directed"] and (
+        m["reflects"] or m["glass"]),
 }
-NEVER = ("subsurface", "anisotropy", "motion-blur")
+NEVER = ("subsurface", "motion-blur")
 
 
 def expected(facts):

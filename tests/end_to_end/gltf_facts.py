@@ -10,7 +10,8 @@ from glb_file import COMPONENTS
 
 FORMATS = {5120: "b", 5121: "B", 5122: "h", 5123: "H", 5125: "I", 5126: "f"}
 RENDERED = ("transmissionTexture", "specularTexture", "specularColorTexture", "clearcoatTexture",
-            "clearcoatRoughnessTexture", "sheenColorTexture", "sheenRoughnessTexture")
+            "clearcoatRoughnessTexture", "sheenColorTexture", "sheenRoughnessTexture",
+            "anisotropyTexture")
 
 
 class GltfFacts:
@@ -139,11 +140,14 @@ class GltfFacts:
         step = number("ior", "ior", 1.5)
         f0 = ((step - 1) / (step + 1)) ** 2 * max(number("specular", "specularColorFactor", [1]))
         f0 *= 0 if unlit else number("specular", "specularFactor", 1)
+        anisotropy = 0 if unlit else number("anisotropy", "anisotropyStrength", 0)
         attenuation = extensions.get("KHR_materials_volume", {})
         return {
             "name": written.get("name") or (f"material {index}" if index >= 0
                                             else "(no material)"),
-            "textures": textures, "unlit": unlit, "roughness": base.get("roughnessFactor", 1),
+            "textures": textures, "unlit": unlit, "anisotropy": anisotropy,
+            "roughness": max(base.get("roughnessFactor", 1), 0.03 if anisotropy > 0 else 0),
+            "directed": self.directed(index),
             "matt": (1 - metallic) * (1 - transmission) > 0 and
                     not unlit and any(base.get("baseColorFactor", [1, 1, 1])[:3]),
             "reflects": (metallic > 0 and any(base.get("baseColorFactor", [1])[:3])) or
@@ -163,6 +167,11 @@ class GltfFacts:
             "sheen": any(number("sheen", "sheenColorFactor", [0])) and transmission == 0 and not unlit,
             "dispersion": number("dispersion", "dispersion", 0),
         }
+
+    def directed(self, index):
+        """Something says along what reflections are stretched."""
+        return any(key in p["attributes"] for p in self.primitives if p.get("material", -1) == index
+                   for key in ("TANGENT", "TEXCOORD_0", "TEXCOORD_1"))
 
     def rendered_pictures(self, material):
         """Pictures that are multiplied into the factors."""

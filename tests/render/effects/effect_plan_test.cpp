@@ -131,6 +131,15 @@ TEST_CASE("effect plan: an effect is on if and only if the scene calls for it", 
     lacquer.clearcoat_roughness = 0.6f;
     CHECK(on_in(plan_of(with_pane(lacquer))) ==
           Effects{Effect::indirect, Effect::glossy, Effect::clearcoat});
+    Material brushed = named(rough(tiny::mirror(Rgb(0.9f)), 0.5f), "brushed");
+    brushed.anisotropy = 1;
+    Scene stretched = with_pane(brushed);
+    CHECK_THAT(plan_of(stretched).effects[static_cast<std::size_t>(Effect::anisotropy)].reason,
+               Catch::Contains("'brushed' have no texture coordinates"));
+    stretched.mesh.attributes.tangents.assign(stretched.mesh.positions.size(),
+                                              glm::vec4(1, 0, 0, 1));
+    CHECK(on_in(plan_of(stretched)) ==
+          Effects{Effect::indirect, Effect::glossy, Effect::anisotropy});
     Material velvet = tiny::matt(Rgb(0.5f));
     velvet.sheen_color = Rgb(1);
     CHECK(on_in(plan_of(with_pane(velvet))) == Effects{Effect::indirect, Effect::sheen});
@@ -195,13 +204,13 @@ TEST_CASE("effect plan: reasons name what becomes of reflections", "[effects]")
 
 TEST_CASE("effect plan: what the file has and the renderer has not is off, and said", "[effects]")
 {
-    Material material = named(tiny::matt(Rgb(0.5f)), "brushed");
-    material.anisotropy = 1;
+    Material material = named(tiny::matt(Rgb(0.5f)), "wax");
+    material.scattering = Rgb(1);
     Scene scene = with_pane(material);
     const EffectPlan plan = plan_of(scene);
     CHECK(on_in(plan) == Effects{Effect::indirect});
-    CHECK(plan.effects[static_cast<std::size_t>(Effect::anisotropy)].reason ==
-          "in the file ('brushed'), not rendered yet");
+    CHECK(plan.effects[static_cast<std::size_t>(Effect::subsurface)].reason ==
+          "in the file ('wax'), not rendered yet");
 }
 
 TEST_CASE("effect plan: names are in the order of the effects, all different", "[effects]")

@@ -1,0 +1,55 @@
+#include "tests/support/mean_luminance.h"
+#include "tests/support/render_image.h"
+#include "tests/support/statistics.h"
+#include "tests/support/tiny_rooms.h"
+
+#include <catch2/catch.hpp>
+
+using namespace hipmap;
+
+namespace {
+
+/// A brushed ball in a room.
+Scene with_brushed_ball(float roughness)
+{
+    Scene scene = tiny::room();
+    TriangleMesh ball = tiny::uv_sphere(32, 16);
+    tiny::scale(ball, 0.25f);
+    Material metal = tiny::mirror({0.9f, 0.7f, 0.4f});
+    metal.roughness = roughness;
+    metal.anisotropy = 0.8f;
+    tiny::add(scene, ball, metal);
+    for (const glm::vec3& p : scene.mesh.positions) // round the ball
+        scene.mesh.attributes.tangents.emplace_back(-p.z, 0, p.x, 1);
+    return scene;
+}
+
+RunningMean means_of(const tiny::ReadyScene& ready, ImageOptions options, int samples)
+{
+    RunningMean out;
+    options.samples = samples;
+    for (options.seed = 0; options.seed < 10; ++options.seed)
+        out.add(mean_luminance(render_image(*ready.render, options, {}).image));
+    return out;
+}
+
+} // namespace
+
+TEST_CASE("anisotropic light: photon maps agree with paths on brushed metal", "[integrator]")
+{
+    for (const float roughness : {0.2f, 0.45f}) { // followed and gathered
+        const auto ready = tiny::ready(with_brushed_ball(roughness));
+        CHECK(ready->render->directional == (roughness > kFollowedRoughness));
+        ImageOptions options;
+        options.width = options.height = 16;
+        options.photons = 20000;
+        options.integrator = Integrator::path;
+        const RunningMean paths = means_of(*ready, options, 120);
+        options.integrator = Integrator::progressive;
+        const RunningMean maps = means_of(*ready, options, 16);
+        const double noise = std::hypot(maps.standard_error(), paths.standard_error());
+        INFO("maps " << maps.mean() << ", paths " << paths.mean() << ", noise " << noise);
+        CHECK(std::abs(maps.mean() - paths.mean()) < 0.01 * paths.mean() + kMostZ * noise);
+        CHECK(noise < 0.012 * paths.mean());
+    }
+}
