@@ -36,12 +36,6 @@ class PartitionBuilder {
     FormerFrame leave();
 
   private:
-    /// Whether what the former frame found of the map of a face is known to hold.
-    bool is_known(FaceId face) const
-    {
-        const MapId map = maps_.map_of_face[face];
-        return former_ && map != kNone && known_.changed[map] == 0;
-    }
     /// Runs a pass and notes how long it took.
     template <typename Work>
     auto timed(std::string_view name, const Work& work)
@@ -54,7 +48,8 @@ class PartitionBuilder {
         return result;
     }
 
-    FaceTree tree_of_all() const;
+    void build_tree();
+    bool refit_tree();
     std::size_t join_seams();
     Clearances find_all_clearances() const;
     GroupCandidates find_all_groups() const;
@@ -72,6 +67,7 @@ class PartitionBuilder {
     std::vector<std::uint8_t> flipped_; ///< [F] before seams turned any map
     SharedMaps maps_;
     FaceTree tree_; ///< of all faces that have a map
+    bool is_refitted_ = false;
     KnownMaps known_;
     std::vector<FaceTree> trees_;       ///< of maps that changed
     std::vector<MadeContact> contacts_; ///< of pairs of faces
@@ -101,20 +97,39 @@ void PartitionBuilder::join_faces()
     out_.edge_class = std::move(classes.edge_class);
 }
 
-FaceTree PartitionBuilder::tree_of_all() const
+void PartitionBuilder::build_tree()
 {
+    is_refitted_ = false;
     std::vector<FaceId> faces;
     faces.reserve(mesh_.face_count());
     for (FaceId face = 0; face < mesh_.face_count(); ++face)
         if (maps_.map_of_face[face] != kNone)
             faces.push_back(face);
-    return FaceTree(mesh_, faces);
+    tree_ = FaceTree(mesh_, faces);
+}
+
+/// Returns whether the former frame's tree serves.
+bool PartitionBuilder::refit_tree()
+{
+    is_refitted_ = former_ && tree_serves(mesh_, maps_.map_of_face, *former_);
+    if (is_refitted_) {
+        tree_ = former_->tree;
+        tree_.refit(mesh_);
+    }
+    return is_refitted_;
 }
 
 /// Joins maps that go on across seams; returns the edges given up on the way.
 std::size_t PartitionBuilder::join_seams()
 {
-    Seams seams = find_seams(mesh_, edges_, out_.edge_class, maps_, tree_, out_.position_error);
+    const auto find = [&] {
+        return find_seams(mesh_, edges_, out_.edge_class, maps_, tree_, out_.position_error);
+    };
+    Seams seams = find();
+    if (is_refitted_ && seams.given_up > 0) { // by the order in which the tree has the faces
+        build_tree();
+        seams = find();
+    }
     for (FaceId face = 0; face < mesh_.face_count(); ++face)
         if (maps_.map_of_face[face] != kNone)
             edges_.flipped[face] ^= seams.turned[maps_.map_of_face[face]];
@@ -127,7 +142,11 @@ std::size_t PartitionBuilder::join_seams()
 /// Finishes the maps.
 void PartitionBuilder::join_maps()
 {
-    tree_ = timed("build tree", [&] { return tree_of_all(); });
+    timed("build tree", [&] {
+        if (!refit_tree())
+            build_tree();
+        return true;
+    });
     // Faces in one plane differ by less than any threshold but none.
     const bool join = options_.split == SplitBy::normals || options_.angle_threshold > kAngleBand;
     const std::uint32_t by_edges = maps_.count;
@@ -148,11 +167,8 @@ Clearances PartitionBuilder::find_all_clearances() const
 {
     Clearances out{std::vector<std::uint8_t>(mesh_.face_count(), 0),
                    std::vector<float>(mesh_.face_count(), 0.0f)};
-    for (FaceId face = 0; face < mesh_.face_count(); ++face)
-        if (is_known(face)) {
-            out.kept_edges[face] = former_->result.partition.kept_edges[face];
-            out.clearance[face] = former_->result.partition.clearance[face];
-        }
+    if (former_)
+        copy_known_clearances(*former_, known_, maps_.map_of_face, out);
     tbb::parallel_for(MapId{0}, maps_.count, [&](MapId map) {
         if (known_.changed[map] != 0)
             find_clearances({mesh_, trees_[map]}, out_.edge_class, out_.position_error, out);
@@ -164,16 +180,8 @@ GroupCandidates PartitionBuilder::find_all_groups() const
 {
     GroupCandidates out{std::vector<std::uint32_t>(mesh_.face_count(), kNone),
                         std::vector<float>(mesh_.face_count(), 0.0f)};
-    std::vector<FaceId> first(former_ ? former_->result.partition.group_count : 0, kNone);
-    for (FaceId face = 0; face < mesh_.face_count(); ++face) {
-        const std::uint32_t group =
-            is_known(face) ? former_->result.partition.group_of_face[face] : kNone;
-        if (group == kNone)
-            continue;
-        first[group] = std::min(first[group], face);
-        out.group_of_face[face] = first[group];
-        out.group_radius[face] = former_->result.partition.group_radius[face];
-    }
+    if (former_)
+        copy_known_groups(*former_, known_, maps_.map_of_face, out);
     tbb::parallel_for(MapId{0}, maps_.count, [&](MapId map) {
         if (known_.changed[map] != 0)
             find_group_candidates({mesh_, trees_[map]}, out_.position_error, out);
@@ -215,18 +223,18 @@ std::size_t PartitionBuilder::find_all_contacts()
                              out_.bridged_edges,
                              out_.position_error};
     std::size_t given_up = 0;
+    contacts_.clear();
     for (const FoundContacts& found : {find_contacts(scene, tree_, wanted),
                                        find_own_contacts(scene, tree_, out_.clearance, wanted)}) {
         contacts_.insert(contacts_.end(), found.contacts.begin(), found.contacts.end());
         given_up += found.given_up;
     }
-    for (std::size_t i = 0; keep && i < former_->contacts.size(); ++i) {
-        MadeContact made = former_->contacts[i];
-        made.by = known_.now[made.by];
-        made.contact.map = known_.now[made.contact.map];
-        if (made.by != kNone && made.contact.map != kNone)
-            contacts_.push_back(made);
+    if (is_refitted_ && given_up > 0) { // by the order in which the tree has the faces
+        build_tree();
+        return find_all_contacts();
     }
+    if (keep)
+        append_known_contacts(*former_, known_, contacts_);
     sort_contacts(contacts_);
     return given_up;
 }
@@ -250,8 +258,13 @@ PartitionResult PartitionBuilder::finish()
 
 FormerFrame PartitionBuilder::leave()
 {
-    return {mesh_.positions,      std::move(weld_),    std::move(flipped_),
-            std::move(contacts_), found_all_contacts_, {}};
+    return {mesh_.positions,
+            std::move(weld_),
+            std::move(flipped_),
+            std::move(tree_),
+            std::move(contacts_),
+            found_all_contacts_,
+            {}};
 }
 
 void build(PartitionBuilder& builder, const TriangleMesh& mesh)

@@ -103,6 +103,23 @@ void FaceTree::build(const TriangleMesh& mesh, std::span<Item> items, const Rang
     }
 }
 
+void FaceTree::refit(const TriangleMesh& mesh)
+{
+    tbb::parallel_for(std::uint32_t{0}, leaf_count(), [&](std::uint32_t index) {
+        const Range range = leaf(index);
+        boxes_[range.node] = {};
+        for (const FaceId face : faces(range)) {
+            const Bounds<glm::vec3> of_face = face_box(mesh, face);
+            boxes_[range.node].add(of_face.low);
+            boxes_[range.node].add(of_face.high);
+        }
+    });
+    for (std::size_t node = leaf_count() - 1; node-- > 0;) {
+        const Bounds<glm::vec3>&left = boxes_[2 * node + 1], &right = boxes_[2 * node + 2];
+        boxes_[node] = {glm::min(left.low, right.low), glm::max(left.high, right.high)};
+    }
+}
+
 std::vector<std::uint32_t>
 FaceTree::labels_of_nodes(std::span<const std::uint32_t> label_of_face) const
 {

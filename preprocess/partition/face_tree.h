@@ -31,6 +31,11 @@ class FaceTree {
     /// O(n log n), parallel; 24 bytes a node, at most one node to four faces.
     FaceTree(const TriangleMesh& mesh, std::span<const FaceId> faces);
 
+    /// Puts the same faces where the mesh has them now; they stay in their nodes.  A visit then
+    /// meets the same faces as in a tree built anew, in another order, if only faces whose own
+    /// boxes meet what is looked for count.  Linear, parallel.
+    void refit(const TriangleMesh& mesh);
+
     /// Of no faces if there are none, then without a box.
     Range root() const { return {0, 0, static_cast<std::uint32_t>(faces_.size())}; }
     bool is_leaf(const Range& range) const { return range.node >= leaf_count() - 1; }

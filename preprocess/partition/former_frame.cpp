@@ -121,6 +121,21 @@ HalfEdges find_half_edges(const TriangleMesh& mesh, const VertexWeld& weld,
     return out;
 }
 
+bool tree_serves(const TriangleMesh& mesh, std::span<const MapId> map_of_face,
+                 const FormerFrame& former)
+{
+    constexpr std::size_t kFewerThan = 16; // one of so many may have moved
+    std::size_t moved = 0;
+    for (FaceId face = 0; face < mesh.face_count(); ++face) {
+        const MapId then = former.result.partition.map_of_face[face];
+        if ((map_of_face[face] == kNone) != (then == kNone))
+            return false;
+        const std::uint32_t vertex = mesh.corners[face].x;
+        moved += !same_bits(mesh.positions[vertex], former.positions[vertex]);
+    }
+    return kFewerThan * moved <= mesh.face_count();
+}
+
 KnownMaps find_known_maps(const TriangleMesh& mesh, const Partition& now, const FormerFrame& former)
 {
     const Partition& then = former.result.partition;
@@ -152,6 +167,43 @@ KnownMaps find_known_maps(const TriangleMesh& mesh, const Partition& now, const 
         if (map != kNone && out.changed[map] != 0)
             map = kNone;
     return out;
+}
+
+void copy_known_clearances(const FormerFrame& former, const KnownMaps& known,
+                           std::span<const MapId> map_of_face, Clearances& out)
+{
+    const Partition& then = former.result.partition;
+    for (FaceId face = 0; face < map_of_face.size(); ++face)
+        if (known.has(map_of_face[face])) {
+            out.kept_edges[face] = then.kept_edges[face];
+            out.clearance[face] = then.clearance[face];
+        }
+}
+
+void copy_known_groups(const FormerFrame& former, const KnownMaps& known,
+                       std::span<const MapId> map_of_face, GroupCandidates& out)
+{
+    const Partition& then = former.result.partition;
+    std::vector<FaceId> first(then.group_count, kNone); // of the faces of a group
+    for (FaceId face = 0; face < map_of_face.size(); ++face) {
+        const std::uint32_t group = then.group_of_face[face];
+        if (group == kNone || !known.has(map_of_face[face]))
+            continue;
+        first[group] = std::min(first[group], face);
+        out.group_of_face[face] = first[group];
+        out.group_radius[face] = then.group_radius[face];
+    }
+}
+
+void append_known_contacts(const FormerFrame& former, const KnownMaps& known,
+                           std::vector<MadeContact>& out)
+{
+    for (MadeContact made : former.contacts) {
+        made.by = known.now[made.by];
+        made.contact.map = known.now[made.contact.map];
+        if (made.by != kNone && made.contact.map != kNone)
+            out.push_back(made);
+    }
 }
 
 } // namespace hipmap

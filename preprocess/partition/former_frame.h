@@ -1,7 +1,9 @@
 #pragma once
 
 #include "preprocess/partition/build_partition.h"
+#include "preprocess/partition/clearance.h"
 #include "preprocess/partition/contacts.h"
+#include "preprocess/partition/group_candidates.h"
 #include "preprocess/partition/share_maps.h"
 
 #include <optional>
@@ -13,6 +15,7 @@ struct FormerFrame {
     std::vector<glm::vec3> positions;  ///< [V]
     VertexWeld weld;                   ///< of these
     std::vector<std::uint8_t> flipped; ///< [F] before seams turned any map
+    FaceTree tree;                     ///< of all faces that have a map
     std::vector<MadeContact> contacts; ///< of pairs of faces
     bool found_all_contacts = true;    ///< false: some faces meet too many to look at all
     PartitionResult result;
@@ -30,12 +33,29 @@ void build_partition(const Scene& scene, const PartitionOptions& options,
 HalfEdges find_half_edges(const TriangleMesh& mesh, const VertexWeld& weld,
                           const FormerFrame& former);
 
+/// Whether the former frame's tree, refitted, is as good for a mesh as one built anew: of the same
+/// faces, few of which have moved.  map_of_face: [F] kNone for a face that has no place in it.
+/// Linear.
+bool tree_serves(const TriangleMesh& mesh, std::span<const MapId> map_of_face,
+                 const FormerFrame& former);
+
 /// Shared maps of which the former frame knows all that depends on their faces alone.
 struct KnownMaps {
     std::vector<std::uint8_t> changed; ///< [maps now] 0: has the faces of one map of then, at the
                                        ///<     same places, with the same edges
     std::vector<MapId> now;            ///< [maps then] what became of a map; kNone if it changed
+
+    bool has(MapId map) const { return map != kNone && changed[map] == 0; }
 };
+
+/// What the former frame knows of these maps, at their faces alone, contacts with the ids of now.
+/// map_of_face: [F] of now.  out: of all faces.  Linear.
+void copy_known_clearances(const FormerFrame& former, const KnownMaps& known,
+                           std::span<const MapId> map_of_face, Clearances& out);
+void copy_known_groups(const FormerFrame& former, const KnownMaps& known,
+                       std::span<const MapId> map_of_face, GroupCandidates& out);
+void append_known_contacts(const FormerFrame& former, const KnownMaps& known,
+                           std::vector<MadeContact>& out);
 
 /// Compares all of a partition that is about edges and maps with the former frame's.
 /// now: its edges, maps, bridged edges and position error are set.  mesh: of now.  Linear.

@@ -148,16 +148,23 @@ Touches SeamSearch::touches_of(std::uint32_t edge) const
     bool crossed = false;
     int looked_at = 0;
     const auto look_at = [&](FaceId other) {
-        if (other == face || crossed || touches.given_up)
+        if (other == face || touches.given_up)
             return;
-        touches.given_up = ++looked_at > kMostLookedAt || touches.of.size() >= kMostTouches;
+        const Bounds<glm::vec3> there_box = face_box(mesh_, other);
+        if (!meet(box, there_box) || !passes(there_box, a, b, 4 * error_))
+            return;
+        touches.given_up = ++looked_at > kMostLookedAt;
         const ContactFace there(mesh_, other, error_);
         const bool same_plane = !there.too_thin() && parallel(own, there);
         if (!same_plane) {
             crossed |= classes_[edge] == EdgeClass::non_manifold && has_edge(other, a, b);
             return;
         }
-        if (glm::dot(own.normal, there.normal) > 0 && there.part_on(a, b))
+        if (!(glm::dot(own.normal, there.normal) > 0 && there.part_on(a, b)))
+            return;
+        if (touches.of.size() == kMostTouches)
+            touches.given_up = true;
+        else
             touches.of.push_back({other, there.part_on(a + outward, b + outward)});
     };
     const auto skip = [&](const FaceTree::Range& range) {

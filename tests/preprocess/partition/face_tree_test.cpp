@@ -61,6 +61,31 @@ TEST_CASE("FaceTree: the order is the same with one and with four threads", "[pa
     CHECK(order(1) == order(4));
 }
 
+TEST_CASE("FaceTree: refitted, a visit meets every face whose box meets the one looked for",
+          "[partition]")
+{
+    TriangleMesh mesh = tiny::uv_sphere(24, 15);
+    FaceTree tree(mesh, all_faces(mesh));
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+        tiny::jitter(mesh, 0.5f, seed);
+        tree.refit(mesh);
+        const Bounds<glm::vec3> box{glm::vec3(-0.2f), glm::vec3(0.3f)};
+        std::vector<FaceId> met, expected;
+        tree.visit(
+            box, [](const FaceTree::Range&) { return false; },
+            [&](FaceId face) {
+                if (meet(box, face_box(mesh, face)))
+                    met.push_back(face);
+            });
+        for (FaceId face = 0; face < mesh.face_count(); ++face)
+            if (meet(box, face_box(mesh, face)))
+                expected.push_back(face);
+        std::ranges::sort(met);
+        REQUIRE(!expected.empty());
+        CHECK(met == expected);
+    }
+}
+
 TEST_CASE("FaceTree: a node has a label only if all of its faces do", "[partition]")
 {
     const TriangleMesh mesh = tiny::uv_sphere(20, 10);

@@ -97,6 +97,7 @@ auto counts_of(const PartitionSummary& s)
 struct Met {
     std::size_t known = 0, changed = 0; ///< maps
     std::size_t contacts = 0, joined = 0, groups = 0;
+    std::size_t refitted = 0; ///< trees of faces of which some had moved
 };
 
 /// Whether the partitions of some frames are those of each frame alone.
@@ -116,6 +117,8 @@ bool same_as_alone(std::uint64_t seed, Met& met)
             counts_of(result.summary) != counts_of(alone.summary))
             return false;
         if (before) {
+            met.refitted += scene.mesh.positions != before->positions &&
+                            tree_serves(scene.mesh, result.partition.map_of_face, *before);
             const KnownMaps known = find_known_maps(scene.mesh, result.partition, *before);
             const auto changed = std::ranges::count(known.changed, 1);
             met.changed += static_cast<std::size_t>(changed);
@@ -144,6 +147,7 @@ TEST_CASE("former_frame: the partition of a frame is that of the frame alone", "
     CHECK(met.contacts > 3000);
     CHECK(met.joined > 50);
     CHECK(met.groups > 30);
+    CHECK(met.refitted > 20);
 }
 
 TEST_CASE("former_frame: only maps of what moved are found anew", "[partition]")
@@ -161,4 +165,23 @@ TEST_CASE("former_frame: only maps of what moved are found anew", "[partition]")
     const KnownMaps known = find_known_maps(mesh, frame->result.partition, before);
     CHECK(known.changed == std::vector<std::uint8_t>{0, 1, 1, 1, 1, 1, 1});
     CHECK(known.now == std::vector<MapId>{0, kNone, kNone, kNone, kNone, kNone, kNone});
+}
+
+TEST_CASE("former_frame: a tree of a few moved faces serves, one of other or many does not",
+          "[partition]")
+{
+    const TriangleMesh sphere = tiny::uv_sphere(40, 31);
+    TriangleMesh mesh = tiny::together(sphere, tiny::cube());
+    std::optional<FormerFrame> frame;
+    build_partition(tiny::make_scene(mesh), {}, frame);
+    const std::vector<MapId> maps = frame->result.partition.map_of_face;
+    for (std::size_t v = sphere.positions.size(); v < mesh.positions.size(); ++v)
+        mesh.positions[v].x += 0.125f;
+    CHECK(tree_serves(mesh, maps, *frame));
+    std::vector<MapId> fewer = maps;
+    fewer[7] = kNone;
+    CHECK_FALSE(tree_serves(mesh, fewer, *frame));
+    for (glm::vec3& p : mesh.positions)
+        p.y += 0.125f;
+    CHECK_FALSE(tree_serves(mesh, maps, *frame));
 }
