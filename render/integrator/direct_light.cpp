@@ -243,11 +243,9 @@ Rgb found_light(const RenderScene& scene, const Interaction& at, RandomSequence&
                        hit_weight(scene, light, ray.direction, hit->distance, source);
 }
 
-Rgb sampled_light(const RenderScene& scene, const Interaction& at, const LobeRays& rays,
-                  RandomSequence& random)
+Rgb light_of_all_kinds(const RenderScene& scene, const Interaction& at, const LobeRays& rays,
+                       RandomSequence& random)
 {
-    if (!has_lamps(scene.lights) && !has_sky_picture(scene.lights))
-        return emissive_light(scene, at, rays, random);
     Rgb sum = lamp_light(scene, at, rays, random) + emissive_light(scene, at, rays, random);
     if (has_sky_picture(scene.lights))
         sum += sky_light(scene, at, rays, random);

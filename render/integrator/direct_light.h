@@ -68,10 +68,19 @@ Rgb emissive_light(const RenderScene& scene, const Interaction& at, const LobeRa
 Rgb sky_light(const RenderScene& scene, const Interaction& at, const LobeRays& rays,
               RandomSequence& random);
 
-/// All of them.  Light straight from the lights is this and what the rays of the lobes find, by
-/// `hit_weight` and `met_lamps`, docs/light_transport.md (11).  Thread-safe.
-Rgb sampled_light(const RenderScene& scene, const Interaction& at, const LobeRays& rays,
-                  RandomSequence& random);
+/// From all of them.
+Rgb light_of_all_kinds(const RenderScene& scene, const Interaction& at, const LobeRays& rays,
+                       RandomSequence& random);
+
+/// The same, where there may be emissive faces alone.  Light straight from the lights is this and
+/// what the rays of the lobes find, by `hit_weight` and `met_lamps`, docs/light_transport.md (11).
+/// Thread-safe.
+inline Rgb sampled_light(const RenderScene& scene, const Interaction& at, const LobeRays& rays,
+                         RandomSequence& random)
+{
+    return scene.is_lit_by_faces() ? emissive_light(scene, at, rays, random)
+                                   : light_of_all_kinds(scene, at, rays, random);
+}
 
 /// What the one ray that the gathered lobes send finds of emissive faces and sky: with
 /// `sampled_light` at {.gathered = 1}, an unbiased estimate of all direct light in these lobes.

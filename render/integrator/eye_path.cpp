@@ -133,23 +133,61 @@ void follow_specular(const RenderScene& scene, const Interaction& at, const Bran
     }
 }
 
-/// The first surface on the way; takes what media absorb, and adds what they glow and scatter by
-/// the photons in them; null: nothing of that.
-std::optional<RayHit> see(const RenderScene& scene, const VolumeMap* photons, Branch& branch,
-                          Rgb& radiance)
+/// Where media are: the first surface on the way; adds what they glow, and scatter by the photons
+/// in them; null: nothing of that.
+std::optional<RayHit> see_in_media(const RenderScene& scene, const VolumeMap* photons,
+                                   Branch& branch, Rgb& radiance)
 {
-    if (!scene.has_media()) {
-        const std::optional<RayHit> hit = scene.rays.nearest(branch.ray);
-        if (hit)
-            absorb(branch.absorption, hit->distance, branch.weight);
-        return hit;
-    }
     static const VolumeMap kNoPhotons;
     std::array<Rgb, 3> seen{};
     const std::optional<RayHit> hit =
         see_media({*scene.media, photons != nullptr ? *photons : kNoPhotons, {1, 1, 1}}, branch.ray,
                   photons != nullptr, {branch.inside, branch.weight, seen});
     radiance += seen[0];
+    return hit;
+}
+
+/// From the lamps that the branch runs into before it hits a surface, or else from the sky.
+/// start: the branch before what is on the way has changed it.
+Rgb light_on_way(const RenderScene& scene, const Branch& start, const Branch& branch,
+                 const std::optional<RayHit>& hit)
+{
+    const Rgb lamps =
+        scene.has_media()
+            ? met_lamps_in_media(scene, start.ray, start.inside, start.source)
+            : met_lamps(scene, start.ray, distance_of(hit), start.absorption, start.source);
+    const Rgb sky = hit ? Rgb(0) : met_sky(scene, branch.ray.direction, branch.source);
+    return start.weight * lamps + branch.weight * sky;
+}
+
+/// `see` where something lies between surfaces.
+[[gnu::noinline]] std::optional<RayHit> see_through_air(const RenderScene& scene,
+                                                        const VolumeMap* photons, bool sees_lights,
+                                                        Branch& branch, Rgb& radiance)
+{
+    const Branch start = branch;
+    std::optional<RayHit> hit;
+    if (scene.has_media())
+        hit = see_in_media(scene, photons, branch, radiance);
+    else
+        hit = scene.rays.nearest(branch.ray);
+    if (hit && !scene.has_media())
+        absorb(branch.absorption, hit->distance, branch.weight);
+    if (sees_lights)
+        radiance += light_on_way(scene, start, branch, hit);
+    return hit;
+}
+
+/// The first surface on the way; takes what lies between absorbs, and adds what it sends, the lamps
+/// and the sky behind it.  photons: in media.
+std::optional<RayHit> see(const RenderScene& scene, const VolumeMap* photons, bool sees_lights,
+                          Branch& branch, Rgb& radiance)
+{
+    if (!scene.is_clear())
+        return see_through_air(scene, photons, sees_lights, branch, radiance);
+    const std::optional<RayHit> hit = scene.rays.nearest(branch.ray);
+    if (!hit && sees_lights)
+        radiance += branch.weight * met_sky(scene, branch.ray.direction, branch.source);
     return hit;
 }
 
@@ -182,19 +220,6 @@ BranchStack begin(const RenderScene& scene, const Ray& ray)
     return stack;
 }
 
-/// From the lamps that the branch runs into before it hits a surface, or else from the sky.
-/// start: the branch before what is on the way has changed it.
-Rgb light_on_way(const RenderScene& scene, const Branch& start, const Branch& branch,
-                 const std::optional<RayHit>& hit)
-{
-    const Rgb lamps =
-        scene.has_media()
-            ? met_lamps_in_media(scene, start.ray, start.inside, start.source)
-            : met_lamps(scene, start.ray, distance_of(hit), start.absorption, start.source);
-    const Rgb sky = hit ? Rgb(0) : met_sky(scene, branch.ray.direction, branch.source);
-    return start.weight * lamps + branch.weight * sky;
-}
-
 } // namespace
 
 Rgb trace_eye_path(const PassMaps& maps, const Ray& ray, SeenLights seen, RandomSequence& random,
@@ -205,10 +230,8 @@ Rgb trace_eye_path(const PassMaps& maps, const Ray& ray, SeenLights seen, Random
     while (stack.size > 0) {
         Branch branch = stack.branches[--stack.size];
         const bool sees_lights = seen == SeenLights::added || !branch.clear;
-        const Branch start = branch;
-        const std::optional<RayHit> hit = see(maps.scene, maps.volume, branch, radiance);
-        if (sees_lights)
-            radiance += light_on_way(maps.scene, start, branch, hit);
+        const std::optional<RayHit> hit =
+            see(maps.scene, maps.volume, sees_lights, branch, radiance);
         if (!hit)
             continue;
         Interaction at = interact(maps.scene, branch.ray, *hit);
@@ -234,9 +257,7 @@ Rgb trace_seen_lights(const RenderScene& scene, const Ray& ray, RandomSequence& 
     BranchStack stack = begin(scene, ray);
     while (stack.size > 0) {
         Branch branch = stack.branches[--stack.size];
-        const Branch start = branch;
-        const std::optional<RayHit> hit = see(scene, nullptr, branch, radiance);
-        radiance += light_on_way(scene, start, branch, hit);
+        const std::optional<RayHit> hit = see(scene, nullptr, true, branch, radiance);
         if (!hit)
             continue;
         Interaction at = interact(scene, branch.ray, *hit);

@@ -19,7 +19,7 @@ namespace hipmap {
 /// Insides nested deeper than kMost are passed over.
 struct Interiors {
     static constexpr std::size_t kMost = kMattOnly ? 1 : 8;
-    std::array<MaterialId, kMost> entered{};
+    std::array<MaterialId, kMost> entered; ///< [count] no more is set, as most rays enter nothing
     std::size_t count = 0;
 
     void enter(MaterialId material);

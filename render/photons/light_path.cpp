@@ -43,9 +43,12 @@ inline Event choose_event(LightPath& path, const Shares& shares, int lobes, floa
     return Event::absorb;
 }
 
+// What a path does at a matt surface is inlined by force: scenes with media have it a second time,
+// so that it would become calls.
+
 /// Keeps the photon in the maps that want it, docs/photon_maps.md (1).
-inline void store(const Interaction& at, LightPath& path, bool directional, const Wanted& wanted,
-                  TracedPhotons& out)
+[[gnu::always_inline]] inline void store(const Interaction& at, LightPath& path, bool directional,
+                                         const Wanted& wanted, TracedPhotons& out)
 {
     const std::uint64_t from = std::exchange(path.last, kNoPhoton);
     const bool media_last = std::exchange(path.media_last, false);
@@ -85,8 +88,8 @@ inline void bounce(LightPath& path)
 }
 
 /// Sends the path on by the diffuse lobe.  False: into the surface.
-inline bool scatter_diffusely(const Interaction& at, LightPath& path, RandomSequence& random,
-                              PowerBalance& balance)
+[[gnu::always_inline]] inline bool scatter_diffusely(const Interaction& at, LightPath& path,
+                                                     RandomSequence& random, PowerBalance& balance)
 {
     const glm::vec3 local = sample_cosine_hemisphere(random.next2());
     path.ray.direction = Frame(at.shading_normal).to_world(local);
@@ -182,8 +185,8 @@ void follow_specular(const Interaction& at, Event event, const LobeSamples& lobe
 }
 
 /// Sends the path on from a surface.  False: it ends there.
-inline bool scatter(const Interaction& at, LightPath& path, RandomSequence& random,
-                    PowerBalance& balance)
+[[gnu::always_inline]] inline bool scatter(const Interaction& at, LightPath& path,
+                                           RandomSequence& random, PowerBalance& balance)
 {
     const bool goes_on = !at.bsdf.is_matt() ? scatter_by_lobes(at, path, random, balance)
                                             : choose_lobe(path, {at.bsdf.diffuse}, 1, random,

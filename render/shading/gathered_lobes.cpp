@@ -8,6 +8,8 @@ namespace hipmap {
 Rgb GatheredLobes::of_all(const glm::vec3& in, float cosine) const
 {
     Rgb value = diffuse(in, cosine);
+    if (bsdf_.is_matt())
+        return value;
     if (bsdf_.reflection == Reflection::gathered)
         value += facets(bsdf_, in, cosine);
     if (bsdf_.clearcoat == Reflection::gathered)

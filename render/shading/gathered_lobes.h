@@ -14,7 +14,7 @@ class GatheredLobes {
     GatheredLobes(const Bsdf& bsdf, const glm::vec3& shading_normal,
                   const glm::vec3& geometric_normal, const glm::vec3& out)
         : bsdf_(bsdf), normal_(shading_normal), geometric_(geometric_normal), out_(out),
-          base_(bsdf.diffuse / kPi)
+          base_(bsdf.diffuse / kPi), burley_(bsdf.is_matt() && bsdf.burley_roughness >= 0)
     {
         if (!bsdf.is_matt())
             base_ *= through_coats(bsdf, std::max(0.0f, glm::dot(shading_normal, out)));
@@ -27,8 +27,7 @@ class GatheredLobes {
         const float cosine = glm::dot(normal_, in);
         if (!(cosine > 0))
             return Rgb(0);
-        return bsdf_.is_matt() ? base_ * diffuse_shape(bsdf_, normal_, in, out_)
-                               : of_all(in, cosine);
+        return burley_ ? base_ * burley_shape(bsdf_, normal_, in, out_) : of_all(in, cosine);
     }
 
     /// Of the diffuse lobe alone.  cosine: of `in` to the shading normal, above zero.
@@ -43,7 +42,7 @@ class GatheredLobes {
     const Rgb& base() const { return base_; }
 
   private:
-    /// Of diffuse lobe and facets.
+    /// Of all that there is.
     Rgb of_all(const glm::vec3& in, float cosine) const;
 
     /// Of the facets of one reflection, with what is folded.
@@ -51,7 +50,8 @@ class GatheredLobes {
 
     const Bsdf& bsdf_;
     glm::vec3 normal_, geometric_, out_;
-    Rgb base_; ///< D / pi * coat_half(out)
+    Rgb base_;    ///< D / pi * coat_half(out)
+    bool burley_; ///< the diffuse lobe is all, and not separable
 };
 
 /// f(wi, wo) of the fibres of a sheen, per steradian, as far as a clear coat lets it.  There must

@@ -3,6 +3,7 @@
 #include "render/shading/coverage.h"
 #include "render/shading/material_traits.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace hipmap {
@@ -19,6 +20,11 @@ RenderScene::RenderScene(const Scene& from_scene, const Partition& from_partitio
         bumpy.push_back(find_texture(material.textures, TextureUse::normal) != nullptr);
     for (std::size_t m = 0; m < scene.materials.size(); ++m)
         plain.push_back(varying[m] == 0 && bumpy[m] == 0 && !bsdfs[m].is_stretched() && !coverage);
+    all_plain = std::all_of(plain.begin(), plain.end(), [](std::uint8_t is) { return is != 0; });
+    lit_by_faces = !has_lamps(lights) && !has_sky_picture(lights);
+    clear = !media && !has_sized_lamps(lights) &&
+            std::all_of(bsdfs.begin(), bsdfs.end(),
+                        [](const Bsdf& bsdf) { return is_black(bsdf.absorption); });
     for (const MaterialId material : mesh().material_of_face)
         directional =
             directional || may_gather_by_direction(scene.materials[material], bsdfs[material]);
@@ -33,27 +39,11 @@ Rgb emission_at(const RenderScene& scene, FaceId face, const glm::vec2& barycent
                : material_at(scene.scene, face, barycentric).emission;
 }
 
-namespace {
-
-/// What differs from point to point.  A function of its own, so that lights that do not are spared
-/// its registers.
-[[gnu::noinline]] Rgb pictured_radiance(const RenderScene& scene, const EmissivePoint& light)
+Rgb pictured_radiance(const RenderScene& scene, const EmissivePoint& light)
 {
     const FaceId face = light.surface.face;
     const Rgb radiance = emission_at(scene, face, light.barycentric);
     return scene.coverage ? radiance * scene.coverage(face, light.barycentric) : radiance;
-}
-
-} // namespace
-
-Rgb light_radiance(const RenderScene& scene, const EmissivePoint& light, const glm::vec3& direction)
-{
-    const FaceId face = light.surface.face;
-    const MaterialId material = scene.mesh().material_of_face[face];
-    const Bsdf& bsdf = scene.bsdfs[material];
-    if (!shines_towards(bsdf, light.surface, direction))
-        return Rgb(0);
-    return scene.is_plain(material) ? bsdf.emission : pictured_radiance(scene, light);
 }
 
 } // namespace hipmap

@@ -23,8 +23,12 @@ struct RenderScene {
         varying;                     ///< [M] 1: textures or vertices' colours multiply the factors
     std::vector<std::uint8_t> bumpy; ///< [M] 1: a texture tilts the shading normal
     std::vector<std::uint8_t> plain; ///< [M] 1: neither, unstretched, and faces stop all light
+    bool all_plain = false;          ///< all materials are
     LightSet lights;
     std::optional<MediaSet> media; ///< none: nothing but surfaces and glass that absorbs
+    bool lit_by_faces = false;     ///< there are no lamps and no picture of the sky
+    bool clear = false; ///< nothing lies between surfaces: no medium, no glass that absorbs, no
+                        ///<   lamp with a size
     bool directional = false; ///< photons are weighed by the direction they came from: some surface
                               ///<   gathers by a lobe that is not separable
 
@@ -34,16 +38,30 @@ struct RenderScene {
 
     const TriangleMesh& mesh() const { return scene.mesh; }
     bool has_media() const { return !kMattOnly && media.has_value(); }
+    bool is_clear() const { return kMattOnly || clear; }
     /// The same at all points.
-    bool is_plain(MaterialId material) const { return kMattOnly || plain[material] != 0; }
+    bool is_plain(MaterialId material) const
+    {
+        return kMattOnly || all_plain || plain[material] != 0;
+    }
+    bool is_lit_by_faces() const { return kMattOnly || lit_by_faces; }
 };
 
 /// Radiance that a point of a face emits from the sides that shine.
 Rgb emission_at(const RenderScene& scene, FaceId face, const glm::vec2& barycentric);
 
-/// Radiance that a point drawn on an emissive face sends towards `direction` (unit, away from it),
-/// on average over what the face covers there.
-Rgb light_radiance(const RenderScene& scene, const EmissivePoint& light,
-                   const glm::vec3& direction);
+/// The same on average over what the face covers there.
+Rgb pictured_radiance(const RenderScene& scene, const EmissivePoint& light);
+
+/// What a point drawn on an emissive face sends of that towards `direction` (unit, away from it).
+inline Rgb light_radiance(const RenderScene& scene, const EmissivePoint& light,
+                          const glm::vec3& direction)
+{
+    const MaterialId material = scene.mesh().material_of_face[light.surface.face];
+    const Bsdf& bsdf = scene.bsdfs[material];
+    if (!shines_towards(bsdf, light.surface, direction))
+        return Rgb(0);
+    return scene.is_plain(material) ? bsdf.emission : pictured_radiance(scene, light);
+}
 
 } // namespace hipmap
