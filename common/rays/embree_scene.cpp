@@ -202,11 +202,22 @@ EmbreeScene& EmbreeScene::operator=(EmbreeScene&&) noexcept = default;
 
 std::optional<RayHit> EmbreeScene::nearest(const Ray& ray) const
 {
+    return find_nearest(ray, static_cast<bool>(handles_->coverage));
+}
+
+std::optional<RayHit> EmbreeScene::nearest_face(const Ray& ray) const
+{
+    return find_nearest(ray, false);
+}
+
+/// that_stops: there is a coverage, which is to be asked.
+std::optional<RayHit> EmbreeScene::find_nearest(const Ray& ray, bool that_stops) const
+{
     if (!can_cast(ray))
         return std::nullopt;
     NearestQuery query;
     rtcInitIntersectContext(&query.context);
-    query.context.filter = handles_->coverage ? keep_lowest_face_that_stops : keep_lowest_face;
+    query.context.filter = that_stops ? keep_lowest_face_that_stops : keep_lowest_face;
     query.ray = &ray;
     query.coverage = &handles_->coverage;
     query.distance = std::numeric_limits<float>::infinity();

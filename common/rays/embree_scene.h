@@ -45,6 +45,9 @@ class EmbreeScene {
     /// A ray with a number that is not finite (far may be) or a near below zero hits nothing.
     std::optional<RayHit> nearest(const Ray& ray) const;
 
+    /// The same of all faces, whatever they let pass.
+    std::optional<RayHit> nearest_face(const Ray& ray) const;
+
     /// Whether any face lies within [near, far].
     bool occluded(const Ray& ray) const;
 
@@ -55,6 +58,8 @@ class EmbreeScene {
 
   private:
     struct Handles;
+    std::optional<RayHit> find_nearest(const Ray& ray, bool that_stops) const;
+
     std::unique_ptr<Handles> handles_;
 };
 

@@ -112,12 +112,14 @@ Ray within_sphere(const MediaSet& media, const Ray& ray);
 /// Follows a ray from boundary to boundary to the first face with a surface, or to its far end, and
 /// calls `visit(stretch)` for each stretch of it that holds a medium; false stops the walk.
 /// inside: what the ray starts in; at the end what it ends in, before the face.
-template <typename Visit>
+/// all_faces: those too that would let the ray pass.
+template <bool all_faces = false, typename Visit>
 WalkEnd walk(const MediaSet& media, Ray ray, Interiors& inside, const Visit& visit)
 {
     float before = 0;
     for (int crossed = 0; ray.far > 0; ++crossed) {
-        std::optional<RayHit> hit = media.rays.nearest(ray);
+        std::optional<RayHit> hit =
+            all_faces ? media.rays.nearest_face(ray) : media.rays.nearest(ray);
         const MaterialId current = inside.current();
         if (!media.medium(current).is_clear()) {
             Stretch stretch{current, ray, before};

@@ -46,7 +46,8 @@ inline Event choose_event(LightPath& path, const Shares& shares, int lobes, floa
 // What a path does at a matt surface is inlined by force: scenes with media have it a second time,
 // so that it would become calls.
 
-/// Keeps the photon in the maps that want it, docs/photon_maps.md (1).
+/// Keeps the photon in the maps that want it, docs/photon_maps.md (1).  path: as it comes to the
+/// surface; `last` becomes this photon.
 [[gnu::always_inline]] inline void store(const Interaction& at, LightPath& path, bool directional,
                                          const Wanted& wanted, TracedPhotons& out)
 {
@@ -61,7 +62,7 @@ inline Event choose_event(LightPath& path, const Shares& shares, int lobes, floa
     if (!keep && !link)
         return;
     const float geometric = glm::dot(at.back, at.normal);
-    Rgb power = path.power * (at.cosine / (geometric * at.coverage));
+    Rgb power = path.power * (at.cosine / geometric);
     if (!directional && !at.bsdf.is_matt())
         power *= through_coats(at.bsdf, at.cosine);
     const BouncedPhoton bounced{
@@ -197,11 +198,11 @@ void follow_specular(const Interaction& at, Event event, const LobeSamples& lobe
     return goes_on;
 }
 
-/// Brings the path to the next surface where there are no media but glass that absorbs; none: it
-/// has left the scene.
+/// Brings the path to the next surface, whatever that lets pass, where there are no media but glass
+/// that absorbs; none: it has left the scene.
 std::optional<RayHit> fly(const RenderScene& scene, LightPath& path, TracedPhotons& out)
 {
-    const std::optional<RayHit> hit = scene.rays.nearest(path.ray);
+    const std::optional<RayHit> hit = scene.rays.nearest_face(path.ray);
     if (!hit) {
         out.power.escaped += glm::dvec3(path.power);
         return hit;
@@ -210,6 +211,25 @@ std::optional<RayHit> fly(const RenderScene& scene, LightPath& path, TracedPhoto
     absorb(path.absorption, hit->distance, path.power);
     out.power.absorbed += glm::dvec3(sent - path.power);
     return hit;
+}
+
+/// At a face that lets a part of the light pass: true: the path goes on, as if the face were not
+/// there.  It leaves a photon all the same, docs/light_transport.md (22).
+[[gnu::noinline]] bool pass_face(const RenderScene& scene, const Interaction& at,
+                                 const Wanted& wanted, RandomSequence& random, LightPath& path,
+                                 TracedPhotons& out)
+{
+    if (random.next() < at.coverage)
+        return false;
+    const FaceId face = at.point.face;
+    const bool gathers =
+        at.bsdf.gathers() || scene.bsdfs[scene.mesh().material_of_face[face]].gathers();
+    if (gathers && scene.partition.map_of_face[face] != kNone) {
+        LightPath passing = path;
+        store(at, passing, scene.directional, wanted, out);
+    }
+    path.ray.origin = offset_origin(at.point, path.ray.direction);
+    return true;
 }
 
 template <bool media>
@@ -227,6 +247,8 @@ void trace(const RenderScene& scene, const Wanted& wanted, RandomSequence& rando
         Interaction at = interact(scene, path.ray, *hit);
         if constexpr (media)
             at.inside = &path.inside;
+        if (at.coverage < 1 && pass_face(scene, at, wanted, random, path, out))
+            continue;
         disperse(at, path.nanometres, path.power, random);
         if (at.bsdf.gathers() && scene.partition.map_of_face[hit->face] != kNone)
             store(at, path, scene.directional, wanted, out);

@@ -62,7 +62,7 @@ std::optional<RayHit> fly_through_media(const MediaSet& media, const Wanted& wan
     while (path.scatterings < kMostScatterings) {
         const Rgb before = path.power;
         glm::vec3 position(0.0f);
-        const WalkEnd end = walk(media, path.ray, path.inside, [&](const Stretch& stretch) {
+        const WalkEnd end = walk<true>(media, path.ray, path.inside, [&](const Stretch& stretch) {
             const Column column = column_along(media.density(stretch.inside), stretch.ray);
             const Flight flight =
                 sample_flight(media.medium(stretch.inside), column.whole, path.power, random);

@@ -39,8 +39,9 @@ inline bool is_done(const LightPath& path, const Wanted& wanted)
     return !wanted.indirect && path.diffuse > (bounces ? 1 : 0);
 }
 
-/// Brings the path to the next surface through the media of a scene, and keeps the photons that are
-/// wanted of it on the way; none: it has ended, or left the scene.  docs/media.md (7).
+/// Brings the path to the next surface, whatever that lets pass, through the media of a scene, and
+/// keeps the photons that are wanted of it on the way; none: it has ended, or left the scene.
+/// docs/media.md (7).
 std::optional<RayHit> fly_through_media(const MediaSet& media, const Wanted& wanted,
                                         RandomSequence& random, LightPath& path,
                                         TracedPhotons& out);

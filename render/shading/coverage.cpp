@@ -29,7 +29,7 @@ float covered_share(const Scene& scene, FaceId face, const glm::vec2& barycentri
 
 bool may_let_light_pass(const Scene& scene, const Material& material)
 {
-    if (material.alpha_mode == AlphaMode::opaque)
+    if (material.alpha_mode == AlphaMode::opaque || !material.boundary)
         return false;
     const TextureSlot* slot = find_texture(material.textures, TextureUse::base_color);
     const float least = material.alpha_mode == AlphaMode::mask ? material.alpha_cutoff : 1.0f;

@@ -6,7 +6,7 @@
 namespace hipmap {
 
 /// Whether some point of the material may stop less than all light: by its alpha, its picture's or
-/// the vertices'.  Cost: linear in the picture.
+/// the vertices'.  Never where it has no surface.  Cost: linear in the picture.
 bool may_let_light_pass(const Scene& scene, const Material& material);
 
 /// What each face stops, docs/light_transport.md (22): alpha, or 0 or 1 where it is a mask.  Empty

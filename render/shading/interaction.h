@@ -18,7 +18,7 @@ struct Interaction {
     float cosine = 1.0f;      ///< dot(back, shading_normal)
     bool front = true;        ///< the ray came from the front of the face
     bool solid = false;       ///< the face belongs to a closed surface
-    float coverage = 1.0f;    ///< share of the light that the face stops there, above zero
+    float coverage = 1.0f;    ///< share of the light that the face stops there
     std::uint8_t side = 0;    ///< 0 or 1: of the connected surface, the same for all its faces
     const PhaseFunction* phase = nullptr; ///< of a medium; null: at a surface.  Borrowed
     const Interiors* inside = nullptr;    ///< what the ray came through; null: there are no media

@@ -87,3 +87,15 @@ TEST_CASE("coverage: a hole ends where its face says", "[rays]")
             CHECK(scene.occluded(ray) == (ray.origin.x > 0.3f));
     }
 }
+
+TEST_CASE("coverage: nearest_face meets faces that let the ray pass", "[rays]")
+{
+    const EmbreeScene scene(pile(4), [](FaceId, const glm::vec2&) { return 0.0f; });
+    const EmbreeScene opaque(pile(4));
+    for (std::uint64_t i = 0; i < 100; ++i) {
+        CHECK_FALSE(scene.nearest(ray_down(i)));
+        const std::optional<RayHit> hit = scene.nearest_face(ray_down(i));
+        REQUIRE(hit);
+        CHECK(hit->face == opaque.nearest(ray_down(i))->face);
+    }
+}
