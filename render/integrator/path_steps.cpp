@@ -11,7 +11,10 @@ namespace {
 /// From here on Russian roulette ends faint paths.
 constexpr int kRouletteDepth = 4;
 
-/// The largest chance to go on that roulette gives: between perfect mirrors nothing else would end.
+/// From here on also bright ones; between perfect mirrors nothing else would end them.  Not before:
+/// light caught in a ball of glass leaves it after hundreds of reflections, and what the few that
+/// are not ended stand for would hardly ever be seen.
+constexpr int kEndlessDepth = 1024;
 constexpr float kMostChance = 0.98f;
 
 /// Chances of the lobes of a surface; they add up to one, or are all zero if it is black.
@@ -126,7 +129,8 @@ bool survives(int depth, Path& path, RandomSequence& random)
 {
     if (depth < kRouletteDepth)
         return true;
-    const float chance = std::min(kMostChance, path.index2 * max_channel(path.weight));
+    const float most = depth < kEndlessDepth ? 1.0f : kMostChance;
+    const float chance = std::min(most, path.index2 * max_channel(path.weight));
     if (!(random.next() < chance))
         return false;
     path.weight /= chance;
