@@ -15,14 +15,15 @@ constexpr double kRounding = 0x1p-20;
 
 bool reads_photons(const ClosedForm& form, const Method& method)
 {
-    return form.read == PhotonsRead::others ||
+    return form.read == PhotonsRead::others || form.read == PhotonsRead::media ||
            (form.read == PhotonsRead::direct && method.direct == DirectLight::photons);
 }
 
 /// docs/photon_maps.md (2)
 double least_of(const ClosedForm& form, const Method& method)
 {
-    const bool nearest = method.integrator == Integrator::direct && reads_photons(form, method);
+    const bool nearest = method.integrator == Integrator::direct &&
+                         form.read != PhotonsRead::media && reads_photons(form, method);
     return form.expected * (nearest ? (kNeighbours - 1) / (kNeighbours - 0.5) : 1);
 }
 
@@ -96,10 +97,10 @@ std::vector<FoundForm> find_form(const ClosedForm& form, const Method& method, s
     const FoundForm row{form.name,     form.formula,           method.name,
                         form.expected, least_of(form, method), {}};
     std::vector<FoundForm> out{row};
-    if (method.integrator == Integrator::path && !form.why_not_path.empty()) {
-        out[0].why_not = form.why_not_path;
+    out[0].why_not =
+        method.integrator == Integrator::path ? form.why_not_path : form.why_not_photons;
+    if (!out[0].why_not.empty())
         return out;
-    }
     const auto ready = tiny::ready(form.scene);
     const RenderOptions options = options_for(form, method);
     RenderStatistics ignored;

@@ -238,7 +238,7 @@ std::vector<ClosedForm> lit_forms()
 std::vector<ClosedForm> closed_forms()
 {
     std::vector<ClosedForm> out = lit_forms();
-    for (std::vector<ClosedForm> more : {seen_forms(), cast_forms()})
+    for (std::vector<ClosedForm> more : {seen_forms(), cast_forms(), media_forms()})
         out.insert(out.end(), more.begin(), more.end());
     return out;
 }

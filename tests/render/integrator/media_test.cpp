@@ -2,6 +2,7 @@
 #include "tests/support/mean_luminance.h"
 #include "tests/support/render_image.h"
 #include "tests/support/statistics.h"
+#include "tests/support/tiny_media.h"
 #include "tests/support/tiny_rooms.h"
 
 #include <catch2/catch.hpp>
@@ -9,18 +10,6 @@
 using namespace hipmap;
 
 namespace {
-
-Material fog(const Medium& medium)
-{
-    Material out;
-    out.boundary = false;
-    out.absorption = medium.absorption;
-    out.scattering = medium.scattering;
-    out.medium_emission = medium.emission;
-    out.phase = medium.phase;
-    out.density = medium.density;
-    return out;
-}
 
 /// Densities from 0 to 2, anyhow.
 std::shared_ptr<const DensityGrid> any_density()
@@ -39,15 +28,6 @@ std::shared_ptr<const DensityGrid> denser_above()
     out->nodes = {2, 3, 2};
     out->values = {0, 0, 1, 1, 4, 4, 0, 0, 1, 1, 4, 4};
     return out;
-}
-
-/// A unit cube of the medium, of which a square about its middle is looked at.
-Scene cube_of(const Medium& medium, float side = 0.5f)
-{
-    Scene scene = tiny::make_scene(tiny::cube());
-    scene.materials[0] = fog(medium);
-    scene.cameras[0] = tiny::square_view(glm::vec3(0), {0, -1, 0}, side, 2);
-    return scene;
 }
 
 constexpr Integrator kAll[] = {Integrator::path, Integrator::progressive, Integrator::direct};
@@ -99,7 +79,7 @@ TEST_CASE("media: light is absorbed as Beer and Lambert say", "[integrator][medi
 {
     Medium medium;
     medium.absorption = {0.5f, 1, 4};
-    Scene scene = cube_of(medium);
+    Scene scene = tiny::cube_of(medium);
     tiny::add(scene, tiny::floor_at(-0.6f, 3), tiny::lamp(Rgb(2)));
     double expected = 0;
     for (int c = 0; c < 3; ++c)
@@ -107,7 +87,7 @@ TEST_CASE("media: light is absorbed as Beer and Lambert say", "[integrator][medi
     for (const Integrator integrator : kAll)
         check(measure(scene, integrator, 2), expected, 1e-4);
     medium.density = denser_above();
-    scene.materials[0] = fog(medium);
+    scene.materials[0] = tiny::fog(medium);
     expected = 0;
     for (int c = 0; c < 3; ++c)
         expected += 2 * std::exp(-1.5 * double{medium.absorption[c]}) / 3;
@@ -121,10 +101,10 @@ TEST_CASE("media: a glowing slab sends e/a (1 - exp(-a d))", "[integrator][media
     medium.absorption = Rgb(2);
     medium.emission = Rgb(3);
     for (const Integrator integrator : kAll)
-        check(measure(cube_of(medium), integrator, 2), 1.5 * (1 - std::exp(-2.0)), 1e-4);
+        check(measure(tiny::cube_of(medium), integrator, 2), 1.5 * (1 - std::exp(-2.0)), 1e-4);
     medium.density = denser_above();
     for (const Integrator integrator : kAll)
-        check(measure(cube_of(medium), integrator, 2), 1.5 * (1 - std::exp(-3.0)), 1e-4);
+        check(measure(tiny::cube_of(medium), integrator, 2), 1.5 * (1 - std::exp(-3.0)), 1e-4);
 }
 
 TEST_CASE("media: with an albedo of one nothing is seen under an even sky", "[integrator][media]")
@@ -135,17 +115,17 @@ TEST_CASE("media: with an albedo of one nothing is seen under an even sky", "[in
          {PhaseFunction{}, PhaseFunction{PhaseKind::henyey_greenstein, 0.7f},
           PhaseFunction{PhaseKind::schlick, -0.4f}}) {
         medium.phase = phase;
-        Scene scene = cube_of(medium);
+        Scene scene = tiny::cube_of(medium);
         scene.environment = Rgb(1);
         for (const Integrator integrator : kAll)
             check(measure(scene, integrator), 1, 0.03);
     }
     medium.density = any_density();
-    Scene smoke = cube_of(medium);
+    Scene smoke = tiny::cube_of(medium);
     smoke.environment = Rgb(1);
     for (const Integrator integrator : kAll)
         check(measure(smoke, integrator), 1, 0.03);
-    Scene milk = cube_of(medium); // within glass
+    Scene milk = tiny::cube_of(medium); // within glass
     milk.environment = Rgb(1);
     milk.materials[0] = tiny::glass(1.5f);
     milk.materials[0].scattering = medium.scattering;
@@ -167,7 +147,7 @@ TEST_CASE("media: light of a lamp that is scattered once", "[integrator][media]"
     medium.absorption = Rgb(1);
     medium.scattering = Rgb(1e-3f);
     medium.phase = {PhaseKind::henyey_greenstein, 0.5f};
-    Scene scene = cube_of(medium, 0.2f);
+    Scene scene = tiny::cube_of(medium, 0.2f);
     PunctualLight light;
     light.kind = LightKind::point;
     light.position = {0.4f, 0, 0};
@@ -201,7 +181,7 @@ TEST_CASE("media: integrators agree on fog, milk and haze under a lamp", "[integ
     medium.scattering = {4, 8, 12};
     medium.absorption = {1, 0.5f, 3};
     medium.phase = {PhaseKind::henyey_greenstein, 0.5f};
-    tiny::add(scene, shape, fog(medium));
+    tiny::add(scene, shape, tiny::fog(medium));
     shape = tiny::fine_ball(0.18);
     tiny::move(shape, {0.22f, -0.25f, 0});
     Material milk = tiny::glass(1.4f);
@@ -222,7 +202,7 @@ TEST_CASE("media: integrators agree on a room that a glowing medium lights", "[i
     Medium medium;
     medium.emission = {3, 2, 1};
     medium.absorption = {1, 2, 3};
-    tiny::add(scene, cube, fog(medium));
+    tiny::add(scene, cube, tiny::fog(medium));
     check_agreement(scene);
 }
 
@@ -236,7 +216,7 @@ TEST_CASE("media: integrators agree on smoke that is denser here than there", "[
     medium.absorption = {1, 2, 3};
     medium.emission = {0, 0.5f, 1};
     medium.density = any_density();
-    tiny::add(scene, cube, fog(medium));
+    tiny::add(scene, cube, tiny::fog(medium));
     scene.around.scattering = Rgb(0.4f);
     scene.around.density = any_density();
     TriangleMesh lamp = tiny::floor_at(0.45f, -0.3f);
