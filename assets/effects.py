@@ -130,6 +130,30 @@ def add_anisotropy(glb):
     glb.mesh("Disc", turned, (points, normals, uvs, faces), TANGENT=tangents)
 
 
+def add_diffuse_transmission(glb):
+    """A lantern of paper, and a leaf between the lamp and who looks."""
+    def paper(name, color, factor, **parts):
+        return glb.material(name, color, doubleSided=True, extensions={
+            "KHR_materials_diffuse_transmission": {"diffuseTransmissionFactor": factor, **parts}})
+
+    def veins(x, y):
+        vein = abs(x - 16) < 1 or (y + abs(x - 16)) % 8 < 1
+        return (200, 210, 120, 255) if vein else (90, 190, 40, 255)
+
+    shade = paper("Paper", (0.8, 0.75, 0.65), 0.6, diffuseTransmissionColorFactor=[1, 0.85, 0.6])
+    glb.mesh("Lantern", shade, sphere((-0.5, 0.42, -0.1), 0.34, 40, 20))
+    bulb = glb.material("Bulb", (0, 0, 0), emissiveFactor=[1, 0.9, 0.75], extensions={
+        "KHR_materials_emissive_strength": {"emissiveStrength": 60}})
+    glb.mesh("Bulb", bulb, sphere((-0.5, 0.42, -0.1), 0.07, 16, 8))
+    leaf = paper("Leaf", (0.1, 0.25, 0.05), 0.5,
+                 diffuseTransmissionColorTexture=glb.texture(png(32, 32, veins)))
+    glb.mesh("Leaf", leaf, quad((0.05, 0.25, 0.35), (0.8, 0, -0.15), (0, 0.7, 0)))
+    glb.mesh("Ball", 0, sphere((0.5, 0.18, -0.2), 0.18))
+    behind = glb.material("Lamp behind", (0, 0, 0), emissiveFactor=[1, 1, 1], extensions={
+        "KHR_materials_emissive_strength": {"emissiveStrength": 40}})
+    glb.mesh("Lamp behind", behind, quad((0.7, 1.7, -0.8), (0.3, 0, 0), (0, 0, 0.3)))
+
+
 def add_depth_of_field(glb):
     """Balls at different distances; the middle one is sharp."""
     colors = ((0.7, 0.15, 0.1), (0.75, 0.6, 0.2), (0.2, 0.55, 0.25), (0.15, 0.3, 0.7))
@@ -304,6 +328,7 @@ SCENES = {
     "anisotropy": (add_anisotropy, 20),
     "clearcoat": (add_clearcoat, 20),
     "depth_of_field": (add_depth_of_field, 20),
+    "diffuse_transmission": (add_diffuse_transmission, 3),
     "dispersion": (add_dispersion, 8),
     "emissive_picture": (add_emissive_picture, 0),
     "environment": (add_environment, 12),

@@ -127,6 +127,9 @@ void read_layers(const json& material, FactorReader& read, Material& out)
     const json& sheen = extension(material, "KHR_materials_sheen");
     out.sheen_color = read.fractions(sheen, "sheenColorFactor", 0.0);
     out.sheen_roughness = read.fraction(sheen, "sheenRoughnessFactor", 0.0);
+    const json& through = extension(material, "KHR_materials_diffuse_transmission");
+    out.diffuse_transmission = read.fraction(through, "diffuseTransmissionFactor", 0.0);
+    out.diffuse_transmission_color = read.fractions(through, "diffuseTransmissionColorFactor");
     const json& anisotropy = extension(material, "KHR_materials_anisotropy");
     out.anisotropy = read.fraction(anisotropy, "anisotropyStrength", 0.0);
     out.anisotropy_rotation =
@@ -196,6 +199,7 @@ void make_unlit(Material& material)
     material.metallic = 0.0f;
     material.specular = 0.0f;
     material.transmission = 0.0f;
+    material.diffuse_transmission = 0.0f;
 }
 
 bool looks_lost(const json& material)

@@ -95,6 +95,10 @@ const GltfTextureReader::SlotKind GltfTextureReader::kSlotKinds[] = {
     {"KHR_materials_sheen", "sheenColorTexture", TextureUse::sheen_color, kColour},
     {"KHR_materials_sheen", "sheenRoughnessTexture", TextureUse::sheen_roughness, kLinear},
     {"KHR_materials_anisotropy", "anisotropyTexture", TextureUse::anisotropy, kLinear},
+    {"KHR_materials_diffuse_transmission", "diffuseTransmissionTexture",
+     TextureUse::diffuse_transmission, kLinear},
+    {"KHR_materials_diffuse_transmission", "diffuseTransmissionColorTexture",
+     TextureUse::diffuse_transmission_color, kColour},
 };
 
 std::vector<TextureSlot> GltfTextureReader::read(const json& material, const std::string& name)

@@ -15,14 +15,23 @@ using nlohmann::json;
 using std::string_view;
 
 constexpr string_view kRead[] = {
-    "KHR_lights_punctual",        "KHR_materials_emissive_strength",
-    "KHR_materials_transmission", "KHR_materials_ior",
-    "KHR_materials_specular",     "KHR_materials_volume",
-    "KHR_materials_clearcoat",    "KHR_materials_unlit",
-    "KHR_mesh_quantization",      "KHR_draco_mesh_compression",
-    "EXT_meshopt_compression",    "EXT_mesh_gpu_instancing",
-    "KHR_texture_transform",      "KHR_materials_sheen",
-    "KHR_materials_dispersion",   "KHR_materials_anisotropy",
+    "KHR_lights_punctual",
+    "KHR_materials_emissive_strength",
+    "KHR_materials_transmission",
+    "KHR_materials_ior",
+    "KHR_materials_specular",
+    "KHR_materials_volume",
+    "KHR_materials_clearcoat",
+    "KHR_materials_unlit",
+    "KHR_mesh_quantization",
+    "KHR_draco_mesh_compression",
+    "EXT_meshopt_compression",
+    "EXT_mesh_gpu_instancing",
+    "KHR_texture_transform",
+    "KHR_materials_sheen",
+    "KHR_materials_dispersion",
+    "KHR_materials_anisotropy",
+    "KHR_materials_diffuse_transmission",
 };
 
 constexpr string_view kRenderedTextures[] = {"baseColorTexture",
@@ -36,7 +45,9 @@ constexpr string_view kRenderedTextures[] = {"baseColorTexture",
                                              "clearcoatRoughnessTexture",
                                              "sheenColorTexture",
                                              "sheenRoughnessTexture",
-                                             "anisotropyTexture"};
+                                             "anisotropyTexture",
+                                             "diffuseTransmissionTexture",
+                                             "diffuseTransmissionColorTexture"};
 
 /// Read, but of no use to a renderer that follows light.
 constexpr string_view kNeedlessTextures[] = {"occlusionTexture", "thicknessTexture"};
@@ -44,8 +55,8 @@ constexpr string_view kNeedlessTextures[] = {"occlusionTexture", "thicknessTextu
 /// Not read, but a scene without them keeps its shapes and lights: a warning is enough.
 constexpr string_view kSpared[] = {
     "KHR_texture_basisu",        "EXT_texture_webp",       "EXT_texture_avif",
-    "KHR_materials_iridescence", "KHR_materials_variants", "KHR_materials_diffuse_transmission",
-    "KHR_xmp_json_ld",           "KHR_animation_pointer",
+    "KHR_materials_iridescence", "KHR_materials_variants", "KHR_xmp_json_ld",
+    "KHR_animation_pointer",
 };
 
 struct Cure {

@@ -47,6 +47,8 @@ struct Material {
     float clearcoat_roughness = 0.0f;
     Rgb sheen_color{0.0f}; ///< KHR_materials_sheen
     float sheen_roughness = 0.0f;
+    float diffuse_transmission = 0.0f; ///< KHR_materials_diffuse_transmission
+    Rgb diffuse_transmission_color{1.0f};
     float anisotropy = 0.0f;          ///< KHR_materials_anisotropy
     float anisotropy_rotation = 0.0f; ///< radians from the tangent towards the bitangent
     float alpha = 1.0f;

@@ -31,21 +31,23 @@ struct Sampler {
 
 /// What a texture is multiplied with, or stands for.  Channels are glTF's.
 enum class TextureUse : std::uint8_t {
-    base_color,          ///< RGB; A: alpha
-    metallic_roughness,  ///< G: roughness, B: metallic
-    normal,              ///< RGB: 2 c - 1, in the frame of tangent, bitangent and normal
-    occlusion,           ///< R
-    emission,            ///< RGB
-    transmission,        ///< R
-    thickness,           ///< G
-    specular,            ///< A
-    specular_color,      ///< RGB
-    clearcoat,           ///< R
-    clearcoat_roughness, ///< G
-    clearcoat_normal,    ///< as normal
-    sheen_color,         ///< RGB
-    sheen_roughness,     ///< A
-    anisotropy,          ///< RG: 2 c - 1, the direction; B: strength
+    base_color,                 ///< RGB; A: alpha
+    metallic_roughness,         ///< G: roughness, B: metallic
+    normal,                     ///< RGB: 2 c - 1, in the frame of tangent, bitangent and normal
+    occlusion,                  ///< R
+    emission,                   ///< RGB
+    transmission,               ///< R
+    thickness,                  ///< G
+    specular,                   ///< A
+    specular_color,             ///< RGB
+    clearcoat,                  ///< R
+    clearcoat_roughness,        ///< G
+    clearcoat_normal,           ///< as normal
+    sheen_color,                ///< RGB
+    sheen_roughness,            ///< A
+    anisotropy,                 ///< RG: 2 c - 1, the direction; B: strength
+    diffuse_transmission,       ///< A
+    diffuse_transmission_color, ///< RGB
 };
 
 /// A texture of a material.

@@ -32,6 +32,8 @@ void drop_effects(Scene& scene, const EffectPlan& plan)
             material.clearcoat = 0;
         if (!plan.has(Effect::sheen))
             material.sheen_color = Rgb(0);
+        if (!plan.has(Effect::diffuse_transmission))
+            material.diffuse_transmission = 0;
         if (!plan.has(Effect::anisotropy))
             material.anisotropy = 0;
         if (!plan.has(Effect::alpha))

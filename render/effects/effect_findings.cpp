@@ -200,6 +200,16 @@ Finding find_sheen(const SceneFacts& facts)
         names, glass, "a lobe more on these surfaces; photons keep the direction they came from");
 }
 
+Finding find_diffuse_transmission(const SceneFacts& facts)
+{
+    const std::string names = facts.materials_where(
+        [](const Material&, const Bsdf& bsdf, bool) { return bsdf.passes_diffusely(); });
+    const std::string glass = names_of(
+        facts, [](const Material& m) { return m.diffuse_transmission > 0 && m.transmission > 0; });
+    return layer_finding(names, glass,
+                         "light and photons of both sides where a ray meets these surfaces");
+}
+
 Finding find_anisotropy(const SceneFacts& facts)
 {
     const TriangleMesh& mesh = facts.scene.mesh;

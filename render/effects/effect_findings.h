@@ -35,6 +35,7 @@ Finding find_vertex_colours(const SceneFacts& facts);
 Finding find_alpha(const SceneFacts& facts);
 Finding find_clearcoat(const SceneFacts& facts);
 Finding find_sheen(const SceneFacts& facts);
+Finding find_diffuse_transmission(const SceneFacts& facts);
 Finding find_anisotropy(const SceneFacts& facts);
 
 /// One that is in the file, but not rendered.  names: in quotes; empty: not in the file.

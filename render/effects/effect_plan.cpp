@@ -34,6 +34,7 @@ constexpr std::array<Row, kEffects> kRows = {{
     {Effect::alpha, "alpha", find_alpha, true},
     {Effect::clearcoat, "clearcoat", find_clearcoat, true},
     {Effect::sheen, "sheen", find_sheen, true},
+    {Effect::diffuse_transmission, "diffuse-transmission", find_diffuse_transmission, true},
     {Effect::anisotropy, "anisotropy", find_anisotropy, true},
     {Effect::environment, "environment", find_environment, true},
     {Effect::depth_of_field, "depth-of-field", find_depth_of_field, true},

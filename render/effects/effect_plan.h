@@ -29,12 +29,13 @@ enum class Effect : std::uint8_t {
     alpha,
     clearcoat,
     sheen,
+    diffuse_transmission,
     anisotropy,
     environment,
     depth_of_field,
     motion_blur,
 };
-inline constexpr std::size_t kEffects = 20;
+inline constexpr std::size_t kEffects = 21;
 
 /// As the user writes it.
 std::string_view name_of(Effect effect);

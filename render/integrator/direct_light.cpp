@@ -69,10 +69,11 @@ Rgb from_lamp(const RenderScene& scene, const Interaction& at, std::uint32_t lam
     return is_black(sent) ? sent : sent * unoccluded(scene, at, shadow);
 }
 
-/// Rough glass takes light from both sides.
+/// Rough glass, and what passes light diffusely, takes light from both sides.
 LightReceiver receiver(const Interaction& at)
 {
-    return {at.point.position, at.bsdf.glass > 0 ? glm::vec3(0) : at.normal};
+    const bool both = at.bsdf.glass > 0 || at.bsdf.passes_diffusely();
+    return {at.point.position, both ? glm::vec3(0) : at.normal};
 }
 
 /// Chance per solid angle that sampling the emissive faces finds a point, of that per area.

@@ -46,6 +46,19 @@ struct BranchStack {
     }
 };
 
+/// What passes diffusely of light that photons bring to the other side of a surface.  query: of
+/// this side.
+[[gnu::noinline]] Rgb light_from_beyond(const PassMaps& maps, const GatheredLobes& lobes,
+                                        PhotonQuery query, EyeScratch& scratch)
+{
+    query = beyond(query);
+    query.radius = PhotonQuery{}.radius;
+    Rgb light = estimate_irradiance(maps.global, maps.surfaces, query, scratch.global);
+    query.radius = even_radius(maps.caustic, maps.scene.partition, query);
+    light += estimate_irradiance(maps.caustic, maps.surfaces, query, scratch.caustic);
+    return maps.scene.directional ? light : lobes.beyond() * light;
+}
+
 /// Light that the gathered lobes send back along the path, from photons.
 Rgb photon_light(const PassMaps& maps, const Interaction& at, EyeScratch& scratch)
 {
@@ -56,7 +69,9 @@ Rgb photon_light(const PassMaps& maps, const Interaction& at, EyeScratch& scratc
     Rgb light = estimate_irradiance(maps.global, maps.surfaces, query, scratch.global);
     query.radius = even_radius(maps.caustic, maps.scene.partition, query);
     light += estimate_irradiance(maps.caustic, maps.surfaces, query, scratch.caustic);
-    return maps.scene.directional ? light : lobes.base() * light;
+    light = maps.scene.directional ? light : lobes.base() * light;
+    return at.bsdf.passes_diffusely() ? light + light_from_beyond(maps, lobes, query, scratch)
+                                      : light;
 }
 
 /// Light from lights and photons that the surface sends back along the path; what followed lobes

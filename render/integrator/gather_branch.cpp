@@ -43,9 +43,11 @@ GatherBranch scatter(const GatherBranch& from, const Interaction& at, Lobes lobe
     if (lobes == Lobes::gathered) {
         next.gathers = next.straight = true;
         next.nanometres = 0;
+        if (sample.transmitted)
+            next.indirect_radius = from.beyond_radius;
     }
     next.ray = scattered_ray(at, sample);
-    if (sample.transmitted)
+    if (sample.transmitted && lobes == Lobes::followed)
         enter(at, sample.eta, next);
     return next;
 }

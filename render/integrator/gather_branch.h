@@ -26,6 +26,7 @@ struct GatherBranch {
     bool gathers = false;      ///< a gathered lobe is behind it
     bool straight = false;     ///< nothing else is since
     float indirect_radius = 0; ///< the first, of the indirect map where that lobe is
+    float beyond_radius = 0;   ///< the same on the other side
     int depth = 0;             ///< surfaces behind it
     Interiors inside;          ///< what the ray travels in, where there are media
 };

@@ -97,6 +97,8 @@ class GatherTracer {
         PhotonQuery query{at.point.position, at.normal, at.point.face, at.side};
         if (maps_.scene.directional)
             query.lobes = &lobes;
+        if (at.bsdf.passes_diffusely())
+            return add_both_sides(branch, query, lobes);
         const Rgb factor = maps_.scene.directional ? Rgb(1) : lobes.base();
         add_caustic(branch, factor, query);
         if (branch.gathers) {
@@ -118,6 +120,34 @@ class GatherTracer {
                        maps_.shrink * branch.indirect_radius, scratch_.indirect);
         }
         return false;
+    }
+
+    /// The same where light comes through the surface too.  A second surface so near to the first
+    /// that it should be treated as that is not: photons of each side are weighed by a radius of
+    /// their own.
+    bool add_both_sides(GatherBranch& branch, PhotonQuery query, const GatheredLobes& lobes)
+    {
+        for (const bool other : {false, true}) {
+            if (other)
+                query = beyond(query);
+            const Rgb factor = maps_.scene.directional ? Rgb(1)
+                               : other                 ? lobes.beyond()
+                                                       : lobes.base();
+            add_caustic(branch, factor, query);
+            if (branch.gathers && !maps_.global.maps.empty()) {
+                const float first = radius_at(maps_.first.global, maps_.surfaces, query);
+                const Rgb weight =
+                    branch.weight * factor * gather_weight(first, branch.indirect_radius);
+                if (!add_precomputed(weight, query))
+                    add_within(weight, maps_.global, query, maps_.shrink * first, scratch_.global);
+            } else if (!branch.gathers && !maps_.indirect.maps.empty()) {
+                const float first = radius_at(maps_.first.indirect, maps_.surfaces, query);
+                (other ? branch.beyond_radius : branch.indirect_radius) = first;
+                add_within(branch.weight * factor, maps_.indirect, query, maps_.shrink * first,
+                           scratch_.indirect);
+            }
+        }
+        return branch.gathers;
     }
 
     void add_caustic(const GatherBranch& branch, const Rgb& factor, const PhotonQuery& query)

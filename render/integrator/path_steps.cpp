@@ -64,7 +64,7 @@ bool follow_lobes(const Interaction& at, Lobes lobes, float chance, RandomSequen
     path.weight *= sample.weight / chance;
     path.source = source_at(at, chance * sample.density);
     path.ray = scattered_ray(at, sample);
-    if (sample.transmitted)
+    if (sample.transmitted && lobes == Lobes::followed)
         enter(at, sample.eta, path);
     return true;
 }

@@ -19,6 +19,14 @@ struct PhotonQuery {
     const GatheredLobes* lobes = nullptr; ///< that weigh each photon; none: all count alike
 };
 
+/// The same on the other side of the surface.
+inline PhotonQuery beyond(PhotonQuery query)
+{
+    query.normal = -query.normal;
+    query.side ^= 1;
+    return query;
+}
+
 /// What was done in one tier below the shared maps.
 struct TierSearches {
     std::uint64_t begun = 0;

@@ -15,8 +15,8 @@ namespace {
 
 /// Russian roulette ends paths long before this; between perfect mirrors nothing else would.
 constexpr int kMostBounces = 512;
-enum class Event { absorb, diffuse, gathered, followed, mirror, transmit, sheen };
-constexpr int kLobes = 6;
+enum class Event { absorb, diffuse, gathered, followed, mirror, transmit, sheen, beyond };
+constexpr int kLobes = 7;
 using Shares = std::array<Rgb, kLobes>; ///< of the light, in the order of the events
 
 /// Russian roulette in RGB, docs/light_transport.md (10): which lobe the path goes on in, and its
@@ -86,6 +86,21 @@ inline void bounce(LightPath& path)
 {
     ++path.diffuse;
     path.nanometres = 0;
+}
+
+/// Sends the path on through the surface.  False: back into it.
+[[gnu::noinline]] bool pass_diffusely(const Interaction& at, LightPath& path,
+                                      RandomSequence& random, PowerBalance& balance)
+{
+    const glm::vec3 local = sample_cosine_hemisphere(random.next2());
+    path.ray.direction = Frame(-at.shading_normal).to_world(local);
+    path.ray.origin = offset_origin(at.point, -at.normal);
+    const Rgb incoming = path.power;
+    path.power *= through_coats(at.bsdf, local.z) / (1.0f - at.bsdf.coat_average);
+    const bool out = glm::dot(path.ray.direction, at.normal) < 0;
+    balance.absorbed += glm::dvec3(out ? incoming - path.power : incoming);
+    bounce(path);
+    return out;
 }
 
 /// Sends the path on by the diffuse lobe.  False: into the surface.
@@ -170,12 +185,15 @@ void follow_specular(const Interaction& at, Event event, const LobeSamples& lobe
                         lobes.followed.weight,
                         lobes.specular.mirror,
                         lobes.specular.transmit,
-                        lobes.sheen.weight};
+                        lobes.sheen.weight,
+                        passed_albedo(at.bsdf, at.cosine)};
     const Event event = choose_lobe(path, shares, kLobes, random, balance);
     if (event == Event::absorb)
         return false;
     if (event == Event::diffuse)
         return scatter_diffusely(at, path, random, balance);
+    if (event == Event::beyond)
+        return pass_diffusely(at, path, random, balance);
     if (event == Event::gathered || event == Event::sheen) {
         follow_facet(at, event == Event::sheen ? lobes.sheen : lobes.gathered, path);
         bounce(path);

@@ -72,7 +72,9 @@ void stretch(float strength, Bsdf& out)
     if (!(strength > 0) || (out.reflection == Reflection::none && out.glass == 0))
         return;
     out.alpha_along = out.alpha + (1 - out.alpha) * strength * strength;
-    out.diffuse *= 1 - kStretchedLoss * (out.alpha_along - out.alpha);
+    const float kept = 1 - kStretchedLoss * (out.alpha_along - out.alpha);
+    out.diffuse *= kept;
+    out.diffuse_beyond *= kept;
 }
 
 /// Of a reflection that is there.
@@ -133,7 +135,13 @@ void make_opaque(const Material& material, const MaterialPoint& at, Bsdf& out)
     }
     if (out.clearcoat != Reflection::none || out.has_sheen())
         out.coat_average = average_of_coats(out);
-    out.diffuse /= glm::max(1.0f - out.coat_average, Rgb(1e-6f));
+    if (at.diffuse_transmission > 0 && at.transmission == 0) {
+        out.diffuse_beyond = at.diffuse_transmission * opaque * at.diffuse_transmission_color;
+        out.diffuse *= 1 - at.diffuse_transmission;
+    }
+    const Rgb below = glm::max(1.0f - out.coat_average, Rgb(1e-6f));
+    out.diffuse /= below;
+    out.diffuse_beyond /= below;
     out.reflect_f0 = at.metallic * at.base_color + opaque * out.coat_f0;
     out.reflect_f90 = at.metallic + opaque * out.coat_f90;
     if (!is_black(out.reflect_f0) || !is_black(out.reflect_f90))
@@ -162,7 +170,8 @@ Bsdf make_bsdf(const Material& material, const MaterialPoint& at, DiffuseModel m
     add_sheen(at, out);
     make_opaque(material, at, out);
     out.only_diffuse = out.glass == 0 && !out.coated && out.reflection == Reflection::none &&
-                       out.clearcoat == Reflection::none && is_black(out.sheen);
+                       out.clearcoat == Reflection::none && is_black(out.sheen) &&
+                       is_black(out.diffuse_beyond);
     stretch(at.anisotropy, out);
     return out;
 }

@@ -40,6 +40,7 @@ enum class Reflection : std::uint8_t {
 /// The base (diffuse) lobe is separable: f(wi, wo) = diffuse / pi * coat_half(wi) * coat_half(wo).
 struct Bsdf {
     Rgb diffuse{0.0f};         ///< the factor above, albedo where there is no coat
+    Rgb diffuse_beyond{0.0f};  ///< the same of light that comes out on the other side
     bool only_diffuse = false; ///< there is no more to it than that lobe
     bool coated = false;       ///< a dielectric lies over the diffuse lobe
     Reflection reflection = Reflection::none;
@@ -70,6 +71,8 @@ struct Bsdf {
     bool is_matt() const { return kMattOnly || only_diffuse; }
     bool has_diffuse() const { return !is_black(diffuse); }
     bool has_sheen() const { return !is_matt() && !is_black(sheen); }
+    /// Light comes through scattered, docs/light_transport.md (32).
+    bool passes_diffusely() const { return !is_matt() && !is_black(diffuse_beyond); }
     /// Facets are wider along one direction than across it.
     bool is_stretched() const { return !kMattOnly && alpha_along > 0; }
     /// Some reflection becomes what is asked for.
@@ -77,7 +80,8 @@ struct Bsdf {
     /// Photons are stored here: there is a diffuse lobe, sheen or a reflection that is gathered.
     bool gathers() const
     {
-        return has_diffuse() || has_sheen() || (!is_matt() && reflects(Reflection::gathered));
+        return has_diffuse() || has_sheen() || passes_diffusely() ||
+               (!is_matt() && reflects(Reflection::gathered));
     }
     /// A direction is to be drawn to follow the path: there is a followed reflection or rough
     /// glass.
@@ -141,6 +145,14 @@ inline Rgb diffuse_albedo(const Bsdf& bsdf, float cosine)
 {
     return bsdf.is_matt() ? bsdf.diffuse
                           : bsdf.diffuse * through_coats(bsdf, cosine) * (1.0f - bsdf.coat_average);
+}
+
+/// The same that comes out on the other side.
+inline Rgb passed_albedo(const Bsdf& bsdf, float cosine)
+{
+    return bsdf.passes_diffusely()
+               ? bsdf.diffuse_beyond * through_coats(bsdf, cosine) * (1.0f - bsdf.coat_average)
+               : Rgb(0);
 }
 
 /// Reflectance of a smooth interface between dielectrics for unpolarised light; 1 at total

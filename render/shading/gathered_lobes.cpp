@@ -5,6 +5,19 @@
 
 namespace hipmap {
 
+void GatheredLobes::see_through_coats()
+{
+    const Rgb seen = through_coats(bsdf_, std::max(0.0f, glm::dot(normal_, out_)));
+    base_ *= seen;
+    beyond_ = bsdf_.diffuse_beyond / kPi * seen;
+}
+
+Rgb GatheredLobes::passed(const glm::vec3& in, float cosine) const
+{
+    return cosine > 0 && glm::dot(geometric_, in) < 0 ? beyond_ * through_coats(bsdf_, cosine)
+                                                      : Rgb(0);
+}
+
 Rgb GatheredLobes::of_all(const glm::vec3& in, float cosine) const
 {
     Rgb value = diffuse(in, cosine);

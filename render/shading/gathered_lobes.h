@@ -17,16 +17,16 @@ class GatheredLobes {
           base_(bsdf.diffuse / kPi), burley_(bsdf.is_matt() && bsdf.burley_roughness >= 0)
     {
         if (!bsdf.is_matt())
-            base_ *= through_coats(bsdf, std::max(0.0f, glm::dot(shading_normal, out)));
+            see_through_coats();
     }
 
-    /// f(wi, wo), per steradian, with what is folded, docs/light_transport.md (19); zero for light
-    /// from below.  in: unit, away from the surface.
+    /// f(wi, wo), per steradian, with what is folded, docs/light_transport.md (19).  Of light from
+    /// below, what passes diffusely.  in: unit, away from the surface.
     Rgb operator()(const glm::vec3& in) const
     {
         const float cosine = glm::dot(normal_, in);
         if (!(cosine > 0))
-            return Rgb(0);
+            return bsdf_.passes_diffusely() ? passed(in, -cosine) : Rgb(0);
         return burley_ ? base_ * burley_shape(bsdf_, normal_, in, out_) : of_all(in, cosine);
     }
 
@@ -41,7 +41,15 @@ class GatheredLobes {
     /// photons carry that factor, see docs/photon_maps.md (1).
     const Rgb& base() const { return base_; }
 
+    /// The same of light from the other side, docs/light_transport.md (32).
+    const Rgb& beyond() const { return beyond_; }
+
   private:
+    void see_through_coats();
+
+    /// cosine: of `in` to the shading normal's opposite.
+    Rgb passed(const glm::vec3& in, float cosine) const;
+
     /// Of all that there is.
     Rgb of_all(const glm::vec3& in, float cosine) const;
 
@@ -50,8 +58,9 @@ class GatheredLobes {
 
     const Bsdf& bsdf_;
     glm::vec3 normal_, geometric_, out_;
-    Rgb base_;    ///< D / pi * coat_half(out)
-    bool burley_; ///< the diffuse lobe is all, and not separable
+    Rgb base_;         ///< D / pi * coat_half(out)
+    Rgb beyond_{0.0f}; ///< the same of what passes diffusely
+    bool burley_;      ///< the diffuse lobe is all, and not separable
 };
 
 /// f(wi, wo) of the fibres of a sheen, per steradian, as far as a clear coat lets it.  There must

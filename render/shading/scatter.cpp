@@ -1,10 +1,8 @@
 #include "render/shading/scatter.h"
 
-#include "common/math/frame.h"
-#include "common/math/sampling.h"
 #include "render/media/phase.h"
 #include "render/shading/facet_lobes.h"
-#include "render/shading/gathered_lobes.h"
+#include "render/shading/gathered_scatter.h"
 
 namespace hipmap {
 
@@ -26,7 +24,8 @@ Rgb share_below_clearcoat(const Interaction& at, Lobes lobes, bool facets)
     Rgb share(0.0f);
     if (lobes == Lobes::gathered) {
         if (!facets)
-            share = diffuse_albedo(bsdf, at.cosine) + passed * sheen_share(bsdf, at.cosine);
+            share = diffuse_albedo(bsdf, at.cosine) + passed_albedo(bsdf, at.cosine) +
+                    passed * sheen_share(bsdf, at.cosine);
         if (bsdf.reflection == Reflection::gathered)
             share += passed * past_sheen(bsdf, at.cosine) * reflection_albedo(bsdf, at.cosine);
         return share;
@@ -57,52 +56,6 @@ float clearcoat_chance(const Interaction& at, Lobes lobes, bool facets)
     return coat / (coat + max_channel(share_below_clearcoat(at, lobes, facets)));
 }
 
-/// Chances that a gathered direction is drawn from facets and fibres, not from the diffuse lobe.
-struct GatheredChances {
-    float facets = 0.0f, sheen = 0.0f;
-};
-
-GatheredChances gathered_chances(const Interaction& at)
-{
-    GatheredChances out;
-    if (at.bsdf.reflection == Reflection::gathered)
-        out.facets = max_channel(reflection_albedo(at.bsdf, at.cosine));
-    out.sheen = max_channel(sheen_share(at.bsdf, at.cosine));
-    const float glossy = out.facets + out.sheen;
-    if (!(glossy > 0))
-        return {};
-    const float sum = glossy + max_channel(diffuse_albedo(at.bsdf, at.cosine));
-    return {out.facets / sum, out.sheen / sum};
-}
-
-constexpr float kEvenDensity = 1 / (2 * kPi); ///< over the hemisphere, by which sheen is drawn
-
-/// in: above the face.
-Scattered scattered_by_fibres(const Interaction& at, const glm::vec3& in)
-{
-    const float cosine = glm::dot(in, at.shading_normal);
-    if (!(cosine > 0))
-        return {};
-    return {scattered_by_sheen(at.bsdf, at.shading_normal, in, at.back) * cosine, kEvenDensity};
-}
-
-glm::vec3 sample_evenly(const Interaction& at, RandomSequence& random)
-{
-    const glm::vec2 u = random.next2();
-    return Frame(at.shading_normal).to_world(direction_from_cosine(u.x, u.y));
-}
-
-/// Adds the diffuse lobe, of which `chance` is drawn.  in: above the face.
-inline void add_diffuse(const Interaction& at, const glm::vec3& in, float chance, Scattered& out)
-{
-    const float cosine = glm::dot(in, at.shading_normal);
-    if (!(cosine > 0))
-        return;
-    const GatheredLobes lobes(at.bsdf, at.shading_normal, at.normal, at.back);
-    out.value += lobes.diffuse(in, cosine) * cosine;
-    out.density += chance * cosine / kPi;
-}
-
 /// Of a surface that has the diffuse lobe alone.
 inline Scattered scattered_by_matt(const Interaction& at, const glm::vec3& in)
 {
@@ -110,11 +63,6 @@ inline Scattered scattered_by_matt(const Interaction& at, const glm::vec3& in)
     if (glm::dot(in, at.normal) > 0)
         add_diffuse(at, in, 1, out);
     return out;
-}
-
-inline glm::vec3 sample_diffuse(const Interaction& at, RandomSequence& random)
-{
-    return Frame(at.shading_normal).to_world(sample_cosine_hemisphere(random.next2()));
 }
 
 inline ScatterSample sample_matt(const Interaction& at, RandomSequence& random)
@@ -128,51 +76,14 @@ inline ScatterSample sample_matt(const Interaction& at, RandomSequence& random)
     return out;
 }
 
-Scattered gathered(const Interaction& at, const glm::vec3& in, const GatheredChances& chances)
-{
-    if (!(glm::dot(in, at.normal) > 0))
-        return {};
-    Scattered out;
-    if (chances.facets > 0) {
-        out = scattered_by_facets(at, in, Lobes::gathered);
-        out.density *= chances.facets;
-    }
-    if (chances.sheen > 0) {
-        const Scattered sheen = scattered_by_fibres(at, in);
-        out.value += sheen.value;
-        out.density += chances.sheen * sheen.density;
-    }
-    add_diffuse(at, in, 1 - chances.facets - chances.sheen, out);
-    return out;
-}
-
 Scattered scattered_below_clearcoat(const Interaction& at, const glm::vec3& in, Lobes lobes)
 {
     const Bsdf& bsdf = at.bsdf;
     if (lobes == Lobes::gathered)
-        return bsdf.gathers() ? gathered(at, in, gathered_chances(at)) : Scattered{};
+        return bsdf.gathers() ? scattered_by_gathered(at, in) : Scattered{};
     const bool follows =
         bsdf.reflection == Reflection::followed || (bsdf.glass > 0 && bsdf.alpha > 0);
     return follows ? scattered_by_facets(at, in, lobes) : Scattered{};
-}
-
-ScatterSample sample_gathered(const Interaction& at, RandomSequence& random)
-{
-    const GatheredChances chances = gathered_chances(at);
-    const float glossy = chances.facets + chances.sheen;
-    const float drawn = glossy > 0 ? random.next() : 1.0f;
-    ScatterSample out;
-    if (drawn < chances.facets)
-        out.direction = sample_own_facets(at, Lobes::gathered, random).direction;
-    else if (drawn < glossy)
-        out.direction = sample_evenly(at, random);
-    else
-        out.direction = sample_diffuse(at, random);
-    const Scattered there = gathered(at, out.direction, chances);
-    out.density = there.density;
-    if (there.density > 0)
-        out.weight = there.value / there.density;
-    return out;
 }
 
 /// By the phase function of a medium.
@@ -226,6 +137,10 @@ ScatterSample sample_below_clearcoat(const Interaction& at, Lobes lobes, RandomS
         return sample_below_clearcoat(at, lobes, random);
     ScatterSample out = random.next() < chance ? sample_own_facets(clearcoat_of(at), lobes, random)
                                                : sample_below_clearcoat(at, lobes, random);
+    if (is_astray(at, out)) {
+        out.weight = Rgb(0);
+        return out;
+    }
     const Scattered there = scattered_by_all(at, out.direction, lobes);
     out.density = there.density;
     out.weight = there.density > 0 ? there.value / there.density : Rgb(0);
@@ -249,18 +164,6 @@ ScatterSample sample_facets(const Interaction& at, Lobes lobes, RandomSequence& 
     const bool coat = random.next() < chance;
     ScatterSample out = sample_own_facets(coat ? clearcoat_of(at) : at, lobes, random);
     out.weight /= coat ? chance : 1 - chance;
-    return out;
-}
-
-ScatterSample sample_sheen(const Interaction& at, RandomSequence& random)
-{
-    ScatterSample out;
-    out.direction = sample_evenly(at, random);
-    if (!(glm::dot(out.direction, at.normal) > 0))
-        return out;
-    const Scattered there = scattered_by_fibres(at, out.direction);
-    out.density = there.density;
-    out.weight = there.value / kEvenDensity;
     return out;
 }
 

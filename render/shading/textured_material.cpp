@@ -69,6 +69,8 @@ MaterialPoint material_factors(const Material& material)
     out.sheen_color = material.sheen_color;
     out.sheen_roughness = material.sheen_roughness;
     out.anisotropy = material.anisotropy;
+    out.diffuse_transmission = material.diffuse_transmission;
+    out.diffuse_transmission_color = material.diffuse_transmission_color;
     return out;
 }
 
@@ -86,6 +88,8 @@ bool is_rendered(TextureUse use)
     case TextureUse::sheen_color:
     case TextureUse::sheen_roughness:
     case TextureUse::anisotropy:
+    case TextureUse::diffuse_transmission:
+    case TextureUse::diffuse_transmission_color:
         return true;
     default:
         return false;
@@ -129,6 +133,8 @@ MaterialPoint material_at(const Scene& scene, FaceId face, const glm::vec2& bary
     out.sheen_color *= Rgb(read(TextureUse::sheen_color));
     out.sheen_roughness *= read(TextureUse::sheen_roughness).w;
     out.anisotropy *= read(TextureUse::anisotropy).z;
+    out.diffuse_transmission *= read(TextureUse::diffuse_transmission).w;
+    out.diffuse_transmission_color *= Rgb(read(TextureUse::diffuse_transmission_color));
     if (!scene.mesh.attributes.colours.empty()) {
         const Rgb colour(vertex_colour(scene, face, barycentric));
         out.base_color *= colour;

@@ -21,6 +21,8 @@ struct MaterialPoint {
     Rgb sheen_color{0.0f};
     float sheen_roughness = 0.0f;
     float anisotropy = 0.0f;
+    float diffuse_transmission = 0.0f;
+    Rgb diffuse_transmission_color{1.0f};
 };
 
 /// A vertex attribute between the corners of a face.

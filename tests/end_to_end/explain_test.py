@@ -30,7 +30,7 @@ def is_specular(m):
 
 
 def gathers(m):
-    return m["matt"] or m["sheen"] or any(r > FOLLOWED for r in reflections(m))
+    return m["matt"] or m["sheen"] or m["through"] or any(r > FOLLOWED for r in reflections(m))
 
 
 def see_through(m):
@@ -61,6 +61,7 @@ BY_MATERIAL = {
     "alpha": see_through,
     "clearcoat": lambda m: m["coat"] > 0 and not m["glass"],
     "sheen": lambda m: m["sheen"],
+    "diffuse-transmission": lambda m: m["through"],
     "anisotropy": lambda m: m["anisotropy"] > 0 and m["directed"] and (
         m["reflects"] or m["glass"]),
 }

@@ -11,7 +11,7 @@ from glb_file import COMPONENTS
 FORMATS = {5120: "b", 5121: "B", 5122: "h", 5123: "H", 5125: "I", 5126: "f"}
 RENDERED = ("transmissionTexture", "specularTexture", "specularColorTexture", "clearcoatTexture",
             "clearcoatRoughnessTexture", "sheenColorTexture", "sheenRoughnessTexture",
-            "anisotropyTexture")
+            "anisotropyTexture", "diffuseTransmissionTexture", "diffuseTransmissionColorTexture")
 
 
 class GltfFacts:
@@ -165,6 +165,9 @@ class GltfFacts:
             "coat": number("clearcoat", "clearcoatFactor", 0),
             "coat_roughness": number("clearcoat", "clearcoatRoughnessFactor", 0),
             "sheen": any(number("sheen", "sheenColorFactor", [0])) and transmission == 0 and not unlit,
+            "through": transmission == 0 and metallic < 1 and not unlit and
+                       number("diffuse_transmission", "diffuseTransmissionFactor", 0) > 0 and
+                       any(number("diffuse_transmission", "diffuseTransmissionColorFactor", [1])),
             "dispersion": number("dispersion", "dispersion", 0),
         }
 

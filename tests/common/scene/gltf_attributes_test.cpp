@@ -73,6 +73,12 @@ TEST_CASE("attributes that no material reads take no memory", "[scene][gltf][att
     CHECK(read.uv[0].empty());
     CHECK(read.tangents.empty());
     CHECK(read.colours.empty());
+    // Anisotropy needs a direction, even where no picture does.
+    file.root["materials"][0]["extensions"] = {
+        {"KHR_materials_anisotropy", {{"anisotropyStrength", 1}}}};
+    const VertexAttributes wanted = load(file).scene.mesh.attributes;
+    CHECK(wanted.uv[0].size() == 3);
+    CHECK(wanted.tangents.size() == 3);
 }
 
 TEST_CASE("vertex colours are read with and without alpha and are white where there are none",

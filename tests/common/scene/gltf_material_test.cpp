@@ -68,6 +68,9 @@ TEST_CASE("alpha, coat, sheen, anisotropy, dispersion and thickness are read", "
             {{"clearcoatFactor", 0.75}, {"clearcoatRoughnessFactor", 0.125}}},
            {"KHR_materials_sheen",
             {{"sheenColorFactor", {0.1, 0.2, 0.3}}, {"sheenRoughnessFactor", 0.375}}},
+           {"KHR_materials_diffuse_transmission",
+            {{"diffuseTransmissionFactor", 0.25},
+             {"diffuseTransmissionColorFactor", {0.4, 0.5, 0.6}}}},
            {"KHR_materials_anisotropy", {{"anisotropyStrength", 0.625}, {"anisotropyRotation", 1}}},
            {"KHR_materials_dispersion", {{"dispersion", 0.1}}},
            {"KHR_materials_volume", {{"thicknessFactor", 0.5}}}}}},
@@ -80,6 +83,8 @@ TEST_CASE("alpha, coat, sheen, anisotropy, dispersion and thickness are read", "
     CHECK(m.clearcoat_roughness == 0.125f);
     check_colour(m.sheen_color, 0.1, 0.2, 0.3);
     CHECK(m.sheen_roughness == 0.375f);
+    CHECK(m.diffuse_transmission == 0.25f);
+    check_colour(m.diffuse_transmission_color, 0.4, 0.5, 0.6);
     CHECK(m.anisotropy == 0.625f);
     CHECK(m.anisotropy_rotation == 1.0f);
     CHECK(m.dispersion == 0.1f);

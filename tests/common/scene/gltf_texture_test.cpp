@@ -123,7 +123,10 @@ TEST_CASE("every slot of a material is read with its use, encoding, strength and
                       {"clearcoatNormalTexture", strong}}},
                     {"KHR_materials_sheen",
                      {{"sheenColorTexture", texture}, {"sheenRoughnessTexture", texture}}},
-                    {"KHR_materials_anisotropy", {{"anisotropyTexture", texture}}}}}},
+                    {"KHR_materials_anisotropy", {{"anisotropyTexture", texture}}},
+                    {"KHR_materials_diffuse_transmission",
+                     {{"diffuseTransmissionTexture", texture},
+                      {"diffuseTransmissionColorTexture", texture}}}}}},
                  two_pixel_png());
     file.root["samplers"] = {
         {{"wrapS", 33071}, {"wrapT", 33648}, {"magFilter", 9728}, {"minFilter", 9987}}};
@@ -131,13 +134,14 @@ TEST_CASE("every slot of a material is read with its use, encoding, strength and
     const Scene scene = load(file).scene;
     CHECK(scene.images.size() == 1); // read once
     const std::vector<TextureSlot>& slots = scene.materials.at(0).textures;
-    CHECK(slots.size() == 15);
-    for (int use = 0; use < 15; ++use) {
+    CHECK(slots.size() == 17);
+    for (int use = 0; use < 17; ++use) {
         const TextureSlot* slot = find_texture(slots, static_cast<TextureUse>(use));
         REQUIRE(slot);
         const bool colour =
             slot->use == TextureUse::base_color || slot->use == TextureUse::emission ||
-            slot->use == TextureUse::specular_color || slot->use == TextureUse::sheen_color;
+            slot->use == TextureUse::specular_color || slot->use == TextureUse::sheen_color ||
+            slot->use == TextureUse::diffuse_transmission_color;
         CHECK(slot->sampler.srgb == colour);
         CHECK(slot->sampler.wrap_u == Wrap::clamp);
         CHECK(slot->sampler.wrap_v == Wrap::mirror);

@@ -145,6 +145,12 @@ TEST_CASE("effect plan: an effect is on if and only if the scene calls for it", 
     CHECK(on_in(plan_of(with_pane(velvet))) == Effects{Effect::indirect, Effect::sheen});
     velvet.transmission = 1;
     CHECK_FALSE(plan_of(with_pane(velvet)).has(Effect::sheen));
+    Material paper = tiny::matt(Rgb(0.5f));
+    paper.diffuse_transmission = 0.5f;
+    CHECK(on_in(plan_of(with_pane(paper))) ==
+          Effects{Effect::indirect, Effect::diffuse_transmission});
+    paper.transmission = 1;
+    CHECK_FALSE(plan_of(with_pane(paper)).has(Effect::diffuse_transmission));
     Scene through_lens = plain_floor();
     through_lens.cameras[0].aperture_radius = 0.1f;
     CHECK(on_in(plan_of(through_lens)) == plain);
