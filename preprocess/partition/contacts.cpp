@@ -163,6 +163,15 @@ bool is_smaller(const BoxedFace& f, const BoxedFace& g)
     return size_f < size_g || (size_f == size_g && f.face < g.face);
 }
 
+void append_made(const ContactScene& scene, FaceId f, FaceId g, std::vector<MadeContact>& out)
+{
+    std::vector<MapContact> lines;
+    append_contacts(scene, std::min(f, g), std::max(f, g), lines);
+    const MapId of_f = scene.map_of_face[f], of_g = scene.map_of_face[g];
+    for (const MapContact& line : lines)
+        out.push_back({line, line.map == of_f ? of_g : of_f});
+}
+
 /// The contacts of pairs (f, g) of faces whose boxes meet, sorted: of those f that `starts(f)`, and
 /// those g that `wanted(f, g)` outside of the nodes that `skip(range, map of f)`.
 template <typename Starts, typename Skip, typename Wanted>
@@ -173,7 +182,6 @@ FoundContacts contacts_of_pairs(const ContactScene& scene, const FaceTree& tree,
     const auto face_count = static_cast<FaceId>(scene.mesh.face_count());
     tbb::parallel_for(tbb::blocked_range<FaceId>(0, face_count), [&](const auto& faces) {
         FoundContacts& mine = found.local();
-        std::vector<MapContact> lines;
         for (FaceId f = faces.begin(); f < faces.end(); ++f) {
             const MapId map = scene.map_of_face[f];
             if (map == kNone || !starts(f))
@@ -188,13 +196,8 @@ FoundContacts contacts_of_pairs(const ContactScene& scene, const FaceTree& tree,
                 },
                 [&](FaceId g) {
                     const BoxedFace other{g, face_box(scene.mesh, g)};
-                    if (!meet(box, other.box) || !wanted(own, other) || ++pairs > kMostPairs)
-                        return;
-                    lines.clear();
-                    append_contacts(scene, std::min(f, g), std::max(f, g), lines);
-                    for (const MapContact& line : lines)
-                        mine.contacts.push_back(
-                            {line, line.map == map ? scene.map_of_face[g] : map});
+                    if (meet(box, other.box) && wanted(own, other) && ++pairs <= kMostPairs)
+                        append_made(scene, f, g, mine.contacts);
                 });
             mine.given_up += pairs > kMostPairs;
         }

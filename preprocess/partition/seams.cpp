@@ -49,6 +49,12 @@ bool passes(const Bounds<glm::vec3>& box, const glm::dvec3& a, const glm::dvec3&
     return begin <= end;
 }
 
+/// The box of a segment and of what lies within `margin` of its ends.
+Bounds<glm::vec3> box_about(const glm::dvec3& a, const glm::dvec3& b, double margin)
+{
+    return {glm::vec3(glm::min(a, b) - margin), glm::vec3(glm::max(a, b) + margin)};
+}
+
 /// Union-find over maps that also keeps which must be turned over against which.
 class TurningSets {
   public:
@@ -140,11 +146,7 @@ Touches SeamSearch::touches_of(std::uint32_t edge) const
     const glm::dvec3 a = start(edge);
     const glm::dvec3 b = end(edge);
     const glm::dvec3 outward = -3 * error_ * own.planes[edge % 3].inward;
-    Bounds<glm::vec3> box;
-    for (const glm::dvec3& p : {a, b}) {
-        box.add(glm::vec3(p - 4 * error_));
-        box.add(glm::vec3(p + 4 * error_));
-    }
+    const Bounds<glm::vec3> box = box_about(a, b, 4 * error_);
     bool crossed = false;
     int looked_at = 0;
     const auto look_at = [&](FaceId other) {
@@ -155,8 +157,7 @@ Touches SeamSearch::touches_of(std::uint32_t edge) const
             return;
         touches.given_up = ++looked_at > kMostLookedAt;
         const ContactFace there(mesh_, other, error_);
-        const bool same_plane = !there.too_thin() && parallel(own, there);
-        if (!same_plane) {
+        if (there.too_thin() || !parallel(own, there)) {
             crossed |= classes_[edge] == EdgeClass::non_manifold && has_edge(other, a, b);
             return;
         }
