@@ -43,11 +43,8 @@ inline Event choose_event(LightPath& path, const Shares& shares, int lobes, floa
     return Event::absorb;
 }
 
-// What a path does at a matt surface is inlined by force: scenes with media have it a second time,
-// so that it would become calls.
-
-/// Keeps the photon in the maps that want it, docs/photon_maps.md (1).  path: as it comes to the
-/// surface; `last` becomes this photon.
+/// Keeps the photon in the maps that want it, docs/photon_maps.md (1); `path.last` becomes it.
+/// Like all that is done at a matt surface inlined by force: scenes with media have it once more.
 [[gnu::always_inline]] inline void store(const Interaction& at, LightPath& path, bool directional,
                                          const Wanted& wanted, TracedPhotons& out)
 {
@@ -240,9 +237,8 @@ std::optional<RayHit> fly(const RenderScene& scene, LightPath& path, TracedPhoto
     if (random.next() < at.coverage)
         return false;
     const FaceId face = at.point.face;
-    const bool gathers =
-        at.bsdf.gathers() || scene.bsdfs[scene.mesh().material_of_face[face]].gathers();
-    if (gathers && scene.partition.map_of_face[face] != kNone) {
+    const Bsdf& worn = scene.bsdfs[scene.mesh().material_of_face[face]];
+    if ((at.bsdf.gathers() || worn.gathers()) && scene.partition.map_of_face[face] != kNone) {
         LightPath passing = path;
         store(at, passing, scene.directional, wanted, out);
     }

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kSize = 32;   ///< pixels a side
 constexpr int kBlocks = 4;  ///< a side, whose means are compared
-constexpr int kImages = 48; ///< of a scene, by different seeds
+constexpr int kImages = 24; ///< of a scene, by different seeds
 
 /// The bundled scene with a mirror, coloured glass and a glowing mesh, or with a lamp instead.
 tiny::GltfFile cornell(bool lamp)
@@ -138,7 +138,7 @@ TEST_CASE("render: place, size, pose and the order of objects do not change the 
             INFO(name << (lamp ? ", lit by a lamp" : ", lit by a mesh"));
             CHECK(largest_z(blocks_of(other, seed += 1000), base) < kMostZ);
         }
-        CHECK(largest_z(base, blocks_of(file, 500), 1.03) > kMostZ); // so much would show
+        CHECK(largest_z(base, blocks_of(file, 500), 1.05) > kMostZ); // so much would show
     }
 }
 
