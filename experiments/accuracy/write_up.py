@@ -117,9 +117,10 @@ def minute(results):
                 continue
             error = arithmetic.error_after(points, plan.MINUTE * share)
             square = None if error is None else error ** 2
+            held = verdict(square <= scene.mark if square and share == 1 else None)
             lines.append([scene.name, name, points[-1][3], seconds(points[-1][0]),
                           UNKNOWN if square is None else f"{square:.2g}", f"{scene.mark:.0e}",
-                          verdict(square <= scene.mark if square and share == 1 else None)])
+                          "-" if name == plan.CYCLES.name else held])
     note = "" if share == 1 else (
         f"\nThis run was another: the images had {plan.MINUTE * share:.3g} s, of which the marks are not.")
     return f"""## After a minute of two cores
