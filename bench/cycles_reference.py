@@ -16,11 +16,14 @@ import tempfile
 import bpy
 
 
-def build_scene():
-    script = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "assets", "cornell.py")
+BUNDLED = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "assets", "cornell.py")
+
+
+def build_scene(script):
+    """By a script of assets/, whose file is thrown away."""
     arguments = sys.argv[:]
     with tempfile.TemporaryDirectory() as folder:
-        sys.argv = ["blender", "--", os.path.join(folder, "cornell.glb")]
+        sys.argv = ["blender", "--", os.path.join(folder, "scene.glb")]
         runpy.run_path(script)
     sys.argv = arguments
 
@@ -96,7 +99,7 @@ def set_up_cycles(samples, output):
 
 def main():
     model, output, samples, *scene = sys.argv[sys.argv.index("--") + 1:]
-    build_scene()
+    build_scene(BUNDLED)
     if model == "glossy":
         add_rough_surfaces()
         bpy.ops.export_scene.gltf(filepath=os.path.abspath(scene[0]), export_cameras=True)

@@ -7,7 +7,6 @@ Prints the processor's seconds that rendering took.
 
 import os
 import pathlib
-import runpy
 import sys
 import tempfile
 import time
@@ -17,14 +16,6 @@ import numpy
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "bench"))
 import cycles_reference
-
-
-def build_scene(script):
-    arguments = sys.argv[:]
-    with tempfile.TemporaryDirectory() as folder:
-        sys.argv = ["blender", "--", os.path.join(folder, "scene.glb")]
-        runpy.run_path(script)
-    sys.argv = arguments
 
 
 def change_material(material):
@@ -47,7 +38,7 @@ def write_pfm(rendered, path):
 
 def main():
     script, image, samples, size, seed = sys.argv[sys.argv.index("--") + 1:]
-    build_scene(script)
+    cycles_reference.build_scene(script)
     for material in bpy.data.materials:
         if material.node_tree is not None:
             change_material(material)
