@@ -1,6 +1,4 @@
-#include "tests/support/mean_luminance.h"
-#include "tests/support/render_image.h"
-#include "tests/support/statistics.h"
+#include "tests/support/means_of_images.h"
 #include "tests/support/tiny_rooms.h"
 
 #include <catch2/catch.hpp>
@@ -22,15 +20,6 @@ Scene with_brushed_ball(float roughness)
     for (const glm::vec3& p : scene.mesh.positions) // round the ball
         scene.mesh.attributes.tangents.emplace_back(-p.z, 0, p.x, 1);
     return scene;
-}
-
-RunningMean means_of(const tiny::ReadyScene& ready, ImageOptions options, int samples)
-{
-    RunningMean out;
-    options.samples = samples;
-    for (options.seed = 0; options.seed < 10; ++options.seed)
-        out.add(mean_luminance(render_image(*ready.render, options, {}).image));
-    return out;
 }
 
 } // namespace

@@ -1,8 +1,6 @@
 #include "common/math/sampling.h"
 #include "render/integrator/direct_light.h"
-#include "tests/support/mean_luminance.h"
-#include "tests/support/render_image.h"
-#include "tests/support/statistics.h"
+#include "tests/support/means_of_images.h"
 #include "tests/support/tiny_rooms.h"
 
 #include <catch2/catch.hpp>
@@ -28,15 +26,6 @@ Scene with_paper(Scene scene, const Material& material)
     tiny::move(ball, {0, -0.2f, 0});
     tiny::add(scene, ball, material);
     return scene;
-}
-
-RunningMean means_of(const tiny::ReadyScene& ready, ImageOptions options, int samples)
-{
-    RunningMean out;
-    options.samples = samples;
-    for (options.seed = 0; options.seed < 10; ++options.seed)
-        out.add(mean_luminance(render_image(*ready.render, options, {}).image));
-    return out;
 }
 
 ImageOptions small_image(Integrator integrator)

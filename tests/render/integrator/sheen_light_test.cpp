@@ -1,6 +1,4 @@
-#include "tests/support/mean_luminance.h"
-#include "tests/support/render_image.h"
-#include "tests/support/statistics.h"
+#include "tests/support/means_of_images.h"
 #include "tests/support/tiny_rooms.h"
 
 #include <catch2/catch.hpp>
@@ -19,15 +17,6 @@ Scene with_velvet(Scene scene, const Rgb& base, const Rgb& sheen)
     velvet.sheen_roughness = 0.3f;
     tiny::add(scene, ball, velvet);
     return scene;
-}
-
-RunningMean means_of(const tiny::ReadyScene& ready, ImageOptions options, int samples)
-{
-    RunningMean out;
-    options.samples = samples;
-    for (options.seed = 0; options.seed < 10; ++options.seed)
-        out.add(mean_luminance(render_image(*ready.render, options, {}).image));
-    return out;
 }
 
 } // namespace
