@@ -33,6 +33,8 @@ const std::map<std::string, Integrator> kIntegrators = {{"direct", Integrator::d
 
 const std::map<std::string, GatheredIrradiance> kIrradiances{
     {"estimated", GatheredIrradiance::estimated}, {"precomputed", GatheredIrradiance::precomputed}};
+const std::map<std::string, PixelFilter> kFilters = {{"box", PixelFilter::box},
+                                                     {"b-spline", PixelFilter::b_spline}};
 const std::map<std::string, DirectLight> kDirectLights = {{"shadow-rays", DirectLight::shadow_rays},
                                                           {"photons", DirectLight::photons}};
 
@@ -179,6 +181,10 @@ void add_method(CLI::App& app, RenderArguments& arguments)
         ->check(finite_in(0.01, 0.99))
         ->type_name("A");
     add_count(app, "--samples", render.samples, 1, 65536, "Samples of each pixel in a pass [4]");
+    add_choice(app, "--filter", render.filter, kFilters,
+               "What a sample counts in the pixels around: box (in its own alone: sharp) or "
+               "b-spline (3 pixels wide: soft as a Gaussian of half a pixel, with less noise) "
+               "[b-spline]");
     app.add_option_function<std::string>(
            "--effects",
            [&arguments](const std::string& text) {

@@ -64,11 +64,16 @@ const char* name_of(GatheredIrradiance irradiance)
     return irradiance == GatheredIrradiance::precomputed ? "precomputed" : "estimated";
 }
 
+const char* name_of(PixelFilter filter)
+{
+    return filter == PixelFilter::box ? "box" : "b-spline";
+}
+
 std::vector<std::string> settings_of(const RenderOptions& options, const Scene& scene,
                                      const Partition& partition, const SkyPicture& sky)
 {
     const auto& [integrator, width, height, maps, direct, photons, samples, seed, light, irradiance,
-                 alpha] = options;
+                 alpha, filter] = options;
     const auto& [mode, neighbours, local_min, estimate, tiers, directions, tree] = maps;
     const Fingerprint content = content_fingerprint(scene);
     return {"scene=" + hex(content.words[0]) + hex(content.words[1]),
@@ -89,7 +94,8 @@ std::vector<std::string> settings_of(const RenderOptions& options, const Scene& 
             std::string("caustics=") + (light.caustic ? "on" : "off"),
             std::string("indirect=") + (light.indirect ? "on" : "off"),
             std::string("irradiance=") + name_of(irradiance),
-            "alpha=" + exactly(alpha)};
+            "alpha=" + exactly(alpha),
+            std::string("filter=") + name_of(filter)};
 }
 
 std::uint64_t photons_of(const std::vector<std::string>& settings)

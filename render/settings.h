@@ -26,5 +26,6 @@ const char* name_of(MapMode mode);
 const char* name_of(TreeKind tree);
 const char* name_of(Integrator integrator);
 const char* name_of(GatheredIrradiance irradiance);
+const char* name_of(PixelFilter filter);
 
 } // namespace hipmap

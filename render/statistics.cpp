@@ -79,6 +79,7 @@ Json options_json(const RenderArguments& arguments, const Scene& scene)
             {"first_pass", stops.first_pass},
             {"samples", options.samples},
             {"irradiance", name_of(options.irradiance)},
+            {"filter", name_of(options.filter)},
             {"seed", options.seed}};
 }
 

@@ -126,7 +126,8 @@ def channel_means(image):
 
 
 def root_mean(values):
-    return math.sqrt(sum(values) / len(values))
+    """Below zero by chance: zero."""
+    return math.sqrt(max(0.0, sum(values)) / len(values))
 
 
 def summarise(scene, method, other, images, others):

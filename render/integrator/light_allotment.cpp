@@ -1,6 +1,8 @@
 #include "render/integrator/light_allotment.h"
 
-#include "render/integrator/picture_tiles.h"
+#include "render/integrator/pixel_samples.h"
+
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <limits>
@@ -34,7 +36,7 @@ Range range_of(const PictureJob& job, int x, int y)
     for (std::uint32_t s = 0; s < kPilotSamples; ++s) {
         RandomSequence random =
             sample_sequence(job, RandomStream::seen_lights, pixel, kPilotSamples, s);
-        const Ray ray = pixel_ray(job, x, y, random);
+        const Ray ray = pixel_ray(job, x, y, random).ray;
         const Rgb seen = trace_seen_lights(job.scene, ray, random);
         const float light = is_finite(seen) ? max_channel(seen) : 0.0f;
         out.add({light, light, light});

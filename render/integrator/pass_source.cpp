@@ -71,6 +71,7 @@ RenderOptions pilot_options(RenderOptions options)
     options.height = std::min(options.height, kPilotSide);
     options.samples = 1;
     options.photons /= kPilotShare;
+    options.filter = PixelFilter::box;
     return options;
 }
 

@@ -1,147 +1,116 @@
 #pragma once
 
-#include "common/math/random.h"
-#include "common/math/sampling.h"
-#include "common/rays/camera_ray.h"
 #include "common/stopwatch.h"
-#include "render/integrator/eye_path.h"
-#include "render/integrator/pass_source.h"
-#include "render/integrator/sample_allotment.h"
+#include "render/integrator/pixel_samples.h"
 
 #include <tbb/parallel_for.h>
 
-#include <algorithm>
-#include <array>
 #include <mutex>
 
 namespace hipmap {
 
-/// What the samples of one pass are taken by.
-struct PictureJob {
-    const RenderScene& scene;
-    const RenderOptions& options;
-    std::uint64_t pass = 0;
-    const SampleAllotment& allotment;
+inline constexpr int kTile = 16;
 
-    std::uint32_t samples(std::uint64_t pixel) const
+/// What the samples of a tile add to its pixels and to those around it.
+template <std::size_t images>
+struct TileSums {
+    static constexpr int kSide = kTile + 2;
+
+    std::vector<Samples<images>> values = std::vector<Samples<images>>(kSide * kSide);
+    std::vector<float> weights = std::vector<float>(kSide * kSide);
+
+    /// Those about pixel x, y of the tile.
+    void add(int x, int y, const FilteredSamples<images>& samples)
     {
-        return allotment.samples.empty() ? options.samples : allotment.samples[pixel];
-    }
-    std::uint32_t light_samples(std::uint64_t pixel) const
-    {
-        return allotment.lights.empty() ? 0 : allotment.lights[pixel];
+        for (int i = 0; i < 9; ++i) {
+            const auto at = static_cast<std::size_t>((y + i / 3) * kSide + x + i % 3);
+            const auto from = static_cast<std::size_t>(i);
+            weights[at] += samples.weights[from];
+            for (std::size_t image = 0; image < images; ++image)
+                values[at][image] += samples.values[from][image];
+        }
     }
 };
 
-inline constexpr int kTile = 16;
+/// The tiles of a picture.
+struct TileGrid {
+    int width = 0; ///< of the picture, in pixels
+    int height = 0;
+    int across() const { return (width + kTile - 1) / kTile; }
+    int down() const { return (height + kTile - 1) / kTile; }
+};
 
-inline bool is_finite_rgb(const Rgb& value)
-{
-    return is_finite(value);
-}
-
-/// Samples of one eye ray, by what each image of the pass is to have.
-template <std::size_t images>
-using Samples = std::array<Rgb, images>;
-
-/// Passes of a batch share a sequence, and batches stay independent: docs/error.md (15).
-inline RandomSequence sample_sequence(const PictureJob& job, RandomStream stream,
-                                      std::uint64_t pixel, std::uint32_t samples, std::uint32_t s)
-{
-    return {job.options.seed, stream, job.pass % kBatches, pixel,
-            job.pass / kBatches * samples + s};
-}
-
-/// A ray through somewhere in the pixel.
-inline Ray pixel_ray(const PictureJob& job, int x, int y, RandomSequence& random)
-{
-    const glm::vec2 size(static_cast<float>(job.options.width),
-                         static_cast<float>(job.options.height));
-    const Camera& camera = job.scene.scene.cameras[job.scene.scene.camera];
-    const glm::vec2 at =
-        (glm::vec2(static_cast<float>(x), static_cast<float>(y)) + random.next2()) / size;
-    const glm::vec2 lens = has_lens(camera) ? sample_disc(random.next2()) : glm::vec2(0.0f);
-    return camera_ray(camera, at, size.x / size.y, lens);
-}
-
-/// The mean of the pixel's samples of seen lights alone that are finite.
-inline Rgb sample_seen_lights(const PictureJob& job, int x, int y)
-{
-    const std::uint64_t pixel = static_cast<std::uint64_t>(y) * job.options.width + x;
-    const std::uint32_t samples = job.light_samples(pixel);
-    Rgb sum(0);
-    std::uint32_t kept = 0;
-    for (std::uint32_t s = 0; s < samples; ++s) {
-        RandomSequence random = sample_sequence(job, RandomStream::seen_lights, pixel, samples, s);
-        const Ray ray = pixel_ray(job, x, y, random);
-        const Rgb seen = trace_seen_lights(job.scene, ray, random);
-        if (!is_finite(seen))
-            continue;
-        sum += seen;
-        ++kept;
-    }
-    return sum / static_cast<float>(std::max(1u, kept));
-}
-
-/// Takes the samples of a pixel: the mean of those that are finite, one for each image; `kept` is
-/// their number.
+/// A tile of 16 x 16 pixels; adds to `dropped` the samples left out because they were not finite.
 template <std::size_t images, typename Trace>
-Samples<images> sample_pixel(const PictureJob& job, int x, int y, const Trace& trace,
-                             std::uint32_t& kept)
+TileSums<images> render_tile(const PictureJob& job, const TileGrid& grid, int tile,
+                             std::uint64_t& dropped, const Trace& trace)
 {
-    const std::uint64_t pixel = static_cast<std::uint64_t>(y) * job.options.width + x;
-    const std::uint32_t samples = job.samples(pixel);
-    const bool apart = job.light_samples(pixel) > 0;
+    const int x0 = tile % grid.across() * kTile, y0 = tile / grid.across() * kTile;
+    TileSums<images> sums;
+    for (int y = y0; y < std::min(y0 + kTile, grid.height); ++y)
+        for (int x = x0; x < std::min(x0 + kTile, grid.width); ++x) {
+            const auto samples = sample_pixel<images>(job, x, y, trace);
+            dropped += job.samples(static_cast<std::uint64_t>(y) * grid.width + x) - samples.kept;
+            sums.add(x - x0, y - y0, samples);
+        }
+    return sums;
+}
+
+/// Of pixel x, y: values and the weight that all tiles which reach it give it, in their order.
+/// Tiles without sums were left out.
+template <std::size_t images>
+Samples<images> gather_tiles(const TileGrid& grid, const std::vector<TileSums<images>>& tiles,
+                             int x, int y, float& weight)
+{
     Samples<images> sum{};
-    kept = 0;
-    for (std::uint32_t s = 0; s < samples; ++s) {
-        RandomSequence random = sample_sequence(job, RandomStream::eye_paths, pixel, samples, s);
-        const Ray ray = pixel_ray(job, x, y, random);
-        const Samples<images> sample =
-            trace(ray, apart ? SeenLights::left_out : SeenLights::added, random);
-        if (!std::all_of(sample.begin(), sample.end(), is_finite_rgb))
-            continue;
-        for (std::size_t i = 0; i < images; ++i)
-            sum[i] += sample[i];
-        ++kept;
-    }
-    const Rgb lights = apart ? sample_seen_lights(job, x, y) : Rgb(0);
-    for (Rgb& mean : sum)
-        mean = mean / static_cast<float>(std::max(1u, kept)) + lights;
+    weight = 0;
+    for (int v = std::max(0, y - 1) / kTile; v <= std::min(y + 1, grid.height - 1) / kTile; ++v)
+        for (int u = std::max(0, x - 1) / kTile; u <= std::min(x + 1, grid.width - 1) / kTile;
+             ++u) {
+            const TileSums<images>& tile = tiles[static_cast<std::size_t>(v * grid.across() + u)];
+            const auto at = static_cast<std::size_t>((y - v * kTile + 1) * TileSums<images>::kSide +
+                                                     x - u * kTile + 1);
+            weight += tile.weights[at];
+            for (std::size_t i = 0; i < images; ++i)
+                sum[i] += tile.values[at][i];
+        }
     return sum;
 }
 
-/// A tile of 16 x 16 pixels: writes their means; returns the samples dropped because they were not
-/// finite.
-template <std::size_t images, typename Trace>
-std::uint64_t render_tile(const PictureJob& job, int tile, PassImages& out, const Trace& trace)
+/// The images that the sums of the tiles make, docs/error.md (17).  A pixel without weight, or of
+/// values that are not finite, is not kept.
+template <std::size_t images>
+PassImages images_of(const TileGrid& grid, const std::vector<TileSums<images>>& tiles)
 {
-    const int width = job.options.width, height = job.options.height;
-    const int across = (width + kTile - 1) / kTile;
-    const int x0 = tile % across * kTile, y0 = tile / across * kTile;
-    std::uint64_t dropped = 0;
-    for (int y = y0; y < std::min(y0 + kTile, height); ++y)
-        for (int x = x0; x < std::min(x0 + kTile, width); ++x) {
-            std::uint32_t kept = 0;
-            const Samples<images> mean = sample_pixel<images>(job, x, y, trace, kept);
-            const std::size_t pixel = static_cast<std::size_t>(y) * width + x;
-            dropped += job.samples(pixel) - kept;
-            if (kept == 0 || !std::all_of(mean.begin(), mean.end(), is_finite_rgb))
+    PassImages out;
+    out.radiance = Image(grid.width, grid.height);
+    if (images == 3)
+        out.narrow = out.narrower = out.radiance;
+    out.kept.assign(out.radiance.pixels.size(), 0);
+    tbb::parallel_for(0, grid.height, [&](int y) {
+        for (int x = 0; x < grid.width; ++x) {
+            float weight = 0;
+            Samples<images> mean = gather_tiles(grid, tiles, x, y, weight);
+            for (Rgb& value : mean)
+                value /= weight;
+            if (!(weight > 0) ||
+                !std::ranges::all_of(mean, [](const Rgb& value) { return is_finite(value); }))
                 continue;
             out.radiance.at(x, y) = mean[0];
             if constexpr (images == 3) {
                 out.narrow.at(x, y) = mean[1];
                 out.narrower.at(x, y) = mean[2];
             }
-            out.kept[pixel] = 1;
+            out.kept[static_cast<std::size_t>(y) * grid.width + x] = 1;
         }
-    return dropped;
+    });
+    return out;
 }
 
 /// Fills the images of a pass tile by tile, in parallel.  `trace(ray, seen, random, scratch)` gives
 /// the Samples of a ray; `count(scratch)` hears what the scratch of a tile has counted, one at a
-/// time. A pixel without a finite sample, or of a tile that a stop left out, is not kept.  Adds
-/// passes, samples dropped and time to the statistics.
+/// time. A pixel without a finite sample around, or of a tile that a stop left out, is not kept.
+/// Adds passes, samples dropped and time to the statistics.
 template <std::size_t images, typename Scratch, typename Trace, typename Count>
 RenderedPass render_tiles(const PictureJob& job, const PassControl& control,
                           RenderStatistics& statistics, const Trace& trace, const Count& count)
@@ -149,20 +118,18 @@ RenderedPass render_tiles(const PictureJob& job, const PassControl& control,
     static_assert(images == 1 || images == 3);
     const Stopwatch watch;
     RenderedPass out;
-    const int width = job.options.width, height = job.options.height;
-    out.images.radiance = Image(width, height);
-    if (images == 3)
-        out.images.narrow = out.images.narrower = out.images.radiance;
-    out.images.kept.assign(out.images.radiance.pixels.size(), 0);
-    const int tiles = ((width + kTile - 1) / kTile) * ((height + kTile - 1) / kTile);
+    const TileGrid grid{job.options.width, job.options.height};
+    const int tiles = grid.across() * grid.down();
+    std::vector<TileSums<images>> sums(static_cast<std::size_t>(tiles));
     std::mutex mutex;
     int done = 0;
     tbb::parallel_for(0, tiles, [&](int tile) {
         if (control.stop != nullptr && control.stop->load())
             return;
         Scratch scratch;
-        const std::uint64_t lost = render_tile<images>(
-            job, tile, out.images, [&](const Ray& ray, SeenLights seen, RandomSequence& random) {
+        std::uint64_t lost = 0;
+        sums[static_cast<std::size_t>(tile)] = render_tile<images>(
+            job, grid, tile, lost, [&](const Ray& ray, SeenLights seen, RandomSequence& random) {
                 return trace(ray, seen, random, scratch);
             });
         const std::lock_guard lock(mutex);
@@ -172,6 +139,7 @@ RenderedPass render_tiles(const PictureJob& job, const PassControl& control,
         if (control.progress)
             control.progress(static_cast<double>(done) / tiles);
     });
+    out.images = images_of(grid, sums);
     statistics.passes += out.whole ? 1 : 0;
     statistics.seconds_image += watch.seconds();
     statistics.processor_image += watch.processor_seconds();

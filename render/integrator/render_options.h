@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/integrator/eye_path.h"
+#include "render/integrator/pixel_filter.h"
 #include "render/photons/trace_photons.h"
 
 namespace hipmap {
@@ -31,6 +32,7 @@ struct RenderOptions {
     LightClasses light; ///< that is found at all
     GatheredIrradiance irradiance = GatheredIrradiance::estimated;
     double alpha = 2.0 / 3; ///< how slowly radii shrink, docs/error.md (1); progressive
+    PixelFilter filter = PixelFilter::b_spline;
 };
 
 /// Of one kind of photon, summed over the passes.

@@ -65,7 +65,8 @@ class Pipeline(ToolsTestCase):
         for pixel in image.pixels():
             self.assertTrue(all(math.isfinite(c) and c >= 0 for c in pixel), pixel)
         for seen, emitted in zip(image.rows[8][SIZE // 2], LAMP_RADIANCE):
-            self.assertAlmostEqual(seen, emitted, delta=1e-3 * emitted)
+            self.assertLess(seen, 1.001 * emitted)
+            self.assertGreater(seen, 0.95 * emitted)  # the filter reaches a little beyond the lamp
         middle = slice(SIZE // 2 - 6, SIZE // 2)
         red = image.mean(2, middle.start, 8, middle.stop)
         green = image.mean(SIZE - 8, middle.start, SIZE - 2, middle.stop)

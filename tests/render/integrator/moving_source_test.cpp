@@ -70,6 +70,7 @@ TEST_CASE("the mean over passes of a lamp that moves is the time for which it is
     for (std::uint64_t seed = 0; seed < 12; ++seed) {
         RenderOptions options = small(Integrator::path);
         options.seed = seed;
+        options.filter = PixelFilter::box;
         RenderStatistics statistics;
         const PassSource source =
             make_moving_source({*still->render, lamp_on_its_way}, options, statistics);

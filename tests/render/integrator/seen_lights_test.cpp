@@ -1,6 +1,6 @@
 #include "render/integrator/gather_path.h"
 #include "render/integrator/light_allotment.h"
-#include "render/integrator/picture_tiles.h"
+#include "render/integrator/pixel_samples.h"
 #include "tests/support/statistics.h"
 #include "tests/support/tiny_rooms.h"
 
@@ -40,7 +40,7 @@ RunningMean difference(const RenderScene& scene, const Traced& trace, double& le
     for (int i = 0; i < 8 * kSide * kSide; ++i) {
         const auto pixel = static_cast<std::uint64_t>(i);
         RandomSequence random(5, RandomStream::eye_paths, 0, pixel);
-        const Ray ray = pixel_ray(job, i % kSide, i / kSide % kSide, random);
+        const Ray ray = pixel_ray(job, i % kSide, i / kSide % kSide, random).ray;
         const Rgb with = trace(ray, SeenLights::added, random);
         const Rgb without = trace(ray, SeenLights::left_out, random);
         mean.add(with.x - without.x - trace_seen_lights(scene, ray, random).x);

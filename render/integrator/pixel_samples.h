@@ -1,0 +1,139 @@
+#pragma once
+
+#include "common/math/random.h"
+#include "common/math/sampling.h"
+#include "common/rays/camera_ray.h"
+#include "render/integrator/eye_path.h"
+#include "render/integrator/pass_source.h"
+#include "render/integrator/sample_allotment.h"
+
+#include <algorithm>
+#include <array>
+
+namespace hipmap {
+
+/// What the samples of one pass are taken by.
+struct PictureJob {
+    const RenderScene& scene;
+    const RenderOptions& options;
+    std::uint64_t pass = 0;
+    const SampleAllotment& allotment;
+
+    std::uint32_t samples(std::uint64_t pixel) const
+    {
+        return allotment.samples.empty() ? options.samples : allotment.samples[pixel];
+    }
+    std::uint32_t light_samples(std::uint64_t pixel) const
+    {
+        return allotment.lights.empty() ? 0 : allotment.lights[pixel];
+    }
+};
+
+/// Samples of one eye ray, by what each image of the pass is to have.
+template <std::size_t images>
+using Samples = std::array<Rgb, images>;
+
+/// What samples add to the nine pixels around their own, row by row: sums of values times weights,
+/// and of weights.
+template <std::size_t images>
+struct FilteredSamples {
+    std::array<Samples<images>, 9> values{};
+    std::array<float, 9> weights{};
+    std::uint32_t kept = 0; ///< samples
+
+    void add(PixelFilter filter, const glm::vec2& at, const Samples<images>& sample)
+    {
+        const std::array<float, 3> across = filter_weights(filter, at.x);
+        const std::array<float, 3> down = filter_weights(filter, at.y);
+        for (std::size_t i = 0; i < 9; ++i) {
+            const float weight = across[i % 3] * down[i / 3];
+            weights[i] += weight;
+            for (std::size_t image = 0; image < images; ++image)
+                values[i][image] += weight * sample[image];
+        }
+        ++kept;
+    }
+};
+
+/// Passes of a batch share a sequence, and batches stay independent: docs/error.md (15).
+inline RandomSequence sample_sequence(const PictureJob& job, RandomStream stream,
+                                      std::uint64_t pixel, std::uint32_t samples, std::uint32_t s)
+{
+    return {job.options.seed, stream, job.pass % kBatches, pixel,
+            job.pass / kBatches * samples + s};
+}
+
+/// A ray, and where in its pixel it starts, from 0 to 1 on both axes.
+struct PixelRay {
+    Ray ray;
+    glm::vec2 at;
+};
+
+/// A ray through somewhere in the pixel.
+inline PixelRay pixel_ray(const PictureJob& job, int x, int y, RandomSequence& random)
+{
+    const glm::vec2 size(static_cast<float>(job.options.width),
+                         static_cast<float>(job.options.height));
+    const Camera& camera = job.scene.scene.cameras[job.scene.scene.camera];
+    const glm::vec2 at = random.next2();
+    const glm::vec2 point = (glm::vec2(static_cast<float>(x), static_cast<float>(y)) + at) / size;
+    const glm::vec2 lens = has_lens(camera) ? sample_disc(random.next2()) : glm::vec2(0.0f);
+    return {camera_ray(camera, point, size.x / size.y, lens), at};
+}
+
+/// The samples of seen lights alone that are finite.
+inline FilteredSamples<1> sample_seen_lights(const PictureJob& job, int x, int y)
+{
+    const std::uint64_t pixel = static_cast<std::uint64_t>(y) * job.options.width + x;
+    const std::uint32_t samples = job.light_samples(pixel);
+    FilteredSamples<1> sums;
+    for (std::uint32_t s = 0; s < samples; ++s) {
+        RandomSequence random = sample_sequence(job, RandomStream::seen_lights, pixel, samples, s);
+        const PixelRay from = pixel_ray(job, x, y, random);
+        const Rgb seen = trace_seen_lights(job.scene, from.ray, random);
+        if (is_finite(seen))
+            sums.add(job.options.filter, from.at, {seen});
+    }
+    return sums;
+}
+
+/// Adds the mean of the samples of seen lights to that of the others, as each of the pixels around
+/// weighs them.
+template <std::size_t images>
+void add_seen_lights(const FilteredSamples<1>& lights, FilteredSamples<images>& samples)
+{
+    for (std::size_t i = 0; i < 9; ++i)
+        for (std::size_t image = 0; image < images && lights.weights[i] > 0; ++image)
+            samples.values[i][image] +=
+                lights.values[i][0] / lights.weights[i] * samples.weights[i];
+}
+
+/// Takes the samples of a pixel; those that are not finite are left out with their weights.  What
+/// all samples of a pixel weigh is one.
+template <std::size_t images, typename Trace>
+FilteredSamples<images> sample_pixel(const PictureJob& job, int x, int y, const Trace& trace)
+{
+    const std::uint64_t pixel = static_cast<std::uint64_t>(y) * job.options.width + x;
+    const std::uint32_t samples = job.samples(pixel);
+    const bool apart = job.light_samples(pixel) > 0;
+    FilteredSamples<images> sums;
+    for (std::uint32_t s = 0; s < samples; ++s) {
+        RandomSequence random = sample_sequence(job, RandomStream::eye_paths, pixel, samples, s);
+        const PixelRay from = pixel_ray(job, x, y, random);
+        const Samples<images> sample =
+            trace(from.ray, apart ? SeenLights::left_out : SeenLights::added, random);
+        if (std::ranges::all_of(sample, [](const Rgb& value) { return is_finite(value); }))
+            sums.add(job.options.filter, from.at, sample);
+    }
+    const auto all = static_cast<float>(samples);
+    for (std::size_t i = 0; i < 9; ++i) {
+        sums.weights[i] /= all;
+        for (Rgb& value : sums.values[i])
+            value /= all;
+    }
+    if (apart)
+        add_seen_lights(sample_seen_lights(job, x, y), sums);
+    return sums;
+}
+
+} // namespace hipmap
