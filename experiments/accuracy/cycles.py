@@ -7,6 +7,8 @@ import subprocess
 import sys
 import tempfile
 
+import plan
+
 SCRIPT = pathlib.Path(__file__).resolve().parent / "cycles_image.py"
 FEW_SAMPLES = 16
 SEED = 1
@@ -43,5 +45,5 @@ def run(lab, scene, size, seconds):
         last = max(2, round((seconds - few) / each))
         for samples in (last // 2, last):
             spent = render(scene, image, samples, size)
-            points.append([samples, spent, lab.error2(scene, size, image)])
+            points.append([samples, spent, lab.error2(scene, plan.CYCLES, size, image)])
     return points

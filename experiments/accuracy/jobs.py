@@ -38,11 +38,13 @@ def probes(lab, scene):
 
 def references(lab, notebook, scene):
     setting = plan.reference_of(scene).setting
-    for half in (0, 1):
-        def make(half=half):
-            return lab.make_half(scene, half,
-                                 notebook[f"probe/reference/{scene.name}/{setting.name}"])
-        yield Job(f"reference/{scene.name}/{half}", setting.seconds * lab.study.share, make)
+    for by_filter in plan.filters_of(scene):
+        for half in (0, 1):
+            def make(by_filter=by_filter, half=half):
+                return lab.make_half(scene, by_filter, half,
+                                     notebook[f"probe/reference/{scene.name}/{setting.name}"])
+            yield Job(f"reference/{scene.name}/{by_filter}/{half}",
+                      setting.seconds * lab.study.share, make)
 
 
 def images(lab, notebook, scene, setting):

@@ -42,8 +42,8 @@ class Lab:
     def make_partition(self, scene):
         programs.run(self.tools, "preprocess", scene.path, "-o", self.partition(scene))
 
-    def half(self, scene, number):
-        return self.folder / f"{scene.name}_{number}.pfm"
+    def half(self, scene, by_filter, number):
+        return self.folder / f"{scene.name}_{by_filter}_{number}.pfm"
 
     def render(self, scene, setting, size, *options):
         """The processor's seconds that it took."""
@@ -60,27 +60,28 @@ class Lab:
             start = self.render(scene, setting, size, *options)
         return {"start": start, "pass": max(first - start, 0.02 * first)}
 
-    def make_half(self, scene, number, probed):
+    def make_half(self, scene, by_filter, number, probed):
         """One half of a reference."""
-        setting = plan.reference_of(scene).setting
+        setting = plan.reference_of(scene, by_filter).setting
         passes = max(1, int((setting.seconds * self.study.share - probed["start"]) /
                             probed["pass"]))
         seconds = self.render(scene, setting, self.study.reference_size, "-o",
-                              self.half(scene, number), "--passes", passes, "--seed",
+                              self.half(scene, by_filter, number), "--passes", passes, "--seed",
                               plan.REFERENCE_SEED + number)
         return {"passes": passes, "seconds": seconds}
 
     @functools.lru_cache
-    def halves(self, scene, size):
-        """Of the reference, at this size."""
-        found = [arithmetic.read_pfm(self.half(scene, number)) for number in (0, 1)]
+    def halves(self, scene, by_filter, size):
+        """Of the reference, at this size; at the smaller one by the B-spline alone."""
+        found = [arithmetic.read_pfm(self.half(scene, by_filter, number)) for number in (0, 1)]
         return [arithmetic.halved(half) for half in found] if size == self.study.size else found
 
-    def error2(self, scene, size, image):
-        return arithmetic.relative_mse(arithmetic.read_pfm(image), self.halves(scene, size))
+    def error2(self, scene, setting, size, image):
+        return arithmetic.relative_mse(arithmetic.read_pfm(image),
+                                       self.halves(scene, setting.filter, size))
 
     def noise2(self, scene):
-        return {str(size): arithmetic.noise_of(self.halves(scene, size))
+        return {str(size): arithmetic.noise_of(self.halves(scene, plan.FILTER, size))
                 for size in (self.study.size, self.study.reference_size)}
 
     def run(self, scene, setting, size, seed, passes, start):
@@ -92,7 +93,7 @@ class Lab:
             for count in passes:
                 spent += self.render(scene, setting, size, "-o", image, "--state", state,
                                      "--passes", count, "--seed", seed) - start
-                points.append([count, spent, self.error2(scene, size, image)])
+                points.append([count, spent, self.error2(scene, setting, size, image)])
         return points
 
     def keep_promise(self, scene, setting, error, seed):
@@ -112,4 +113,4 @@ class Lab:
                     "promised_seconds": price["seconds"], "passes": check["passes"],
                     "seconds": check["seconds"], "stated": check["error"],
                     "met": stats["ended_by"] == "error",
-                    "error2": self.error2(scene, self.study.size, image)}
+                    "error2": self.error2(scene, setting, self.study.size, image)}

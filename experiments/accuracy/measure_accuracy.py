@@ -12,6 +12,7 @@ import argparse
 import dataclasses
 import datetime
 import hashlib
+import itertools
 import json
 import os
 import pathlib
@@ -83,9 +84,9 @@ def run(options):
     scenes = [plan.SCENES[name] for name in options.scenes]
     for scene in scenes:
         lab.make_partition(scene)
-        for half in (0, 1):
-            if not lab.half(scene, half).exists():
-                notebook.forget(f"reference/{scene.name}/{half}")
+        for by_filter, half in itertools.product(plan.filters_of(scene), (0, 1)):
+            if not lab.half(scene, by_filter, half).exists():
+                notebook.forget(f"reference/{scene.name}/{by_filter}/{half}")
     stages = [[job for job in stage if job.key not in notebook]
               for stage in jobs.stages(lab, notebook, scenes)]
     left = [job for stage in stages for job in stage]

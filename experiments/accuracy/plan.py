@@ -7,6 +7,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 COMMON = ("--diffuse", "lambert", "--threads", 1)
 PHOTONS = 50_000
 DEFAULT_PHOTONS = 200_000
+FILTER, BOX = "b-spline", "box"
 # Errors at which methods are compared.
 ERRORS = (0.2, 0.1, 0.07, 0.05, 0.03, 0.02)
 
@@ -36,16 +37,17 @@ SCENES = {scene.name: scene for scene in (
 @dataclasses.dataclass(frozen=True)
 class Setting:
     """A way to render.  seconds: of the processor, that an image of the whole study may take.
-    photons: light paths a pass, where there are any."""
+    photons: light paths a pass, where there are any.  filter: of pixels."""
 
     name: str
     seconds: float
     options: tuple
     photons: int = 0
+    filter: str = FILTER
 
     def arguments(self, study):
         photons = ("--photons", max(1, self.photons // study.divide)) if self.photons else ()
-        return (*COMMON, *self.options, *photons)
+        return (*COMMON, "--filter", self.filter, *self.options, *photons)
 
 
 def progressive(name, seconds, *options, photons=PHOTONS):
@@ -77,11 +79,12 @@ SETTINGS = {setting.name: setting for setting in (
 MINUTE = 120
 MINUTE_SETTINGS = {setting.name: setting for setting in (
     progressive("progressive", MINUTE, photons=DEFAULT_PHOTONS),
-    progressive("progressive, 50,000 photons, alpha = 0.5", MINUTE, "--alpha", 0.5),
     Setting("path", MINUTE, ("--integrator", "path")),
+    Setting("progressive, box", MINUTE, ("--integrator", "progressive"), DEFAULT_PHOTONS, BOX),
 )}
-# The peer: Blender's path tracer, on the scene as its script makes it.  Options are render's alone.
-CYCLES = Setting("Cycles", MINUTE, ())
+# The peer: Blender's path tracer, on the scene as its script makes it, by the box filter, which both
+# programs have alike.  Options are render's alone.
+CYCLES = Setting("Cycles, box", MINUTE, (), filter=BOX)
 
 # What errors are quoted for: parts of the error that the longest images of BASE have.
 QUOTED_PARTS = (1.0, 0.7)
@@ -105,8 +108,15 @@ LONG_PROGRESSIVE = Reference(
     "the area of the defaults, so that the bias is small beside that of what is measured")
 
 
-def reference_of(scene):
-    return LONG_PROGRESSIVE if scene.caustics else LONG_PATH
+def reference_of(scene, by_filter=FILTER):
+    reference = LONG_PROGRESSIVE if scene.caustics else LONG_PATH
+    setting = dataclasses.replace(reference.setting, filter=by_filter)
+    return dataclasses.replace(reference, setting=setting)
+
+
+def filters_of(scene):
+    """Of the references that the scene needs."""
+    return (FILTER, BOX) if scene.mark else (FILTER,)
 
 
 @dataclasses.dataclass(frozen=True)

@@ -106,6 +106,10 @@ on scenes with caustics, and nowhere else more than {findings.MOST_SLOWER} times
              for name in names), "mark"], lines)
 
 
+def verdict_of(square, scene, share):
+    return verdict(square <= scene.mark if square and share == 1 else None)
+
+
 def minute(results):
     lines, share = [], results["about"]["study"]["share"]
     rivals = {**plan.MINUTE_SETTINGS, plan.CYCLES.name: plan.CYCLES}
@@ -117,10 +121,9 @@ def minute(results):
                 continue
             error = arithmetic.error_after(points, plan.MINUTE * share)
             square = None if error is None else error ** 2
-            held = verdict(square <= scene.mark if square and share == 1 else None)
             lines.append([scene.name, name, points[-1][3], seconds(points[-1][0]),
                           UNKNOWN if square is None else f"{square:.2g}", f"{scene.mark:.0e}",
-                          "-" if name == plan.CYCLES.name else held])
+                          verdict_of(square, scene, share) if name == plan.BASE else "-"])
     note = "" if share == 1 else (
         f"\nThis run was another: the images had {plan.MINUTE * share:.3g} s, of which the marks are not.")
     return f"""## After a minute of two cores
@@ -128,7 +131,7 @@ def minute(results):
 relMSE after {plan.MINUTE} processor seconds, {width} pixels wide, by `render`'s default of {plan.DEFAULT_PHOTONS:,} photons where
 nothing else is said, from images that took about as long, by the slope between half the time and all of it (seeds:
 {results["about"]["study"]["minute_seeds"]}). Passes of Cycles (Blender's path tracer, where `blender` is installed) are samples of a pixel; its time is
-that of rendering alone, on one thread too.{note}
+that of rendering alone, on one thread too. `box`: by the box filter, against references by it, since Cycles has no B-spline.{note}
 
 """ + table(["scene", "method", "passes", "processor s", "relMSE", "mark", "verdict"], lines)
 
@@ -183,7 +186,7 @@ def references(results):
     lines = []
     for scene in findings.scenes(results):
         reference = plan.reference_of(scene)
-        done = results["runs"][f"reference/{scene.name}/0"]["passes"]
+        done = results["runs"][f"reference/{scene.name}/{plan.FILTER}/0"]["passes"]
         options = " ".join(map(str, reference.setting.arguments(plan.Study(**study))))
         lines.append([scene.name, f"`{options}`", f"2 x {done}",
                       seconds(findings.reference_seconds(results, scene)),
@@ -191,8 +194,8 @@ def references(results):
                         for size in (study["size"], 2 * study["size"])), reference.reason])
     return f"""## References
 
-Each has two halves by seeds of their own, {2 * study["size"]} pixels wide (the mean of four pixels is one of the smaller
-images). An error's square is the mean of the products of what the image differs from the one half and from the
+Each has two halves by seeds of their own, {2 * study["size"]} pixels wide: of four by four pixels, by 1, 3, 3 and 1 along
+each axis, comes one of the images half as wide, since that is what such a B-spline is made of. Images `by the box` have references by it. An error's square is the mean of the products of what the image differs from the one half and from the
 other, so that the noise of the references averages out. Their bias does not: where the reference is by
 `{plan.BASE}` itself, errors of `{plan.BASE}` are told too small by what bias they share. The path tracer shares
 none: were the reference wrong, its error would cease to fall.

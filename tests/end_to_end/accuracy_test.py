@@ -68,12 +68,29 @@ class Errors(unittest.TestCase):
         spread = arithmetic.noise_of(halves) / (exact * 2)  # 0.1²/2 against 0.05²
         self.assertAlmostEqual(spread, 1, delta=0.05)
 
-    def test_half_an_image_has_the_means_of_four_pixels(self):
-        image = (2, [0, 1, 2, 4, 5, 6, 0, 1, 2, 8, 9, 10])
-        self.assertEqual(list(arithmetic.halved(image)[1]), [3, 4, 5])
-        wide = (4, [1, 1, 1, 3, 3, 3] * 4 + [2, 2, 2, 2, 2, 2] * 4)
-        width, numbers = arithmetic.halved(wide)
-        self.assertEqual((width, list(numbers)), (2, [2.0] * 12))
+    def test_half_an_image_is_filtered_as_the_whole_is(self):
+        def weight(distance):  # quadratic B-spline
+            x = abs(distance)
+            return 0.75 - x * x if x <= 0.5 else (1.5 - x) ** 2 / 2 if x <= 1.5 else 0
+
+        def image_of(size, sample):
+            """Of one sample, 1 in all channels, at a place in units of the image."""
+            across, down = ([weight(size * at - 0.5 - i) for i in range(size)] for at in sample)
+            return (size, [x * y for y in down for x in across for _ in range(3)])
+
+        places = random.Random(3)
+        for _ in range(20):
+            sample = [places.uniform(0.4, 0.6) for _ in range(2)]
+            width, numbers = arithmetic.halved(image_of(12, sample))
+            self.assertEqual(width, 6)
+            for found, wanted in zip(numbers, image_of(6, sample)[1], strict=True):
+                self.assertAlmostEqual(4 * found, wanted)  # as a sample fills a quarter of a pixel
+
+    def test_half_of_an_even_image_is_even(self):
+        width, numbers = arithmetic.halved((4, [2.0] * 24))
+        self.assertEqual(width, 2)
+        for number in numbers:
+            self.assertAlmostEqual(number, 2)
 
 
 class Curves(unittest.TestCase):
