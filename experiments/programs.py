@@ -1,6 +1,7 @@
 """Runs hipmap's programs from outside, as a user would."""
 
 import dataclasses
+import hashlib
 import os
 import pathlib
 import platform
@@ -18,6 +19,12 @@ class Done:
     seconds: float
 
 
+def refuse_without(folder, program):
+    """Ends this program with one line."""
+    sys.exit(f"error: {folder / program} is missing; build it: cmake --build build/release --target "
+             f"{program}")
+
+
 def run(folder, program, *arguments):
     """Runs a program of the folder; ends this one with one line if that fails.  Any thread."""
     command = [str(folder / program), *map(str, arguments)]
@@ -26,8 +33,7 @@ def run(folder, program, *arguments):
             process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=output,
                                        stderr=errors)
         except OSError:
-            sys.exit(f"error: {command[0]} is missing; build it: cmake --build build/release "
-                     f"--target {program}")
+            refuse_without(folder, program)
         _, status, used = os.wait4(process.pid, 0)
         process.returncode = os.waitstatus_to_exitcode(status)
         output.seek(0)
@@ -36,6 +42,18 @@ def run(folder, program, *arguments):
             lines = errors.read().splitlines() or ["no message"]
             sys.exit(f"error: {program} ended with code {process.returncode}: {lines[-1]}")
         return Done(output.read(), used.ru_utime + used.ru_stime)
+
+
+def digest(folder, programs):
+    """Of programs' bytes: results by the same ones can be put together.  Ends this one with one line
+    if one is missing."""
+    read = hashlib.sha256()
+    for program in programs:
+        try:
+            read.update((folder / program).read_bytes())
+        except OSError:
+            refuse_without(folder, program)
+    return read.hexdigest()[:16]
 
 
 def machine():

@@ -1,23 +1,14 @@
 """What is to be done, in stages: each needs what the stages before it found."""
 
-import concurrent.futures
-import dataclasses
-import time
-import typing
+import sys
 
 import cycles
 import plan
 import findings
 from lab import schedule
 
-
-@dataclasses.dataclass(frozen=True)
-class Job:
-    """key: of its result.  weight: the processor's seconds that it takes, about."""
-
-    key: str
-    weight: float
-    do: typing.Callable
+sys.path.append(str(plan.ROOT / "experiments"))
+from notebook import Job
 
 
 def probe(lab, kind, scene, setting, size):
@@ -108,20 +99,3 @@ def stages(lab, notebook, scenes):
             third += images(lab, notebook, scene, setting)
     return [first, second, third, [job for scene in scenes
                                    for job in quotes(lab, notebook, scene)]]
-
-
-def do_all(jobs, notebook, progress, workers):
-    """So many at a time.  The first that fails ends all."""
-    def do(job):
-        begun = time.monotonic()
-        notebook.write_down(job.key, job.do(), time.monotonic() - begun)
-        return job
-
-    with concurrent.futures.ThreadPoolExecutor(workers) as pool:
-        running = [pool.submit(do, job) for job in jobs]
-        try:
-            for done in concurrent.futures.as_completed(running):
-                progress.ran(done.result().key, done.result().weight)
-        except BaseException:
-            pool.shutdown(cancel_futures=True)
-            raise

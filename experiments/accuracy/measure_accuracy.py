@@ -11,7 +11,6 @@ Each result is kept as it comes: the same command goes on with what is left.
 import argparse
 import dataclasses
 import datetime
-import hashlib
 import itertools
 import json
 import os
@@ -23,11 +22,10 @@ import plan
 import plots
 import write_up
 from lab import Lab
-from notebook import Notebook
 
 sys.path.append(str(plan.ROOT / "experiments"))
 import programs
-from progress import Progress
+from notebook import Notebook, do_stages
 
 
 def parse_options():
@@ -62,17 +60,11 @@ def study_of(options):
 
 def about(options, study):
     """What results must agree in to be of one run."""
-    read = hashlib.sha256()
-    for name in ("preprocess", "render"):
-        file = options.tools / name
-        if not file.exists():
-            sys.exit(f"error: {file} is missing; build it: cmake --build build/release --target "
-                     f"{name}")
-        read.update(file.read_bytes())
     settings = {setting.name: setting.arguments(study)
                 for setting in (*plan.SETTINGS.values(), *plan.MINUTE_SETTINGS.values())}
-    return {"programs": read.hexdigest()[:16], "machine": programs.machine(),
-            "study": dataclasses.asdict(study), "settings": settings}
+    return {"programs": programs.digest(options.tools, ("preprocess", "render")),
+            "machine": programs.machine(), "study": dataclasses.asdict(study),
+            "settings": settings}
 
 
 def run(options):
@@ -87,12 +79,7 @@ def run(options):
         for by_filter, half in itertools.product(plan.filters_of(scene), (0, 1)):
             if not lab.half(scene, by_filter, half).exists():
                 notebook.forget(f"reference/{scene.name}/{by_filter}/{half}")
-    stages = [[job for job in stage if job.key not in notebook]
-              for stage in jobs.stages(lab, notebook, scenes)]
-    left = [job for stage in stages for job in stage]
-    progress = Progress(len(left), sum(job.weight for job in left))
-    for stage in stages:
-        jobs.do_all(stage, notebook, progress, os.cpu_count())
+    do_stages(jobs.stages(lab, notebook, scenes), notebook, os.cpu_count())
     notebook.results["date"] = datetime.date.today().isoformat()
     return notebook.results
 

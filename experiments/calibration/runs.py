@@ -2,11 +2,13 @@
 
 import dataclasses
 import functools
+import hashlib
 import json
 import math
 import pathlib
 import struct
 import sys
+import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 sys.path.append(str(ROOT / "experiments"))
@@ -67,23 +69,19 @@ def reference_method(scene, integrator):
     return LONG_PATH
 
 
-@dataclasses.dataclass(frozen=True)
-class Reference:
-    """error: as stated.  noise2: the part of its square that is noise."""
-
-    path: pathlib.Path
-    error: float
-    noise2: float
+def named(scene):
+    """The scene as it is now: what was found of another file of that name is of something else."""
+    return f"{scene}@{hashlib.sha256(SCENES[scene].read_bytes()).hexdigest()[:8]}"
 
 
 @dataclasses.dataclass(frozen=True)
 class Lab:
-    """tools: folder of the programs.  folder: for their files.  size: pixels across an image."""
+    """tools: folder of the programs.  folder: for partitions and references.  size: pixels across an
+    image.  Any number of threads may call what it has."""
 
     tools: pathlib.Path
     folder: pathlib.Path
     size: int
-    threads: int
 
     def run(self, tool, *arguments):
         return programs.run(self.tools, tool, *arguments).output
@@ -94,35 +92,43 @@ class Lab:
     def make_partition(self, scene):
         self.run("preprocess", SCENES[scene], "-o", self.partition(scene))
 
+    def reference(self, scene, method):
+        return self.folder / f"{scene}_{method.name}.pfm"
+
     def render(self, scene, method, image, *options):
         """The last check of the image's error, and the number of its passes."""
-        stats = self.folder / "stats.json"
-        self.run("render", SCENES[scene], self.partition(scene), "-o", image, "--stats", stats,
-                 "--size", self.size, "--threads", self.threads, *method.options, *options)
-        return json.loads(stats.read_text())["error"]["checks"][-1]
+        with tempfile.TemporaryDirectory() as folder:
+            stats = pathlib.Path(folder, "stats.json")
+            self.run("render", SCENES[scene], self.partition(scene), "-o", image, "--stats", stats,
+                     "--size", self.size, "--threads", 1, *method.options, *options)
+            return json.loads(stats.read_text())["error"]["checks"][-1]
 
     def find_target(self, scene, integrator):
         """An error, in percent with two digits, that takes the integrator a few checks."""
-        check = self.render(scene, INTEGRATORS[integrator], self.folder / "image.pfm",
-                            "--passes", FIRST_CHECK, "--seed", REFERENCE_SEED + 1)
+        with tempfile.TemporaryDirectory() as folder:
+            check = self.render(scene, INTEGRATORS[integrator], pathlib.Path(folder, "image.pfm"),
+                                "--passes", FIRST_CHECK, "--seed", REFERENCE_SEED + 1)
         wanted = min(100 * PART_OF_FIRST * check["error"], MOST_ERROR)
         return float(f"{wanted:.2g}")
 
     def make_reference(self, scene, method, target):
-        """By passes until its stated error is a part of the target."""
-        path = self.folder / f"{scene}_{method.name}.pfm"
-        check = self.render(scene, method, path, "--error", target / BETTER, "--seed",
-                            REFERENCE_SEED)
-        return Reference(path, check["error"], check["noise"] ** 2)
+        """By passes until its stated error is a part of the target.  noise2: the part of the error's
+        square that is noise."""
+        check = self.render(scene, method, self.reference(scene, method), "--error",
+                            target / BETTER, "--seed", REFERENCE_SEED)
+        return {"error": check["error"], "noise2": check["noise"] ** 2}
 
-    def try_image(self, scene, integrator, target, seed, reference):
-        """What an image that stopped at the target says of its error, and what that is."""
-        image = self.folder / "image.pfm"
-        check = self.render(scene, INTEGRATORS[integrator], image, "--error", target, "--seed",
-                            seed)
-        said = self.run("compare_images", image, reference.path)
+    def try_image(self, scene, integrator, target, seed, noise2):
+        """What an image that stopped at the target says of its error, and what that is.  noise2: of
+        the reference."""
+        with tempfile.TemporaryDirectory() as folder:
+            image = pathlib.Path(folder, "image.pfm")
+            check = self.render(scene, INTEGRATORS[integrator], image, "--error", target, "--seed",
+                                seed)
+            said = self.run("compare_images", image,
+                            self.reference(scene, reference_method(scene, integrator)))
         # The reference's noise is not the image's.
-        square = float(said.split()[-1]) - reference.noise2
+        square = float(said.split()[-1]) - noise2
         high = math.inf if check["high"] is None else check["high"]
         return {"seed": seed, "passes": check["passes"], "seconds": check["seconds"],
                 "error": check["error"], "low": check["low"], "high": high,

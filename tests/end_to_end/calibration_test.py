@@ -6,14 +6,17 @@
 import json
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
 import unittest
+import unittest.mock
 
 ROOT, TOOLS = sys.argv[1:3]
 FOLDER = os.path.join(ROOT, "experiments/calibration")
 sys.path.insert(0, FOLDER)
+import jobs
 import report
 import runs
 
@@ -50,24 +53,91 @@ class Calibration(unittest.TestCase):
         self.assertEqual(runs.reference_method("hexagonal", "progressive"),
                          runs.LONG_PROGRESSIVE)
 
+
+class Command(unittest.TestCase):
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory(prefix="hipmap-test-")
+        self.addCleanup(temporary.cleanup)
+        self.folder = pathlib.Path(temporary.name)
+        self.notebook = self.folder / "work/notebook.json"
+
+    def calibrate(self, seeds):
+        """The steps that were done, and the cases."""
+        done = subprocess.run(
+            [sys.executable, "-B", os.path.join(FOLDER, "calibrate.py"), "--seeds", str(seeds),
+             "--size", "8", "--scenes", "hexagonal", "--integrators", "direct", "--tools", TOOLS,
+             "--to", self.folder, "--work", self.folder / "work"], capture_output=True, text=True,
+            check=False)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        results = json.loads((self.folder / "calibration.json").read_text())
+        return re.findall(r"^\[\d+/\d+\]", done.stderr, re.M), results["cases"]
+
     def test_rows_and_document(self):
-        with tempfile.TemporaryDirectory() as folder:
-            done = subprocess.run(
-                [sys.executable, "-B", os.path.join(FOLDER, "calibrate.py"), "--seeds", "2",
-                 "--size", "8", "--scenes", "hexagonal", "--integrators", "direct", "--tools",
-                 TOOLS, "--to", folder], capture_output=True, text=True, check=False)
-            self.assertEqual(done.returncode, 0, done.stderr)
-            self.assertIn("[3/3]", done.stderr)
-            document = pathlib.Path(folder, "calibration.md").read_text(encoding="utf-8")
-            results = json.loads(pathlib.Path(folder, "calibration.json").read_text())
+        steps, (found,) = self.calibrate(2)
+        self.assertEqual(steps[-1], "[4/4]")  # a target, a reference, two images
+        document = (self.folder / "calibration.md").read_text(encoding="utf-8")
         self.assertEqual(document.count("| hexagonal |"), 1)
-        found = results["cases"][0]
         self.assertLessEqual(found["reference_error"], found["target"] / 100 / runs.BETTER)
         self.assertEqual(len(found["images"]), 2)
         for image in found["images"]:
             self.assertLessEqual(image["error"], found["target"] / 100)
             self.assertGreater(image["true"], 0)
             self.assertGreaterEqual(image["passes"], runs.FIRST_CHECK)
+
+    def lose(self, *names):
+        """What a run that was stopped before these would have kept."""
+        results = json.loads(self.notebook.read_text())
+        results["runs"] = {key: value for key, value in results["runs"].items()
+                           if not key.endswith(names)}
+        self.notebook.write_text(json.dumps(results))
+
+    def test_a_stopped_run_goes_on_and_finds_the_same(self):
+        def told(images):
+            return [{key: image[key] for key in image if key != "seconds"} for image in images]
+        _, (whole,) = self.calibrate(2)
+        self.lose("/direct/1")
+        steps, (found,) = self.calibrate(2)
+        self.assertEqual(steps, ["[1/1]"])
+        self.assertEqual(told(found["images"]), told(whole["images"]))
+        self.assertEqual(found["images"][0], whole["images"][0])
+        # A reference whose picture is lost is made again, and one more seed is one more image.
+        for picture in (self.folder / "work").glob("*.pfm"):
+            picture.unlink()
+        steps, (more,) = self.calibrate(3)
+        self.assertEqual(steps[-1], "[2/2]")
+        self.assertEqual(more["reference_error"], whole["reference_error"])
+        self.assertEqual(more["images"][:2], found["images"])
+
+    def test_what_other_programs_found_does_not_count(self):
+        _, (whole,) = self.calibrate(1)
+        results = json.loads(self.notebook.read_text())
+        results["about"]["programs"] = "others"
+        self.notebook.write_text(json.dumps(results))
+        steps, (anew,) = self.calibrate(1)
+        self.assertEqual(steps[-1], "[3/3]")
+        self.assertEqual(anew["images"][0]["true"], whole["images"][0]["true"])
+
+
+class Notebooks(unittest.TestCase):
+    def test_a_scene_is_known_by_its_bytes(self):
+        with tempfile.NamedTemporaryFile() as file:
+            path = pathlib.Path(file.name)
+            with unittest.mock.patch.dict(runs.SCENES, {"room": path}):
+                path.write_bytes(b"a")
+                first = jobs.image_key("room", "path", 0)
+                path.write_bytes(b"b")
+                self.assertNotEqual(jobs.image_key("room", "path", 0), first)
+                path.write_bytes(b"a")
+                self.assertEqual(jobs.image_key("room", "path", 0), first)
+
+    def test_a_reference_is_the_same_whichever_integrators_are_asked_for(self):
+        self.assertEqual(jobs.sharing("cornell", runs.LONG_PATH), ["progressive", "path"])
+        asked = [jobs.stages(None, None, ["cornell"], names, 1) for names in
+                 (["path"], ["path", "progressive"])]
+        for one, both in zip(*asked[:2]):
+            keys = {job.key for job in both}
+            self.assertTrue({job.key for job in one} <= keys)
+        self.assertEqual(*[[job.key for job in stages[0]] for stages in asked])
 
 
 if __name__ == "__main__":
