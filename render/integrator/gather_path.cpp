@@ -105,7 +105,7 @@ class GatherTracer {
             if (maps_.global.maps.empty())
                 return true; // no photon has come anywhere
             const float first = radius_at(maps_.first.global, maps_.surfaces, query);
-            branch.weight *= gather_weight(first, branch.indirect_radius);
+            branch.weight *= weight_of(branch, first);
             const float radius = maps_.shrink * first;
             if (!(branch.straight && distance < radius)) {
                 if (!add_precomputed(branch.weight * factor, query))
@@ -136,8 +136,7 @@ class GatherTracer {
             add_caustic(branch, factor, query);
             if (branch.gathers && !maps_.global.maps.empty()) {
                 const float first = radius_at(maps_.first.global, maps_.surfaces, query);
-                const Rgb weight =
-                    branch.weight * factor * gather_weight(first, branch.indirect_radius);
+                const Rgb weight = branch.weight * factor * weight_of(branch, first);
                 if (!add_precomputed(weight, query))
                     add_within(weight, maps_.global, query, maps_.shrink * first, scratch_.global);
             } else if (!branch.gathers && !maps_.indirect.maps.empty()) {
@@ -150,12 +149,18 @@ class GatherTracer {
         return branch.gathers;
     }
 
+    /// Of what the gather ray finds, by photons within `first` in the first pass.
+    float weight_of(const GatherBranch& branch, float first) const
+    {
+        return gather_weight(first, branch.indirect_radius, maps_.first.samples);
+    }
+
     void add_caustic(const GatherBranch& branch, const Rgb& factor, const PhotonQuery& query)
     {
         if (maps_.caustic.maps.empty())
             return;
         const float first = radius_at(maps_.first.caustic, maps_.surfaces, query);
-        const float share = branch.gathers ? gather_weight(first, branch.indirect_radius) : 1.0f;
+        const float share = branch.gathers ? weight_of(branch, first) : 1.0f;
         add_within(branch.weight * factor * share, maps_.caustic, query, maps_.shrink * first,
                    scratch_.caustic);
     }

@@ -17,9 +17,9 @@ PhotonQuery query_at(const Photon& photon, const MapSurfaces& surfaces)
 
 } // namespace
 
-float gather_weight(float radius_at_y, float radius_at_x)
+float gather_weight(float radius_at_y, float radius_at_x, float samples)
 {
-    const float y2 = radius_at_y * radius_at_y, x2 = radius_at_x * radius_at_x;
+    const float y2 = samples * radius_at_y * radius_at_y, x2 = radius_at_x * radius_at_x;
     return x2 > 0 && std::isfinite(x2) && std::isfinite(y2) ? y2 / (y2 + x2) : 1.0f;
 }
 
@@ -41,7 +41,7 @@ std::vector<Photon> weigh_bounces(const TracedPhotons& traced, const FirstRadii&
                                           surfaces, query_at(from, surfaces));
                 const float x =
                     radius_at(first.indirect, surfaces, query_at(bounced.photon, surfaces));
-                out[i].power *= 1 - gather_weight(y, x);
+                out[i].power *= 1 - gather_weight(y, x, first.samples);
             }
         });
     return out;

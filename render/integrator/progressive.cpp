@@ -63,7 +63,8 @@ void find_first_radii(const RenderScene& scene, const RenderOptions& options, Pr
         return build_radius_field(
             build_photon_maps(photons, scene.mesh(), scene.partition, options.maps));
     };
-    shared.first = {field(traced.caustic), field(traced.global), field(indirect)};
+    shared.first = {field(traced.caustic), field(traced.global), field(indirect),
+                    static_cast<float>(options.samples)};
     shared.first_volume = volume_radii(scene, traced, options);
 }
 
