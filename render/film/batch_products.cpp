@@ -153,8 +153,7 @@ double ChannelReader::without_bias(const ChannelStatistics& biased) const
     const double sure = sum / size - kPlain * std::sqrt(squares / (size * (size - 1)));
     if (!(sure > 0) || !(biased.mean > 0))
         return biased.mean;
-    // The law of small radii would take off too much where the bias is most of what there is.
-    return biased.mean * biased.mean / (biased.mean + sure / (1 - kNarrowing * kNarrowing));
+    return std::max(biased.mean - sure / (1 - kNarrowing * kNarrowing), 0.0);
 }
 
 /// By what the pixels around have, as far as the channel's own noise allows for it.

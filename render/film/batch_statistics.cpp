@@ -26,16 +26,32 @@ double trace_of_square(const Products& a)
     return sum;
 }
 
-/// second - ratio * first, its products with itself.
-Products residual(const BatchProducts& products, double ratio)
+/// a * first + b * second, its products with itself.
+Products combined(const BatchProducts& products, double a, double b)
 {
     Products out(products.first.size());
     for (std::size_t i = 0; i < out.size(); ++i)
         for (std::size_t j = 0; j < out.size(); ++j)
-            out.at(i, j) = products.second.at(i, j) -
-                           ratio * (products.both.at(i, j) + products.both.at(j, i)) +
-                           ratio * ratio * products.first.at(i, j);
+            out.at(i, j) = a * a * products.first.at(i, j) +
+                           a * b * (products.both.at(i, j) + products.both.at(j, i)) +
+                           b * b * products.second.at(i, j);
     return out;
+}
+
+/// The square of the bias, by a ratio and how far off chance may have put it.
+struct RatedSquare {
+    double value = 0;
+    double deviation = 0;
+};
+
+RatedSquare square_by(const BatchProducts& products, double ratio)
+{
+    const Batches& batches = products.narrow;
+    const Products whole = combined(products, 1, 1 / (1 - ratio));
+    const Spread spread = spread_of(centred(whole, batches), products.channels);
+    const double value = product_of_means(whole, batches);
+    return {value, std::sqrt(2 * spread.square / pairs_of(batches) +
+                             4 * std::max(value, 0.0) * spread.along() / batches.all)};
 }
 
 } // namespace
@@ -110,30 +126,23 @@ BiasSquare bias_square(const BatchProducts& products)
     const Batches& batches = products.narrow;
     if (batches.batch.size() < 2)
         return {0, kMost, {0, kInfinity}};
-    const double pairs = pairs_of(batches);
     const double first = product_of_means(products.first, batches);
     const double both = product_of_means(products.both, batches);
     const Spread spread = spread_of(centred(products.first, batches), products.channels);
-    const double signal = std::max(first, 0.0);
-    const double deviation =
-        std::sqrt(2 * spread.square / pairs + 4 * signal * spread.along() / batches.all);
 
     BiasSquare out;
     out.ratio = first > 0 ? std::clamp(both / first, kLeast, kMost) : kLeast;
     const Spread rest =
-        spread_of(centred(residual(products, out.ratio), batches), products.channels);
-    const double ratio_deviation = std::sqrt(2 * std::sqrt(rest.square * spread.square) / pairs +
-                                             signal * rest.along() / batches.all);
+        spread_of(centred(combined(products, -out.ratio, 1), batches), products.channels);
+    const double ratio_deviation =
+        std::sqrt(2 * std::sqrt(rest.square * spread.square) / pairs_of(batches) +
+                  std::max(first, 0.0) * rest.along() / batches.all);
     const double off = first > 0 ? kZ * ratio_deviation / first : kInfinity;
-    const auto square = [](double value, double ratio) {
-        return value / ((1 - ratio) * (1 - ratio));
-    };
-    out.value = square(first, out.ratio);
-    out.interval.low =
-        square(first - kZ * deviation,
-               first > kZ * deviation ? std::max(out.ratio - off, kLeast) : out.ratio);
-    out.interval.high =
-        square(std::max(first + kZ * deviation, 0.0), std::min(out.ratio + off, kMost));
+    out.value = square_by(products, out.ratio).value;
+    const RatedSquare low = square_by(products, std::max(out.ratio - off, kLeast));
+    const RatedSquare high = square_by(products, std::min(out.ratio + off, kMost));
+    out.interval = {low.value - kZ * low.deviation,
+                    std::max(high.value, 0.0) + kZ * high.deviation};
     return out;
 }
 

@@ -91,17 +91,19 @@ ErrorLayers error_layers(const Film& film, double order)
             const int c = static_cast<int>(channel);
             double mean = 0, same = 0;
             for (std::size_t j = 0; j < batches.batch.size(); ++j) {
-                mean += batches.passes[j] * found.first[j] / batches.all;
-                same += square_of(batches.passes[j] * found.first[j]);
+                const double passes = batches.passes[j];
+                const double bias = found.first[j] + factor * found.second[j];
+                mean += passes * bias / batches.all;
+                same += square_of(passes * bias);
             }
             double bias2 = 0;
             if (batches.batch.size() > 1)
                 bias2 = (square_of(mean * batches.all) - same) / pairs_of(batches);
             out.noise.pixels[i][c] = static_cast<float>(std::sqrt(found.variance));
             if (biased)
-                out.bias.pixels[i][c] = static_cast<float>(factor * mean);
-            out.error.pixels[i][c] = static_cast<float>(
-                std::sqrt(found.variance + factor * factor * std::max(bias2, 0.0)));
+                out.bias.pixels[i][c] = static_cast<float>(mean);
+            out.error.pixels[i][c] =
+                static_cast<float>(std::sqrt(found.variance + std::max(bias2, 0.0)));
         }
     return out;
 }

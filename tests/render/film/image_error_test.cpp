@@ -73,8 +73,8 @@ TEST_CASE("image error: 95 % intervals hold the true error of 95 % of the images
     };
     // The more pixels share photons, the less an image knows of its own error.
     for (Case test : {Case{plain_noise(4, 0, 0.3), 0.25}, Case{plain_noise(4, 0.3, 0.1), 0.6},
-                      Case{plain_noise(24, 0.3, 0), 3}, Case{with_bias(4, 0, 2), 2.5},
-                      Case{with_bias(4, 0.2, 1), 2.5}, Case{with_bias(4, 0.2, 2), 2.5}}) {
+                      Case{plain_noise(24, 0.3, 0), 3}, Case{with_bias(4, 0, 2), 3},
+                      Case{with_bias(4, 0.2, 1), 3}, Case{with_bias(4, 0.2, 2), 3}}) {
         const Image truth = test.passes.truth();
         Coverage coverage;
         for (test.passes.seed = 0; test.passes.seed < 150; ++test.passes.seed) {
