@@ -4,6 +4,7 @@
 #include "common/image/srgb.h"
 #include "common/image/write_image.h"
 #include "common/input_error.h"
+#include "tests/support/overwrite.h"
 #include "tests/support/temporary_folder.h"
 
 #include <catch2/catch.hpp>
@@ -198,7 +199,7 @@ TEST_CASE("read_image: a file cut short anywhere is refused", "[image]")
         write_image(folder / name, ramp_image(), {});
         const std::string whole = bytes_of(folder / name);
         for (std::size_t size = 0; size < whole.size(); ++size) {
-            write_file(folder / name, std::string_view(whole).substr(0, size));
+            overwrite(folder / name, std::string_view(whole).substr(0, size));
             const std::string error = read_error(folder / name);
             CAPTURE(name, size);
             CHECK_THAT(error, Contains((folder / name).string()));

@@ -2,6 +2,7 @@
 #include "common/input_error.h"
 #include "common/partition/check_partition.h"
 #include "common/partition/partition_file.h"
+#include "tests/support/overwrite.h"
 #include "tests/support/tiny_meshes.h"
 
 #include <catch2/catch.hpp>
@@ -113,7 +114,7 @@ TEST_CASE("partition file: a truncated one is refused", "[partition]")
     write_partition(path, sample(scene_of(4)));
     const std::vector<std::byte> whole = read_file(path);
     for (std::size_t size = 0; size < whole.size(); ++size) {
-        write_file(path, std::span(whole).first(size));
+        overwrite(path, std::span(whole).first(size));
         const std::string error = error_of([&] { read_partition(path); });
         INFO(size << " of " << whole.size() << " bytes");
         REQUIRE(error.find("a.hpm: ") != std::string::npos);
@@ -132,7 +133,7 @@ TEST_CASE("partition file: any flipped bit is refused or changes nothing", "[par
     for (std::size_t bit = 0; bit < 8 * whole.size(); ++bit) {
         std::vector<std::byte> damaged = whole;
         damaged[bit / 8] ^= std::byte{1} << (bit % 8);
-        write_file(path, damaged);
+        overwrite(path, damaged);
         try {
             const Partition read = read_partition(path); // padding was hit
             REQUIRE(read.scene == written.scene);
