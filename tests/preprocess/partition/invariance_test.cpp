@@ -152,7 +152,7 @@ TEST_CASE("invariance: place, size, pose, order, winding and objects do not chan
           "[partition]")
 {
     std::size_t cases = 0;
-    const bool same = holds("partitions of random scenes", 300, [&cases] {
+    const bool same = holds("partitions of random scenes", 150, [&cases] {
         const TriangleMesh mesh = random_scene();
         RC_PRE(mesh.face_count() > 0 && is_clear_of_thresholds(mesh));
         const auto seed = *rc::gen::inRange<std::uint64_t>(0, 1000000);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kSize = 32;   ///< pixels a side
 constexpr int kBlocks = 4;  ///< a side, whose means are compared
-constexpr int kImages = 24; ///< of a scene, by different seeds
+constexpr int kImages = 12; ///< of a scene, by different seeds
 
 /// The bundled scene with a mirror, coloured glass and a glowing mesh, or with a lamp instead.
 tiny::GltfFile cornell(bool lamp)

@@ -67,9 +67,9 @@ TEST_CASE("paper light: the integrators agree below a sheet, where all light com
         scene.cameras[0].position = {0, -0.25f, 0.48f};
         const auto ready = tiny::ready(scene);
         CHECK(ready->render->directional == (roughness < 1));
-        const RunningMean paths = means_of(*ready, small_image(Integrator::path), 150);
+        const RunningMean paths = means_of(*ready, small_image(Integrator::path), 60);
         for (const Integrator integrator : {Integrator::direct, Integrator::progressive}) {
-            const RunningMean maps = means_of(*ready, small_image(integrator), 16);
+            const RunningMean maps = means_of(*ready, small_image(integrator), 6);
             const double noise = std::hypot(maps.standard_error(), paths.standard_error());
             const double bias = integrator == Integrator::direct ? 0.03 : 0.015;
             INFO("integrator " << static_cast<int>(integrator) << ", roughness " << roughness

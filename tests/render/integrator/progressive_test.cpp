@@ -59,10 +59,10 @@ TEST_CASE("progressive: differs from paths by noise and by what narrower radii t
     const auto ready = tiny::ready(tiny::room());
     RenderOptions options = small_options(20000);
     options.samples = 16;
-    const Means gathered = mean_of_passes(*ready, options, 24);
+    const Means gathered = mean_of_passes(*ready, options, 10);
     options.integrator = Integrator::path;
     options.samples = 150;
-    const Means paths = mean_of_passes(*ready, options, 24);
+    const Means paths = mean_of_passes(*ready, options, 10);
     // Bias that goes with the radius itself is halved in the narrowest; else it is less.
     const double bias = 2 * std::abs(gathered.radiance.mean() - gathered.narrower.mean());
     const double noise =
