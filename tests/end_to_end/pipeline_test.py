@@ -25,9 +25,9 @@ PICTURES = ("shared_maps.png", "edges.png", "candidates.png", "groups.png")
 
 
 class Pipeline(ToolsTestCase):
-    def make_partition(self, scene=None, name="cornell.hpm"):
-        self.succeed("preprocess", scene or Tools.scene, "-o", self.path(name))
-        return self.path(name)
+    def make_partition(self):
+        self.succeed("preprocess", Tools.scene, "-o", self.path("cornell.hpm"))
+        return self.path("cornell.hpm")
 
     def read_json(self, name):
         with open(self.path(name), encoding="utf-8") as file:
@@ -43,7 +43,7 @@ class Pipeline(ToolsTestCase):
     def test_as_pipeline_sh_calls_it(self):
         name = self.path("cornell")
         said = self.succeed("preprocess", Tools.scene, "-o", name + ".hpm", "--images",
-                            self.folder, "--json", self.path("partition.json"))
+                            self.folder, "--size", 4 * SIZE, "--json", self.path("partition.json"))
         self.assertIn(f"group maps: {GROUPS} candidates over {2 * 3968} faces\n", said)
         self.succeed("render", Tools.scene, name + ".hpm", "-o", name + ".png", "-o",
                      name + ".exr", "-o", name + ".pfm", "--size", f"{SIZE}x{SIZE}", "--photons",

@@ -14,8 +14,8 @@ import time
 import tools
 from tools import Tools, ToolsTestCase
 
-PASSES = 150
-KILLS = 10
+PASSES = 90
+KILLS = 9
 SEED = 7
 
 
