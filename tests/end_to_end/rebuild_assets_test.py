@@ -31,13 +31,15 @@ def run_blender(blender, arguments):
         stderr=subprocess.STDOUT, text=True, check=False)
 
 
-def build(blender, script, output):
-    """blender: None for a script that needs none."""
-    if blender is None:
-        subprocess.run([sys.executable, "-B", script, output], check=True)
-        return
-    run = run_blender(blender, ["--python", script, "--", output])
-    assert run.returncode == 0 and os.path.exists(output), f"{script} failed:\n{run.stdout}"
+def build(blender, pairs):
+    """pairs: (script, output).  All in one Blender, which starts slowly; each empties it first."""
+    lines = ["import runpy, sys"]
+    for script, output in pairs:
+        lines += [f"sys.argv = ['blender', '--', {output!r}]",
+                  f"runpy.run_path({script!r}, run_name='__main__')"]
+    run = run_blender(blender, ["--python-expr", "\n".join(lines)])
+    for script, output in pairs:
+        assert run.returncode == 0 and os.path.exists(output), f"{script} failed:\n{run.stdout}"
 
 
 def near(a, b, tolerance):
@@ -66,14 +68,18 @@ def compare(committed, rebuilt):
                     f"{name} of {mesh['name']} differ"
 
 
-def rebuild(blender, folder, name):
-    """name: of a scene, without suffix."""
-    committed = os.path.join(folder, name + ".glb")
+def rebuild(blender, scenes):
+    """scenes: (folder, name without suffix).  blender: None for scripts that need none."""
     with tempfile.TemporaryDirectory() as temporary:
-        rebuilt = os.path.join(temporary, name + ".glb")
-        build(blender, os.path.join(folder, name + ".py"), rebuilt)
-        compare(GlbFile(committed), GlbFile(rebuilt))
-    print(f"{name}.glb: the script builds what is committed")
+        pairs = [(os.path.join(folder, name + ".py"), os.path.join(temporary, name + ".glb"))
+                 for folder, name in scenes]
+        if blender is not None:
+            build(blender, pairs)
+        for (script, rebuilt), (folder, name) in zip(pairs, scenes):
+            if blender is None:
+                subprocess.run([sys.executable, "-B", script, rebuilt], check=True)
+            compare(GlbFile(os.path.join(folder, name + ".glb")), GlbFile(rebuilt))
+            print(f"{name}.glb: the script builds what is committed")
 
 
 def pictures(glb):
@@ -105,7 +111,7 @@ def main():
             rebuild_effects(folder)
         for name in BY_PYTHON_ALONE:
             if os.path.exists(os.path.join(folder, name + ".py")):
-                rebuild(None, folder, name)
+                rebuild(None, [(folder, name)])
     blender = shutil.which("blender")
     if blender is None:
         print("SKIP: Blender is not installed")
@@ -113,11 +119,13 @@ def main():
     if run_blender(blender, ["--python-expr", "import numpy"]).returncode != 0:
         print("SKIP: Blender's exporter has no numpy (Debian: python3-numpy)")
         return SKIPPED
+    scenes = []
     for folder in sys.argv[1:]:
-        names = sorted(name[:-4] for name in os.listdir(folder) if name.endswith(".glb") and name[:-4] not in BY_PYTHON_ALONE)
+        names = sorted(name[:-4] for name in os.listdir(folder)
+                       if name.endswith(".glb") and name[:-4] not in BY_PYTHON_ALONE)
         assert names, f"no scene in {folder}"
-        for name in names:
-            rebuild(blender, folder, name)
+        scenes += [(folder, name) for name in names]
+    rebuild(blender, scenes)
     return 0
 
 
