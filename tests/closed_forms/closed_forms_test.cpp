@@ -24,9 +24,10 @@ void check(const std::vector<FoundForm>& rows)
 /// Each form by itself, and that all together are not farther off than chance has it.
 void check(const Method& method)
 {
+    const auto passes = method.integrator == Integrator::path ? kPassesOfPaths : kPassesOfForms;
     double squares = 0, forms = 0;
     for (const ClosedForm& form : closed_forms()) {
-        const std::vector<FoundForm> rows = find_form(form, method, kPassesOfForms);
+        const std::vector<FoundForm> rows = find_form(form, method, passes);
         if (!rows[0].why_not.empty())
             continue;
         check(rows);

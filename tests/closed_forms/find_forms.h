@@ -22,8 +22,9 @@ inline constexpr std::array<Method, 4> kMethods{{
     {"path", Integrator::path, DirectLight::shadow_rays},
 }};
 
-inline constexpr std::uint64_t kPassesOfForms = 48;
-inline constexpr std::uint32_t kNeighbours = 20; ///< k
+inline constexpr std::uint64_t kPassesOfForms = 16;
+inline constexpr std::uint64_t kPassesOfPaths = 48; ///< noisier, and quick
+inline constexpr std::uint32_t kNeighbours = 20;    ///< k
 
 /// What was found for a closed form.
 struct FoundForm {

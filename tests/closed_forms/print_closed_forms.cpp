@@ -63,8 +63,9 @@ std::string introduction(std::uint64_t passes, const std::vector<FoundForm>& row
         << kMostZ << " but for 7 of a million figures. Of the " << std::setprecision(0) << sought
         << " here the largest is " << std::setprecision(2) << largest
         << ", and the mean of their squares " << squares / sought
-        << ".\nThe tests `closed_forms` check the same with " << kPassesOfForms
-        << " passes.\n\nIntegrator `direct` estimates by the k = " << kNeighbours
+        << ".\nThe tests `closed_forms` check the same with " << kPassesOfForms << " passes ("
+        << kPassesOfPaths
+        << " by `path`).\n\nIntegrator `direct` estimates by the k = " << kNeighbours
         << " nearest photons; where those are stratified this is low by up to 1/(2k)\n"
            "([photon_maps.md](photon_maps.md) (2)), and z is 0 within that.\n\n"
            "ρ albedo, e radiance of a wall, L of a lamp or sky, I intensity, E irradiance across "
@@ -98,7 +99,7 @@ int main(int argc, char** argv)
         CLI::App app("Renders scenes of which the picture is known exactly by every integrator, "
                      "and says in Markdown how far off each is.",
                      "closed_forms");
-        std::uint64_t passes = 4 * hipmap::kPassesOfForms;
+        std::uint64_t passes = 192;
         std::string file;
         app.add_option("--passes", passes, "Independent passes of each [192]")
             ->check(CLI::Range(4, 1'000'000));
