@@ -75,6 +75,14 @@ def add_vertex_colours(glb):
              COLOR_0=[tuple(0.5 + 0.5 * c for c in n) + (1,) for n in ball[1]])
 
 
+def add_rough_metal(glb):
+    """White metal of more and more roughness."""
+    for i, roughness in enumerate((0.1, 0.4, 0.7, 1)):
+        metal = glb.material(f"Metal {roughness}", (1, 1, 1), base={
+            "metallicFactor": 1, "roughnessFactor": roughness})
+        glb.mesh(f"Ball {i}", metal, sphere((0.46 * i - 0.69, 0.22, 0.3), 0.22, 40, 20))
+
+
 def add_emissive_picture(glb):
     """A sign of four colours is the only light."""
     def sign(x, y):
@@ -337,6 +345,7 @@ SCENES = {
     "motion": (add_motion, 20),
     "normal_maps": (add_normal_maps, 20),
     "reflections": (add_reflections, 20),
+    "rough_metal": (add_rough_metal, 20),
     "sheen": (add_sheen, 20),
     "smoke": (add_smoke, 20),
     "soft_shadows": (add_soft_shadows, 0),

@@ -39,7 +39,7 @@ void check_outputs(const RenderArguments& arguments)
             check_writable(file);
 }
 
-void choose_diffuse_model(const RenderArguments& arguments, LoadedScene& loaded)
+void choose_reflections(const RenderArguments& arguments, LoadedScene& loaded)
 {
     if (arguments.diffuse)
         loaded.scene.diffuse_model = *arguments.diffuse;
@@ -47,6 +47,8 @@ void choose_diffuse_model(const RenderArguments& arguments, LoadedScene& loaded)
         loaded.audit.assumed.push_back(
             "matt surfaces reflect as in the Blender that wrote the file (Burley's diffuse; "
             "--diffuse lambert is glTF's own)");
+    for (Material& material : loaded.scene.materials)
+        material.energy_compensation = arguments.energy_compensation;
 }
 
 void choose_sky_picture(const RenderArguments& arguments, LoadedScene& loaded)
@@ -132,7 +134,7 @@ LoadedScene load_at(const RenderArguments& arguments, SceneSource& source,
                     std::optional<double> time)
 {
     LoadedScene loaded = source.at(time, !arguments.frames.asked());
-    choose_diffuse_model(arguments, loaded);
+    choose_reflections(arguments, loaded);
     choose_sky_picture(arguments, loaded);
     return loaded;
 }

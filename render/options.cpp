@@ -169,6 +169,9 @@ void add_method(CLI::App& app, RenderArguments& arguments)
         app, "--diffuse", arguments.diffuse, kDiffuseModels,
         "Diffuse reflection: lambert, as glTF has it; burley, as Blender's Principled BSDF up to "
         "version 3 has it; auto, as the program that wrote the file has it [auto]");
+    app.add_flag("--energy-compensation", arguments.energy_compensation,
+                 "Give rough metal back the light that its facets pass to one another, which "
+                 "glTF's own reflection loses; rough glass still loses it");
     add_count(app, "--photons", render.photons, 0, kMostPhotons,
               "Light paths to emit in each pass [200000]");
     add_count(app, "--neighbours", render.maps.neighbours, 2, kMostNeighbours,

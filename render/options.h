@@ -30,6 +30,7 @@ struct RenderArguments {
     double shutter = 0;                  ///< frames that the shutter is open; 0: no time
     RenderOptions render;                ///< its size is still to be completed
     std::optional<DiffuseModel> diffuse; ///< none: the scene's own
+    bool energy_compensation = false;    ///< of all metal
     PictureSize size{512, 0};
     std::optional<float> exposure_ev; ///< none: auto
     unsigned threads = 0;             ///< 0: all cores

@@ -70,6 +70,7 @@ Json options_json(const RenderArguments& arguments, const Scene& scene)
             {"integrator", name_of(options.integrator)},
             {"direct", options.direct == DirectLight::photons ? "photons" : "shadow-rays"},
             {"diffuse", scene.diffuse_model == DiffuseModel::burley ? "burley" : "lambert"},
+            {"energy_compensation", arguments.energy_compensation},
             {"photons", options.photons},
             {"neighbours", options.maps.neighbours},
             {"local_min", options.maps.local_min},

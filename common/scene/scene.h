@@ -51,6 +51,7 @@ struct Material {
     Rgb diffuse_transmission_color{1.0f};
     float anisotropy = 0.0f;          ///< KHR_materials_anisotropy
     float anisotropy_rotation = 0.0f; ///< radians from the tangent towards the bitangent
+    bool energy_compensation = false; ///< what its facets pass to one another is not lost
     float alpha = 1.0f;
     AlphaMode alpha_mode = AlphaMode::opaque;
     float alpha_cutoff = 0.5f;

@@ -1,5 +1,6 @@
 #include "render/shading/bsdf.h"
 
+#include "render/shading/energy_compensation.h"
 #include "render/shading/glossy_albedo.h"
 #include "render/shading/sheen.h"
 
@@ -146,6 +147,8 @@ void make_opaque(const Material& material, const MaterialPoint& at, Bsdf& out)
     out.reflect_f90 = at.metallic + opaque * out.coat_f90;
     if (!is_black(out.reflect_f0) || !is_black(out.reflect_f90))
         out.reflection = kind_of(roughness_of(at));
+    if (material.energy_compensation && out.alpha > 0)
+        out.regained = regained_by(at.base_color, out.alpha) * at.metallic;
 }
 
 } // namespace
@@ -255,9 +258,10 @@ Rgb opaque_reflectance(const Bsdf& bsdf, float cosine)
 
 Rgb reflection_albedo(const Bsdf& bsdf, float cosine)
 {
-    return bsdf.reflection == Reflection::none
-               ? Rgb(0)
-               : albedo_of(bsdf.reflect_f0, bsdf.reflect_f90, cosine, bsdf.alpha);
+    if (bsdf.reflection == Reflection::none)
+        return Rgb(0);
+    const Rgb single = albedo_of(bsdf.reflect_f0, bsdf.reflect_f90, cosine, bsdf.alpha);
+    return bsdf.is_compensated() ? single + regained_albedo(bsdf, cosine) : single;
 }
 
 SpecularLobes smooth_lobes(const Bsdf& bsdf, float cosine, bool front, bool solid)

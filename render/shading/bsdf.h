@@ -52,6 +52,7 @@ struct Bsdf {
     Rgb coat_average{0.0f};   ///< its albedo averaged over the cosine-weighted hemisphere
     Rgb reflect_f0{0.0f};     ///< the same two of metal and coat together, by their shares
     Rgb reflect_f90{0.0f};
+    Rgb regained{0.0f}; ///< factor of the lobe that facets of metal pass to one another
     Reflection clearcoat = Reflection::none; ///< what becomes of the reflection of a coat over all
     float clearcoat_share = 0.0f;
     float clearcoat_alpha = 0.0f;
@@ -75,6 +76,8 @@ struct Bsdf {
     bool passes_diffusely() const { return !is_matt() && !is_black(diffuse_beyond); }
     /// Facets are wider along one direction than across it.
     bool is_stretched() const { return !kMattOnly && alpha_along > 0; }
+    /// Light that facets pass to one another is added to their reflection.
+    bool is_compensated() const { return !kMattOnly && !is_black(regained); }
     /// Some reflection becomes what is asked for.
     bool reflects(Reflection kind) const { return reflection == kind || clearcoat == kind; }
     /// Photons are stored here: there is a diffuse lobe, sheen or a reflection that is gathered.
@@ -163,8 +166,8 @@ float fresnel_dielectric(float cosine, float eta);
 /// incidence on the facet.
 Rgb opaque_reflectance(const Bsdf& bsdf, float cosine);
 
-/// The part of light along one direction that the opaque surface reflects, diffuse lobe apart.
-/// Zero without a reflection.
+/// The part of light along one direction that the opaque surface reflects, diffuse lobe apart, with
+/// what facets pass to one another.  Zero without a reflection.
 Rgb reflection_albedo(const Bsdf& bsdf, float cosine);
 
 /// Index beyond the surface over index before it.

@@ -1,5 +1,8 @@
 #include "render/shading/facet_lobes.h"
 
+#include "common/math/frame.h"
+#include "common/math/sampling.h"
+#include "render/shading/energy_compensation.h"
 #include "render/shading/facets.h"
 
 namespace hipmap {
@@ -20,14 +23,18 @@ struct FacetShares {
     }
 };
 
+bool has_reflection(const Bsdf& bsdf, Lobes lobes)
+{
+    return bsdf.reflection ==
+           (lobes == Lobes::gathered ? Reflection::gathered : Reflection::followed);
+}
+
 /// cosine: between the direction and the facet's normal.
 FacetShares facet_shares(const Interaction& at, Lobes lobes, float cosine)
 {
     const Bsdf& bsdf = at.bsdf;
     FacetShares out;
-    const Reflection wanted =
-        lobes == Lobes::gathered ? Reflection::gathered : Reflection::followed;
-    if (bsdf.reflection == wanted)
+    if (has_reflection(bsdf, lobes))
         out.reflect = opaque_reflectance(bsdf, cosine);
     if (lobes == Lobes::followed && bsdf.glass > 0 && bsdf.alpha > 0) {
         const Rgb reflected =
@@ -92,7 +99,7 @@ Scattered refracted(const Interaction& at, const glm::vec3& in)
 }
 
 /// Without what is folded.  beyond: light that passes the surface.
-Scattered unfolded(const Interaction& at, const glm::vec3& in, Lobes lobes, bool beyond)
+Scattered by_one_facet(const Interaction& at, const glm::vec3& in, Lobes lobes, bool beyond)
 {
     const float cosine = glm::dot(in, at.shading_normal);
     if (!((beyond ? -cosine : cosine) > 0))
@@ -100,6 +107,36 @@ Scattered unfolded(const Interaction& at, const glm::vec3& in, Lobes lobes, bool
     if (!beyond)
         return reflected(at, in, lobes);
     return at.solid ? refracted(at, in) : passed(at, in);
+}
+
+/// The lobes have what facets pass to one another.
+bool regains(const Interaction& at, Lobes lobes)
+{
+    return at.bsdf.is_compensated() && has_reflection(at.bsdf, lobes);
+}
+
+/// Chance that a direction is drawn by that, where there is some.
+float regained_chance(const Interaction& at)
+{
+    return max_channel(regained_albedo(at.bsdf, at.cosine)) /
+           (max_channel(reflection_albedo(at.bsdf, at.cosine)) + at.bsdf.glass);
+}
+
+/// As `by_one_facet`, of facets that light may meet one after another.
+Scattered unfolded(const Interaction& at, const glm::vec3& in, Lobes lobes, bool beyond)
+{
+    Scattered out = by_one_facet(at, in, lobes, beyond);
+    if (!regains(at, lobes))
+        return out;
+    const float chance = regained_chance(at);
+    out.density *= 1 - chance;
+    const float cosine = glm::dot(in, at.shading_normal);
+    if (beyond || !(cosine > 0))
+        return out;
+    out.value += regained_lobe(at.bsdf, cosine, at.cosine) *
+                 (cosine * through_layers(at.bsdf, cosine, at.cosine));
+    out.density += chance * cosine / kPi;
+    return out;
 }
 
 } // namespace
@@ -118,7 +155,9 @@ Scattered scattered_by_facets(const Interaction& at, const glm::vec3& in, Lobes 
     return out;
 }
 
-ScatterSample sample_own_facets(const Interaction& at, Lobes lobes, RandomSequence& random)
+namespace {
+
+ScatterSample sample_one_facet(const Interaction& at, Lobes lobes, RandomSequence& random)
 {
     const glm::vec2 u = random.next2();
     const glm::vec3 half = draw_facet(at.bsdf, at.shading_normal, at.back, u);
@@ -147,6 +186,33 @@ ScatterSample sample_own_facets(const Interaction& at, Lobes lobes, RandomSequen
                  through_layers(at.bsdf, cosine, at.cosine));
     out.density = scattered_by_facets(at, out.direction, lobes).density;
     return out;
+}
+
+/// By the cosine, or a facet.
+ScatterSample sample_with_regained(const Interaction& at, Lobes lobes, RandomSequence& random)
+{
+    ScatterSample out;
+    if (random.next() < regained_chance(at)) {
+        out.direction = Frame(at.shading_normal).to_world(sample_cosine_hemisphere(random.next2()));
+        if (glm::dot(out.direction, at.normal) < 0)
+            out.direction = mirrored(out.direction, at.normal);
+    } else {
+        out = sample_one_facet(at, lobes, random);
+        if (is_black(out.weight))
+            return out;
+    }
+    const Scattered there = scattered_by_facets(at, out.direction, lobes);
+    out.density = there.density;
+    out.weight = there.density > 0 ? there.value * (out.eta * out.eta / there.density) : Rgb(0);
+    return out;
+}
+
+} // namespace
+
+ScatterSample sample_own_facets(const Interaction& at, Lobes lobes, RandomSequence& random)
+{
+    return regains(at, lobes) ? sample_with_regained(at, lobes, random)
+                              : sample_one_facet(at, lobes, random);
 }
 
 } // namespace hipmap

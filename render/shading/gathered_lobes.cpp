@@ -1,5 +1,6 @@
 #include "render/shading/gathered_lobes.h"
 
+#include "render/shading/energy_compensation.h"
 #include "render/shading/facets.h"
 #include "render/shading/sheen.h"
 
@@ -59,9 +60,11 @@ Rgb reflected_by_facets(const Bsdf& bsdf, const glm::vec3& normal, const glm::ve
                         const glm::vec3& out)
 {
     const glm::vec3 half = glm::normalize(in + out);
-    const float spread = facet_spread(bsdf, normal, in, out, half);
-    return opaque_reflectance(bsdf, glm::dot(half, out)) *
-           (spread * through_layers(bsdf, glm::dot(normal, in), glm::dot(normal, out)));
+    const float cos_in = glm::dot(normal, in), cos_out = glm::dot(normal, out);
+    const float passed = through_layers(bsdf, cos_in, cos_out);
+    const Rgb single = opaque_reflectance(bsdf, glm::dot(half, out)) *
+                       (facet_spread(bsdf, normal, in, out, half) * passed);
+    return bsdf.is_compensated() ? single + regained_lobe(bsdf, cos_in, cos_out) * passed : single;
 }
 
 } // namespace hipmap

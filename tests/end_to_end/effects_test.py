@@ -54,6 +54,14 @@ class Effects(ToolsTestCase):
         self.render("--effects", "-caustics", *state)
         self.refuse("render", Tools.scene, self.partition, *SMALL, *state, naming="caustics")
 
+    def test_energy_compensation_is_said_and_part_of_a_state(self):
+        self.assertFalse(self.statistics()["options"]["energy_compensation"])
+        state = ("--state", self.path("state"))
+        asked = self.statistics("--energy-compensation", *state)
+        self.assertTrue(asked["options"]["energy_compensation"])
+        self.refuse("render", Tools.scene, self.partition, *SMALL, "-o", self.path("image.pfm"),
+                    *state, naming="the scene and options it was begun with")
+
     def test_unknown_names_are_refused_with_those_there_are(self):
         self.refuse("render", Tools.scene, self.partition, "--explain", "--effects", "-glow",
                     naming="-NAME or +NAME of indirect, caustics")
