@@ -48,8 +48,8 @@ def add_alpha(glb):
     glb.mesh("Pane", pane, quad((0.1, 0.02, 0.2), (0.6, 0, -0.3), (0, 0.9, 0)))
 
 
-def add_normal_maps(glb):
-    """Domes on a panel and on a ball."""
+def domes(glb):
+    """A normal map of them."""
     def dome(x, y):
         u, v = ((x + 0.5) % 16) / 8 - 1, ((y + 0.5) % 16) / 8 - 1
         inside = u * u + v * v < 0.8
@@ -57,7 +57,12 @@ def add_normal_maps(glb):
         nz = math.sqrt(1 - nx * nx - ny * ny)
         return (byte((nx + 1) / 2), byte((ny + 1) / 2), byte((nz + 1) / 2), 255)
 
-    picture = glb.texture(png(64, 64, dome))
+    return glb.texture(png(64, 64, dome))
+
+
+def add_normal_maps(glb):
+    """Domes on a panel and on a ball."""
+    picture = domes(glb)
     bumpy = glb.material("Bumpy", (0.7, 0.6, 0.45), normalTexture=picture)
     glb.mesh("Panel", bumpy, quad((-0.85, 0.02, -0.1), (0.8, 0, -0.2), (0, 0.9, 0)))
     shiny = glb.material("Shiny bumps", (0.9, 0.75, 0.4), normalTexture=picture,
@@ -107,6 +112,19 @@ def add_clearcoat(glb):
         "KHR_materials_clearcoat": {"clearcoatFactor": 1, "clearcoatRoughnessFactor": 0}})
     glb.mesh("Bare ball", bare, sphere((-0.45, 0.38, 0), 0.38, 40, 20))
     glb.mesh("Coated ball", coated, sphere((0.45, 0.38, 0), 0.38, 40, 20))
+
+
+def add_clearcoat_normal(glb):
+    """A clear coat with domes over even paint, and an even one over paint with domes."""
+    picture = domes(glb)
+    paint = {"metallicFactor": 1, "roughnessFactor": 0.5}
+    for name, x, below, coat in (
+            ("Coat with domes", -0.45, {}, {"clearcoatNormalTexture": picture}),
+            ("Paint with domes", 0.45, {"normalTexture": picture}, {})):
+        lacquer = glb.material(name, (0.6, 0.06, 0.05), base=paint, extensions={
+            "KHR_materials_clearcoat": {"clearcoatFactor": 1, "clearcoatRoughnessFactor": 0,
+                                        **coat}}, **below)
+        glb.mesh(name, lacquer, sphere((x, 0.38, 0), 0.38, 40, 20))
 
 
 def add_anisotropy(glb):
@@ -335,6 +353,7 @@ SCENES = {
     "alpha": (add_alpha, 20),
     "anisotropy": (add_anisotropy, 20),
     "clearcoat": (add_clearcoat, 20),
+    "clearcoat_normal": (add_clearcoat_normal, 20),
     "depth_of_field": (add_depth_of_field, 20),
     "diffuse_transmission": (add_diffuse_transmission, 3),
     "dispersion": (add_dispersion, 8),

@@ -41,8 +41,9 @@ void drop_effects(Scene& scene, const EffectPlan& plan)
         if (!plan.has(Effect::media))
             drop_medium(material);
         if (!plan.has(Effect::normal_maps))
-            std::erase_if(material.textures,
-                          [](const TextureSlot& slot) { return slot.use == TextureUse::normal; });
+            std::erase_if(material.textures, [](const TextureSlot& slot) {
+                return slot.use == TextureUse::normal || slot.use == TextureUse::clearcoat_normal;
+            });
         if (!plan.has(Effect::textures))
             std::erase_if(material.textures,
                           [](const TextureSlot& slot) { return is_rendered(slot.use); });

@@ -154,8 +154,7 @@ Finding find_textures(const SceneFacts& facts)
 
 Finding find_normal_maps(const SceneFacts& facts)
 {
-    const std::string names =
-        names_of(facts, [](const Material& m) { return has_texture(m, TextureUse::normal); });
+    const std::string names = names_of(facts, [](const Material& m) { return tilts(m); });
     if (names.empty())
         return {false, "no material has one", ""};
     return {true, names + " have one", "a read of it where a ray meets them"};

@@ -115,7 +115,7 @@ void go_beyond(const RenderScene& scene, const Interaction& at, Branch& branch)
 void follow_specular(const RenderScene& scene, const Interaction& at, const Branch& from,
                      RandomSequence& random, BranchStack& stack)
 {
-    const SpecularLobes lobes = specular_lobes(at.bsdf, at.cosine, at.front, at.solid);
+    const SpecularLobes lobes = specular_lobes(at.bsdf, at.seen(), at.front, at.solid);
     const float mirror = max_channel(from.weight * lobes.mirror);
     const float transmit = max_channel(from.weight * lobes.transmit);
     if (!(mirror + transmit > 0))

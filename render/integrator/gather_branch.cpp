@@ -54,7 +54,7 @@ GatherBranch scatter(const GatherBranch& from, const Interaction& at, Lobes lobe
 
 void add_mirror_and_glass(const GatherBranch& from, const Interaction& at, Departures& out)
 {
-    const SpecularLobes lobes = specular_lobes(at.bsdf, at.cosine, at.front, at.solid);
+    const SpecularLobes lobes = specular_lobes(at.bsdf, at.seen(), at.front, at.solid);
     if (!is_black(lobes.transmit)) {
         GatherBranch next = after(from);
         next.ray = transmitted_ray(at, lobes.eta);

@@ -99,7 +99,7 @@ bool follow(const Interaction& at, const LobeChances& chances, const SpecularLob
 bool leave(const RenderScene& scene, const Interaction& at, const LightClasses& light,
            RandomSequence& random, Path& path, Rgb& radiance)
 {
-    const SpecularLobes lobes = specular_lobes(at.bsdf, at.cosine, at.front, at.solid);
+    const SpecularLobes lobes = specular_lobes(at.bsdf, at.seen(), at.front, at.solid);
     const LobeChances chances = chances_of(path, at, lobes, light);
     const LobeRays rays{chances.gathered, light.caustic || !path.gathers ? chances.followed : 0};
     if (rays.gathered + rays.followed > 0)

@@ -61,7 +61,7 @@ inline Event choose_event(LightPath& path, const Shares& shares, int lobes, floa
     const float geometric = glm::dot(at.back, at.normal);
     Rgb power = path.power * (at.cosine / geometric);
     if (!directional && !at.bsdf.is_matt())
-        power *= through_coats(at.bsdf, at.cosine);
+        power *= through_coats(at.bsdf, at.seen());
     const BouncedPhoton bounced{
         {at.point.position, power, at.back, at.point.face, at.side}, from, path.last_caustic};
     if (!is_finite(power) || !is_finite(at.point.position)) {
@@ -93,7 +93,8 @@ inline void bounce(LightPath& path)
     path.ray.direction = Frame(-at.shading_normal).to_world(local);
     path.ray.origin = offset_origin(at.point, -at.normal);
     const Rgb incoming = path.power;
-    path.power *= through_coats(at.bsdf, local.z) / (1.0f - at.bsdf.coat_average);
+    path.power *= through_coats(at.bsdf, incidence(at.bsdf, -path.ray.direction, local.z)) /
+                  (1.0f - at.bsdf.coat_average);
     const bool out = glm::dot(path.ray.direction, at.normal) < 0;
     balance.absorbed += glm::dvec3(out ? incoming - path.power : incoming);
     bounce(path);
@@ -109,7 +110,8 @@ inline void bounce(LightPath& path)
     path.ray.origin = offset_origin(at.point, at.normal);
     const Rgb incoming = path.power;
     if (!at.bsdf.is_matt())
-        path.power *= through_coats(at.bsdf, local.z) / (1.0f - at.bsdf.coat_average);
+        path.power *= through_coats(at.bsdf, incidence(at.bsdf, path.ray.direction, local.z)) /
+                      (1.0f - at.bsdf.coat_average);
     path.power *= diffuse_shape(at.bsdf, at.shading_normal, at.back, path.ray.direction);
     const bool out = glm::dot(path.ray.direction, at.normal) > 0;
     balance.absorbed += glm::dvec3(out ? incoming - path.power : incoming);
@@ -136,8 +138,7 @@ inline Event choose_lobe(LightPath& path, const Shares& shares, int lobes, Rando
     return choose_event(path, shares, lobes, random.next());
 }
 
-/// What the lobes of a surface would do with the path.  Those that are spread have no albedo in
-/// closed form: a direction is drawn first, and what goes there is the share.
+/// What the lobes of a surface would do with the path, docs/light_transport.md (10).
 struct LobeSamples {
     ScatterSample gathered, followed, sheen;
     SpecularLobes specular;
@@ -152,7 +153,7 @@ LobeSamples sample_lobes(const Interaction& at, RandomSequence& random)
         out.followed = sample_facets(at, Lobes::followed, random);
     if (at.bsdf.has_sheen())
         out.sheen = sample_sheen(at, random);
-    out.specular = specular_lobes(at.bsdf, at.cosine, at.front, at.solid);
+    out.specular = specular_lobes(at.bsdf, at.seen(), at.front, at.solid);
     return out;
 }
 
@@ -177,13 +178,13 @@ void follow_specular(const Interaction& at, Event event, const LobeSamples& lobe
                                         RandomSequence& random, PowerBalance& balance)
 {
     const LobeSamples lobes = sample_lobes(at, random);
-    const Shares shares{diffuse_albedo(at.bsdf, at.cosine),
+    const Shares shares{diffuse_albedo(at.bsdf, at.seen()),
                         lobes.gathered.weight,
                         lobes.followed.weight,
                         lobes.specular.mirror,
                         lobes.specular.transmit,
                         lobes.sheen.weight,
-                        passed_albedo(at.bsdf, at.cosine)};
+                        passed_albedo(at.bsdf, at.seen())};
     const Event event = choose_lobe(path, shares, kLobes, random, balance);
     if (event == Event::absorb)
         return false;
@@ -213,8 +214,7 @@ void follow_specular(const Interaction& at, Event event, const LobeSamples& lobe
     return goes_on;
 }
 
-/// Brings the path to the next surface, whatever that lets pass, where there are no media but glass
-/// that absorbs; none: it has left the scene.
+/// Brings the path to the next surface, where there are no media; none: it has left the scene.
 std::optional<RayHit> fly(const RenderScene& scene, LightPath& path, TracedPhotons& out)
 {
     const std::optional<RayHit> hit = scene.rays.nearest_face(path.ray);

@@ -59,12 +59,13 @@ float alpha_of(float roughness)
     return roughness > kMirrorRoughness ? roughness * roughness : 0;
 }
 
-/// A stretched reflection is no mirror's: across it is at least so rough.
-constexpr float kLeastStretchedRoughness = 0.03f;
+/// A stretched reflection is no mirror's, nor is that of a coat that may have a normal of its own:
+/// across it is at least so rough.
+constexpr float kLeastSpreadRoughness = 0.03f;
 
 float roughness_of(const MaterialPoint& at)
 {
-    return at.anisotropy > 0 ? std::max(at.roughness, kLeastStretchedRoughness) : at.roughness;
+    return at.anisotropy > 0 ? std::max(at.roughness, kLeastSpreadRoughness) : at.roughness;
 }
 
 /// docs/light_transport.md (31).
@@ -86,13 +87,16 @@ Reflection kind_of(float roughness)
     return is_followed(roughness) ? Reflection::followed : Reflection::gathered;
 }
 
-void add_clearcoat(const MaterialPoint& at, Bsdf& out)
+void add_clearcoat(const Material& material, const MaterialPoint& at, Bsdf& out)
 {
     if (!(at.clearcoat > 0) || at.transmission > 0)
         return;
-    out.clearcoat = kind_of(at.clearcoat_roughness);
+    const float roughness = tilts(material)
+                                ? std::max(at.clearcoat_roughness, kLeastSpreadRoughness)
+                                : at.clearcoat_roughness;
+    out.clearcoat = kind_of(roughness);
     out.clearcoat_share = at.clearcoat;
-    out.clearcoat_alpha = alpha_of(at.clearcoat_roughness);
+    out.clearcoat_alpha = alpha_of(roughness);
 }
 
 void add_sheen(const MaterialPoint& at, Bsdf& out)
@@ -169,7 +173,7 @@ Bsdf make_bsdf(const Material& material, const MaterialPoint& at, DiffuseModel m
     out.glass_reflection = glm::min(at.specular_color, Rgb(1)) * at.specular;
     out.ior = out.alpha > 0 ? std::max(material.ior, kLeastRoughIndex) : material.ior;
     out.dispersion = out.glass > 0 ? material.dispersion : 0;
-    add_clearcoat(at, out);
+    add_clearcoat(material, at, out);
     add_sheen(at, out);
     make_opaque(material, at, out);
     out.only_diffuse = out.glass == 0 && !out.coated && out.reflection == Reflection::none &&
@@ -216,11 +220,11 @@ float clearcoat_albedo(const Bsdf& bsdf, float cosine)
            albedo_of(Rgb(kClearcoatF0), Rgb(1), cosine, bsdf.clearcoat_alpha).x;
 }
 
-float through_clearcoat(const Bsdf& bsdf, float cos_in, float cos_out)
+float through_clearcoat(const Bsdf& bsdf, const Incidence& in, const Incidence& out)
 {
     if (bsdf.clearcoat == Reflection::none)
         return 1;
-    return (1 - clearcoat_albedo(bsdf, cos_in)) * (1 - clearcoat_albedo(bsdf, cos_out));
+    return (1 - clearcoat_albedo(bsdf, in.coat)) * (1 - clearcoat_albedo(bsdf, out.coat));
 }
 
 float past_sheen(const Bsdf& bsdf, float cosine)
@@ -229,10 +233,10 @@ float past_sheen(const Bsdf& bsdf, float cosine)
                             : 1;
 }
 
-float through_layers(const Bsdf& bsdf, float cos_in, float cos_out)
+float through_layers(const Bsdf& bsdf, const Incidence& in, const Incidence& out)
 {
-    const float passed = through_clearcoat(bsdf, cos_in, cos_out);
-    return bsdf.has_sheen() ? passed * past_sheen(bsdf, cos_in) * past_sheen(bsdf, cos_out)
+    const float passed = through_clearcoat(bsdf, in, out);
+    return bsdf.has_sheen() ? passed * past_sheen(bsdf, in.cosine) * past_sheen(bsdf, out.cosine)
                             : passed;
 }
 
@@ -241,14 +245,15 @@ Rgb sheen_share(const Bsdf& bsdf, float cosine)
     return bsdf.has_sheen() ? bsdf.sheen * sheen_albedo(cosine, bsdf.sheen_alpha) : Rgb(0);
 }
 
-Rgb through_coats(const Bsdf& bsdf, float cosine)
+Rgb through_coats(const Bsdf& bsdf, const Incidence& along)
 {
+    const float cosine = along.cosine;
     Rgb passed =
         bsdf.coated ? 1.0f - albedo_of(bsdf.coat_f0, bsdf.coat_f90, cosine, bsdf.alpha) : Rgb(1);
     if (bsdf.has_sheen())
         passed *= past_sheen(bsdf, cosine);
     return bsdf.clearcoat == Reflection::none ? passed
-                                              : passed * (1 - clearcoat_albedo(bsdf, cosine));
+                                              : passed * (1 - clearcoat_albedo(bsdf, along.coat));
 }
 
 Rgb opaque_reflectance(const Bsdf& bsdf, float cosine)
@@ -264,15 +269,18 @@ Rgb reflection_albedo(const Bsdf& bsdf, float cosine)
     return bsdf.is_compensated() ? single + regained_albedo(bsdf, cosine) : single;
 }
 
-SpecularLobes smooth_lobes(const Bsdf& bsdf, float cosine, bool front, bool solid)
+SpecularLobes smooth_lobes(const Bsdf& bsdf, const Incidence& along, bool front, bool solid)
 {
+    const float cosine = along.cosine;
     SpecularLobes out;
     if (bsdf.clearcoat == Reflection::mirror)
         out.mirror = Rgb(clearcoat_albedo(bsdf, cosine));
     if (bsdf.alpha > 0)
         return out;
-    if (bsdf.reflection == Reflection::mirror)
-        out.mirror += opaque_reflectance(bsdf, cosine) * through_layers(bsdf, cosine, cosine);
+    if (bsdf.reflection == Reflection::mirror) {
+        const Incidence image(cosine, 2 * cosine * bsdf.coat_agreement - along.coat);
+        out.mirror += opaque_reflectance(bsdf, cosine) * through_layers(bsdf, along, image);
+    }
     if (bsdf.glass > 0) {
         const float eta = index_beyond(bsdf, front, solid);
         const Rgb reflected = glass_reflectance(bsdf, cosine, eta);

@@ -36,6 +36,15 @@ enum class Reflection : std::uint8_t {
     gathered, ///< spread over facets, photons are stored
 };
 
+/// Cosines of a direction: to the shading normal, and to that of the clear coat, which may be
+/// another.
+struct Incidence {
+    float cosine, coat;
+
+    Incidence(float to_both) : cosine(to_both), coat(to_both) {} // NOLINT: mostly there is one
+    Incidence(float to_surface, float to_coat) : cosine(to_surface), coat(to_coat) {}
+};
+
 /// A material, ready for shading.  docs/light_transport.md (1)-(4).
 /// The base (diffuse) lobe is separable: f(wi, wo) = diffuse / pi * coat_half(wi) * coat_half(wo).
 struct Bsdf {
@@ -56,7 +65,9 @@ struct Bsdf {
     Reflection clearcoat = Reflection::none; ///< what becomes of the reflection of a coat over all
     float clearcoat_share = 0.0f;
     float clearcoat_alpha = 0.0f;
-    Rgb sheen{0.0f}; ///< colour of fibres that stand on all but the clear coat
+    glm::vec3 coat_normal{0.0f}; ///< shading normal of the clear coat, where it has one of its own
+    float coat_agreement = 1.0f; ///< its cosine with that of what is below; 1: it has none
+    Rgb sheen{0.0f};             ///< colour of fibres that stand on all but the clear coat
     float sheen_alpha = 1.0f;
     float glass = 0.0f;         ///< share that is a dielectric that transmits
     Rgb glass_tint{1.0f};       ///< transmitted at each crossing
@@ -94,6 +105,13 @@ struct Bsdf {
     }
 };
 
+/// direction: unit, away from the surface.  cosine: its own to the shading normal.
+inline Incidence incidence(const Bsdf& bsdf, const glm::vec3& direction, float cosine)
+{
+    return bsdf.coat_agreement < 1 ? Incidence(cosine, glm::dot(direction, bsdf.coat_normal))
+                                   : Incidence(cosine);
+}
+
 /// The material at a point.
 Bsdf make_bsdf(const Material& material, const MaterialPoint& at, DiffuseModel model);
 
@@ -115,25 +133,26 @@ inline float diffuse_shape(const Bsdf& bsdf, const glm::vec3& normal, const glm:
 /// The clear coat as a material of its own; there must be one.
 Bsdf clearcoat_alone(const Bsdf& bsdf);
 
-/// The part of light along one direction that the clear coat reflects; 0 without one.
+/// The part of light along one direction that the clear coat reflects; 0 without one.  cosine: to
+/// the coat's normal.
 float clearcoat_albedo(const Bsdf& bsdf, float cosine);
 
-/// What of light that is reflected below the clear coat gets through it both times.  Cosines: to
-/// the shading normal, of both directions.  1 without one.  docs/light_transport.md (24).
-float through_clearcoat(const Bsdf& bsdf, float cos_in, float cos_out);
+/// What of light that is reflected below the clear coat gets through it both times.  1 without one.
+/// docs/light_transport.md (24).
+float through_clearcoat(const Bsdf& bsdf, const Incidence& in, const Incidence& out);
 
 /// What of light along one direction gets past the fibres of a sheen; 1 without one.
 float past_sheen(const Bsdf& bsdf, float cosine);
 
 /// What of light that is reflected below the clear coat and the fibres gets through them both
-/// times.  Cosines: as above.  docs/light_transport.md (24), (28).
-float through_layers(const Bsdf& bsdf, float cos_in, float cos_out);
+/// times.  docs/light_transport.md (24), (28).
+float through_layers(const Bsdf& bsdf, const Incidence& in, const Incidence& out);
 
 /// Share of light along one direction that the fibres scatter, clear coat apart.
 Rgb sheen_share(const Bsdf& bsdf, float cosine);
 
 /// What gets through the coats that there may be, and past fibres.
-Rgb through_coats(const Bsdf& bsdf, float cosine);
+Rgb through_coats(const Bsdf& bsdf, const Incidence& along);
 
 /// What of the light from (or to) a direction gets through the coats; 1 without any.
 /// cosine: of the angle to the shading normal, [0, 1].
@@ -144,17 +163,17 @@ inline Rgb coat_half(const Bsdf& bsdf, float cosine)
 
 /// The part of light along one direction that the diffuse lobe scatters over the whole hemisphere:
 /// the integral of f(wi, wo) cos(wo) over wo.
-inline Rgb diffuse_albedo(const Bsdf& bsdf, float cosine)
+inline Rgb diffuse_albedo(const Bsdf& bsdf, const Incidence& along)
 {
     return bsdf.is_matt() ? bsdf.diffuse
-                          : bsdf.diffuse * through_coats(bsdf, cosine) * (1.0f - bsdf.coat_average);
+                          : bsdf.diffuse * through_coats(bsdf, along) * (1.0f - bsdf.coat_average);
 }
 
 /// The same that comes out on the other side.
-inline Rgb passed_albedo(const Bsdf& bsdf, float cosine)
+inline Rgb passed_albedo(const Bsdf& bsdf, const Incidence& along)
 {
     return bsdf.passes_diffusely()
-               ? bsdf.diffuse_beyond * through_coats(bsdf, cosine) * (1.0f - bsdf.coat_average)
+               ? bsdf.diffuse_beyond * through_coats(bsdf, along) * (1.0f - bsdf.coat_average)
                : Rgb(0);
 }
 
@@ -186,13 +205,14 @@ struct SpecularLobes {
 };
 
 /// The same of a surface that is not matt.
-SpecularLobes smooth_lobes(const Bsdf& bsdf, float cosine, bool front, bool solid);
+SpecularLobes smooth_lobes(const Bsdf& bsdf, const Incidence& along, bool front, bool solid);
 
-/// cosine: as above.  front, solid: as above; a thin wall is crossed straight.  Zero where the
+/// front, solid: as above; a thin wall is crossed straight.  Zero where the
 /// lobes are spread over facets.
-inline SpecularLobes specular_lobes(const Bsdf& bsdf, float cosine, bool front, bool solid)
+inline SpecularLobes specular_lobes(const Bsdf& bsdf, const Incidence& along, bool front,
+                                    bool solid)
 {
-    return bsdf.is_matt() ? SpecularLobes{} : smooth_lobes(bsdf, cosine, front, solid);
+    return bsdf.is_matt() ? SpecularLobes{} : smooth_lobes(bsdf, along, front, solid);
 }
 
 /// The direction beyond a smooth interface; away from the surface on the other side.

@@ -54,7 +54,8 @@ Scattered reflected(const Interaction& at, const glm::vec3& in, Lobes lobes)
     const FacetShares shares = facet_shares(at, lobes, toward);
     const float spread = facet_spread(at.bsdf, at.shading_normal, in, at.back, half) * cosine;
     Scattered out;
-    out.value = shares.reflect * (spread * through_layers(at.bsdf, cosine, at.cosine));
+    out.value = shares.reflect *
+                (spread * through_layers(at.bsdf, incidence(at.bsdf, in, cosine), at.seen()));
     out.density = shares.reflect_chance() *
                   visible_density(at.bsdf, at.shading_normal, at.back, half) / (4 * toward);
     return out;
@@ -134,7 +135,7 @@ Scattered unfolded(const Interaction& at, const glm::vec3& in, Lobes lobes, bool
     if (beyond || !(cosine > 0))
         return out;
     out.value += regained_lobe(at.bsdf, cosine, at.cosine) *
-                 (cosine * through_layers(at.bsdf, cosine, at.cosine));
+                 (cosine * through_layers(at.bsdf, incidence(at.bsdf, in, cosine), at.seen()));
     out.density += chance * cosine / kPi;
     return out;
 }
@@ -183,7 +184,7 @@ ScatterSample sample_one_facet(const Interaction& at, Lobes lobes, RandomSequenc
     const Rgb share = out.transmitted ? shares.transmit / (1 - chance) : shares.reflect / chance;
     out.weight =
         share * (facet_shadowing(at.bsdf, at.shading_normal, toward, cosine, at.back, at.cosine) *
-                 through_layers(at.bsdf, cosine, at.cosine));
+                 through_layers(at.bsdf, incidence(at.bsdf, toward, cosine), at.seen()));
     out.density = scattered_by_facets(at, out.direction, lobes).density;
     return out;
 }

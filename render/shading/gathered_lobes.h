@@ -33,7 +33,8 @@ class GatheredLobes {
     /// Of the diffuse lobe alone.  cosine: of `in` to the shading normal, above zero.
     Rgb diffuse(const glm::vec3& in, float cosine) const
     {
-        const Rgb base = bsdf_.is_matt() ? base_ : base_ * through_coats(bsdf_, cosine);
+        const Rgb base =
+            bsdf_.is_matt() ? base_ : base_ * through_coats(bsdf_, incidence(bsdf_, in, cosine));
         return base * diffuse_shape(bsdf_, normal_, in, out_);
     }
 
@@ -53,8 +54,8 @@ class GatheredLobes {
     /// Of all that there is.
     Rgb of_all(const glm::vec3& in, float cosine) const;
 
-    /// Of the facets of one reflection, with what is folded.
-    Rgb facets(const Bsdf& bsdf, const glm::vec3& in, float cosine) const;
+    /// Of the facets of one reflection about its normal, with what is folded.
+    Rgb facets(const Bsdf& bsdf, const glm::vec3& normal, const glm::vec3& in, float cosine) const;
 
     const Bsdf& bsdf_;
     glm::vec3 normal_, geometric_, out_;

@@ -18,11 +18,11 @@ GatheredChances gathered_chances(const Interaction& at)
     if (at.bsdf.reflection == Reflection::gathered)
         out.facets = max_channel(reflection_albedo(at.bsdf, at.cosine));
     out.sheen = max_channel(sheen_share(at.bsdf, at.cosine));
-    out.beyond = max_channel(passed_albedo(at.bsdf, at.cosine));
+    out.beyond = max_channel(passed_albedo(at.bsdf, at.seen()));
     const float others = out.facets + out.sheen + out.beyond;
     if (!(others > 0))
         return {};
-    const float sum = others + max_channel(diffuse_albedo(at.bsdf, at.cosine));
+    const float sum = others + max_channel(diffuse_albedo(at.bsdf, at.seen()));
     return {out.facets / sum, out.sheen / sum, out.beyond / sum};
 }
 

@@ -21,6 +21,18 @@ void tilt(const RenderScene& scene, const RayHit& hit, float sign, Interaction& 
     at.cosine = cosine;
 }
 
+/// The clear coat has its own map or none, whatever the surface below has.  smooth: the shading
+/// normal before that was tilted.
+void tilt_coat(const RenderScene& scene, const RayHit& hit, float sign, const glm::vec3& smooth,
+               Interaction& at)
+{
+    const glm::vec3 tilted =
+        sign * mapped_normal(scene.scene, at.point, hit.barycentric, TextureUse::clearcoat_normal);
+    at.bsdf.coat_normal = glm::dot(at.back, tilted) > 0 ? tilted : smooth;
+    if (at.bsdf.coat_normal != at.shading_normal)
+        at.bsdf.coat_agreement = std::min(1.0f, glm::dot(at.bsdf.coat_normal, at.shading_normal));
+}
+
 /// Facets stay alike all round where nothing says along what they are stretched.
 void stretch(const RenderScene& scene, const RayHit& hit, Interaction& at)
 {
@@ -43,8 +55,12 @@ void add_details(const RenderScene& scene, const RayHit& hit, MaterialId materia
                             scene.scene.diffuse_model);
     if (scene.coverage)
         at.coverage = scene.coverage(hit.face, hit.barycentric);
-    if (scene.bumpy[material] != 0)
+    if (scene.bumpy[material] != 0) {
+        const glm::vec3 smooth = at.shading_normal;
         tilt(scene, hit, sign, at);
+        if (at.bsdf.clearcoat != Reflection::none)
+            tilt_coat(scene, hit, sign, smooth, at);
+    }
     if (at.bsdf.is_stretched())
         stretch(scene, hit, at);
 }

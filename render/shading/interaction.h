@@ -23,6 +23,8 @@ struct Interaction {
     const PhaseFunction* phase = nullptr; ///< of a medium; null: at a surface.  Borrowed
     const Interiors* inside = nullptr;    ///< what the ray came through; null: there are no media
 
+    /// Of `back`.
+    Incidence seen() const { return incidence(bsdf, back, cosine); }
     bool in_media() const { return !kMattOnly && inside != nullptr; }
 };
 

@@ -5,12 +5,13 @@
 
 namespace hipmap {
 
-glm::vec3 mapped_normal(const Scene& scene, const SurfacePoint& point, const glm::vec2& barycentric)
+glm::vec3 mapped_normal(const Scene& scene, const SurfacePoint& point, const glm::vec2& barycentric,
+                        TextureUse use)
 {
     const TriangleMesh& mesh = scene.mesh;
     const glm::vec3& normal = point.shading_normal;
     const Material& material = scene.materials[mesh.material_of_face[point.face]];
-    const TextureSlot* slot = find_texture(material.textures, TextureUse::normal);
+    const TextureSlot* slot = find_texture(material.textures, use);
     if (slot == nullptr || mesh.attributes.uv[slot->uv_set].empty())
         return normal;
     const std::optional<PictureAxes> axes = picture_axes(mesh, *slot, point, barycentric);

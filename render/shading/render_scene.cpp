@@ -17,7 +17,7 @@ RenderScene::RenderScene(const Scene& from_scene, const Partition& from_partitio
 {
     lights.sky = std::move(sky);
     for (const Material& material : scene.materials)
-        bumpy.push_back(find_texture(material.textures, TextureUse::normal) != nullptr);
+        bumpy.push_back(tilts(material));
     for (std::size_t m = 0; m < scene.materials.size(); ++m)
         plain.push_back(varying[m] == 0 && bumpy[m] == 0 && !bsdfs[m].is_stretched() && !coverage);
     all_plain = std::all_of(plain.begin(), plain.end(), [](std::uint8_t is) { return is != 0; });

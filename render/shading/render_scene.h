@@ -21,7 +21,7 @@ struct RenderScene {
     std::vector<Bsdf> bsdfs; ///< [M] by the materials' factors
     std::vector<std::uint8_t>
         varying;                     ///< [M] 1: textures or vertices' colours multiply the factors
-    std::vector<std::uint8_t> bumpy; ///< [M] 1: a texture tilts the shading normal
+    std::vector<std::uint8_t> bumpy; ///< [M] 1: a texture tilts a shading normal
     std::vector<std::uint8_t> plain; ///< [M] 1: neither, unstretched, and faces stop all light
     bool all_plain = false;          ///< all materials are
     LightSet lights;

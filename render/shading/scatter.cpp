@@ -13,18 +13,34 @@ Interaction clearcoat_of(const Interaction& at)
 {
     Interaction out = at;
     out.bsdf = clearcoat_alone(at.bsdf);
+    if (at.bsdf.coat_agreement < 1) {
+        out.shading_normal = at.bsdf.coat_normal;
+        out.cosine = glm::dot(at.back, at.bsdf.coat_normal);
+    }
     return out;
+}
+
+/// What a particle that the coat scatters carries of (9) by its own normal, over that by the
+/// surface's.
+float coat_correction(const Interaction& at, const glm::vec3& towards)
+{
+    const auto ratio = [&](const glm::vec3& normal) {
+        const float out = std::abs(glm::dot(towards, normal));
+        return out > 0 ? std::abs(glm::dot(at.back, normal)) / out : 0.0f;
+    };
+    const float by_surface = ratio(at.shading_normal);
+    return by_surface > 0 ? ratio(at.bsdf.coat_normal) / by_surface : 0.0f;
 }
 
 /// Share of light that the lobes scatter below the clear coat; of their facets alone if `facets`.
 Rgb share_below_clearcoat(const Interaction& at, Lobes lobes, bool facets)
 {
     const Bsdf& bsdf = at.bsdf;
-    const float passed = 1 - clearcoat_albedo(bsdf, at.cosine);
+    const float passed = 1 - clearcoat_albedo(bsdf, at.seen().coat);
     Rgb share(0.0f);
     if (lobes == Lobes::gathered) {
         if (!facets)
-            share = diffuse_albedo(bsdf, at.cosine) + passed_albedo(bsdf, at.cosine) +
+            share = diffuse_albedo(bsdf, at.seen()) + passed_albedo(bsdf, at.seen()) +
                     passed * sheen_share(bsdf, at.cosine);
         if (bsdf.reflection == Reflection::gathered)
             share += passed * past_sheen(bsdf, at.cosine) * reflection_albedo(bsdf, at.cosine);
@@ -52,7 +68,7 @@ float clearcoat_chance(const Interaction& at, Lobes lobes, bool facets)
 {
     if (!has_clearcoat(at, lobes))
         return 0;
-    const float coat = clearcoat_albedo(at.bsdf, at.cosine);
+    const float coat = clearcoat_albedo(at.bsdf, at.seen().coat);
     return coat / (coat + max_channel(share_below_clearcoat(at, lobes, facets)));
 }
 
@@ -164,6 +180,8 @@ ScatterSample sample_facets(const Interaction& at, Lobes lobes, RandomSequence& 
     const bool coat = random.next() < chance;
     ScatterSample out = sample_own_facets(coat ? clearcoat_of(at) : at, lobes, random);
     out.weight /= coat ? chance : 1 - chance;
+    if (coat && at.bsdf.coat_agreement < 1)
+        out.weight *= coat_correction(at, out.direction);
     return out;
 }
 
@@ -179,7 +197,7 @@ Rgb scattered_share(const Interaction& at, Lobes lobes)
     if (at.bsdf.is_matt())
         return lobes == Lobes::gathered ? at.bsdf.diffuse : Rgb(0);
     const Rgb share = share_below_clearcoat(at, lobes, false);
-    return has_clearcoat(at, lobes) ? share + clearcoat_albedo(at.bsdf, at.cosine) : share;
+    return has_clearcoat(at, lobes) ? share + clearcoat_albedo(at.bsdf, at.seen().coat) : share;
 }
 
 Ray scattered_ray(const Interaction& at, const ScatterSample& sample)

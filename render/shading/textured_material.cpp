@@ -102,6 +102,13 @@ bool varies(const Material& material)
                        [](const TextureSlot& slot) { return is_rendered(slot.use); });
 }
 
+bool tilts(const Material& material)
+{
+    return find_texture(material.textures, TextureUse::normal) != nullptr ||
+           (material.clearcoat > 0 && material.transmission == 0 &&
+            find_texture(material.textures, TextureUse::clearcoat_normal) != nullptr);
+}
+
 std::vector<std::uint8_t> varying_materials(const Scene& scene)
 {
     std::vector<std::uint8_t> out;

@@ -47,7 +47,10 @@ bool is_rendered(TextureUse use);
 /// Whether textures make a material differ from point to point in what a MaterialPoint holds.
 bool varies(const Material& material);
 
-/// [M] 1: textures do, or colours of vertices of some face that wears it.  O(F + M).
+/// Whether textures tilt the normal of a material or that of the clear coat that it has.
+bool tilts(const Material& material);
+
+/// [M] 1: it varies by textures, or colours of vertices of some face that wears it.  O(F + M).
 std::vector<std::uint8_t> varying_materials(const Scene& scene);
 
 /// The factors times textures and the vertices' colours at a point of a face.

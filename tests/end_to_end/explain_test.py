@@ -57,7 +57,8 @@ BY_MATERIAL = {
     "refraction": lambda m: m["solid"],
     "absorption": lambda m: m["solid"] and m["absorbs"],
     "dispersion": lambda m: m["solid"] and m["dispersion"] > 0,
-    "normal-maps": lambda m: "normalTexture" in m["textures"],
+    "normal-maps": lambda m: "normalTexture" in m["textures"] or (
+        "clearcoatNormalTexture" in m["textures"] and m["coat"] > 0 and not m["glass"]),
     "alpha": see_through,
     "clearcoat": lambda m: m["coat"] > 0 and not m["glass"],
     "sheen": lambda m: m["sheen"],

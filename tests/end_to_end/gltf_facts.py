@@ -163,7 +163,9 @@ class GltfFacts:
             "alpha": base.get("baseColorFactor", [1] * 4)[3],
             "cutoff": written.get("alphaCutoff", 0.5),
             "coat": number("clearcoat", "clearcoatFactor", 0),
-            "coat_roughness": number("clearcoat", "clearcoatRoughnessFactor", 0),
+            "coat_roughness": max(
+                number("clearcoat", "clearcoatRoughnessFactor", 0),
+                0.03 if textures & {"normalTexture", "clearcoatNormalTexture"} else 0),
             "sheen": any(number("sheen", "sheenColorFactor", [0])) and transmission == 0 and not unlit,
             "through": transmission == 0 and metallic < 1 and not unlit and
                        number("diffuse_transmission", "diffuseTransmissionFactor", 0) > 0 and

@@ -1,0 +1,213 @@
+#include "tests/support/drawn_directions.h"
+#include "tests/support/statistics.h"
+#include "tests/support/tiny_scenes.h"
+
+#include <catch2/catch.hpp>
+
+using namespace hipmap;
+
+namespace {
+
+const glm::vec3 kCoatNormal = glm::normalize(glm::vec3(0.25f, 0.1f, 1));
+const glm::vec3 kBacks[] = {{0.1f, 0, 1}, {0.7f, -0.4f, 0.6f}, {-0.4f, 0.3f, 1}};
+
+Material lacquered(Material material, float roughness, float coat_roughness)
+{
+    material.roughness = roughness;
+    material.clearcoat = 0.9f;
+    material.clearcoat_roughness = coat_roughness;
+    return material;
+}
+
+/// Matt, coated and metal, below coats that are followed and gathered.
+std::vector<Material> lacquers()
+{
+    Material plastic = tiny::matt({0.8f, 0.5f, 0.2f});
+    plastic.specular = 1;
+    const Material gold = tiny::mirror({1, 0.8f, 0.3f}), matt = tiny::matt({0.8f, 0.5f, 0.2f});
+    return {lacquered(matt, 1, 0.2f),       lacquered(plastic, 0.6f, 0.2f),
+            lacquered(gold, 0.25f, 0.2f),   lacquered(gold, 0.6f, 0.2f),
+            lacquered(plastic, 0.6f, 0.5f), lacquered(gold, 0.25f, 0.5f)};
+}
+
+/// A flat surface of which the coat alone is tilted.
+Interaction below_tilted_coat(const Material& material, const glm::vec3& back)
+{
+    Interaction at = tiny::lit_surface(material, back);
+    at.bsdf.coat_normal = kCoatNormal;
+    at.bsdf.coat_agreement = kCoatNormal.z;
+    return at;
+}
+
+/// The unit square with a picture of one pixel for it all, tilted to the right by 0.6.
+Scene lacquered_quad(std::initializer_list<TextureUse> uses)
+{
+    Scene scene = tiny::make_scene(tiny::quad());
+    scene.mesh.attributes.uv[0] = {{0, 1}, {1, 1}, {1, 0}, {0, 0}}; // v runs down
+    scene.images.push_back({"bumps", 1, 1, {204, 128, 230, 255}});
+    scene.materials[0] = lacquered(tiny::matt(Rgb(0.5f)), 1, 0);
+    for (const TextureUse use : uses) {
+        TextureSlot slot;
+        slot.use = use;
+        scene.materials[0].textures.push_back(slot);
+    }
+    return scene;
+}
+
+Interaction met(const Scene& scene, float side)
+{
+    const auto ready = tiny::ready(scene);
+    Ray ray;
+    ray.origin = {0.6f, 0.3f, side};
+    ray.direction = {0, 0, -side};
+    const std::optional<RayHit> hit = ready->render->rays.nearest(ray);
+    REQUIRE(hit);
+    return interact(*ready->render, ray, *hit);
+}
+
+bool is_close(const glm::vec3& a, const glm::vec3& b)
+{
+    return glm::distance(a, b) < 0.01f;
+}
+
+} // namespace
+
+TEST_CASE("coat normal: the coat has its own map or none, and so has what is below", "[shading]")
+{
+    for (const float side : {1.0f, -1.0f}) {
+        const glm::vec3 flat(0, 0, side), tilted = side * glm::vec3(0.6f, 0, 0.8f);
+        Interaction at = met(lacquered_quad({TextureUse::clearcoat_normal}), side);
+        CHECK(at.shading_normal == flat);
+        CHECK(is_close(at.bsdf.coat_normal, tilted));
+        CHECK(at.bsdf.coat_agreement == Approx(0.8f).margin(0.01));
+        CHECK(at.seen().coat == Approx(0.8f).margin(0.01));
+        at = met(lacquered_quad({TextureUse::normal}), side);
+        CHECK(is_close(at.shading_normal, tilted));
+        CHECK(at.bsdf.coat_normal == flat);
+        CHECK(at.seen().coat == Approx(1));
+        at = met(lacquered_quad({TextureUse::normal, TextureUse::clearcoat_normal}), side);
+        CHECK(is_close(at.shading_normal, tilted));
+        CHECK(at.bsdf.coat_agreement == 1);
+        CHECK(at.seen().coat == at.cosine);
+    }
+}
+
+TEST_CASE("coat normal: a coat that may be tilted is followed, an even one a mirror", "[shading]")
+{
+    CHECK(met(lacquered_quad({}), 1).bsdf.clearcoat == Reflection::mirror);
+    CHECK(met(lacquered_quad({TextureUse::clearcoat_normal}), 1).bsdf.clearcoat ==
+          Reflection::followed);
+    Scene bare = lacquered_quad({TextureUse::clearcoat_normal});
+    bare.materials[0].clearcoat = 0;
+    CHECK(tiny::ready(bare)->render->bumpy[0] == 0);
+}
+
+TEST_CASE("coat normal: the coat reflects about its own normal", "[shading]")
+{
+    for (const glm::vec3& back : kBacks) {
+        const Interaction at = below_tilted_coat(lacquered(tiny::matt(Rgb(0.5f)), 1, 0.03f), back);
+        const glm::vec3 expected = reflect(at.back, kCoatNormal);
+        if (expected.z < 0.1f)
+            continue;
+        int near = 0;
+        for (std::uint64_t i = 0; i < 200; ++i) {
+            RandomSequence random(2, RandomStream::pictures, 0, i);
+            near += glm::dot(sample_scatter(at, Lobes::followed, random).direction, expected) >
+                    std::cos(0.03f);
+        }
+        CHECK(near >= 195);
+    }
+}
+
+TEST_CASE("coat normal: directions are drawn by the density that is said", "[shading]")
+{
+    for (const Material& material : lacquers())
+        for (const Lobes lobes : {Lobes::gathered, Lobes::followed}) {
+            const Interaction at = below_tilted_coat(material, kBacks[1]);
+            if (lobes == Lobes::gathered ? !at.bsdf.gathers() : !at.bsdf.follows())
+                continue;
+            INFO("base " << material.roughness << ", coat " << material.clearcoat_roughness
+                         << ", set " << int(lobes));
+            CHECK(tiny::chi_square_z(at, lobes) < kMostZ);
+        }
+}
+
+TEST_CASE("coat normal: the mean weight is the integral of the lobes", "[shading]")
+{
+    for (const Material& material : lacquers())
+        for (const Lobes lobes : {Lobes::gathered, Lobes::followed}) {
+            const Interaction at = below_tilted_coat(material, kBacks[1]);
+            if (lobes == Lobes::gathered ? !at.bsdf.gathers() : !at.bsdf.follows())
+                continue;
+            double integral = 0;
+            tiny::over_sphere(250, [&](const glm::vec3& in, double solid_angle) {
+                integral += double{scattered(at, in, lobes).value.y} * solid_angle;
+            });
+            RunningMean mean;
+            for (std::uint64_t i = 0; i < 20000; ++i) {
+                RandomSequence random(5, RandomStream::pictures, 0, i);
+                mean.add(sample_scatter(at, lobes, random).weight.y);
+            }
+            INFO("base " << material.roughness << ", coat " << material.clearcoat_roughness
+                         << ", set " << int(lobes));
+            CHECK(std::abs(mean.mean() - integral) < 0.002 + kMostZ * mean.standard_error());
+        }
+}
+
+TEST_CASE("coat normal: light takes the same way back, by the coat and below it", "[shading]")
+{
+    const Material material = lacquered(tiny::matt({0.8f, 0.5f, 0.2f}), 1, 0.28f);
+    for (std::uint64_t i = 0; i < 4000; ++i) {
+        RandomSequence random(11, RandomStream::pictures, 0, i);
+        // High enough that nothing is folded.
+        const glm::vec3 a = direction_from_cosine(0.5f + 0.5f * random.next(), random.next());
+        const glm::vec3 b = direction_from_cosine(0.5f + 0.5f * random.next(), random.next());
+        const Interaction from_a = below_tilted_coat(material, a),
+                          from_b = below_tilted_coat(material, b);
+        CHECK(scattered(from_a, b, Lobes::gathered).value.x / b.z ==
+              Approx(scattered(from_b, a, Lobes::gathered).value.x / a.z).epsilon(2e-3));
+        const float on_a = glm::dot(a, kCoatNormal), on_b = glm::dot(b, kCoatNormal);
+        CHECK(scattered(from_a, b, Lobes::followed).value.x / on_b ==
+              Approx(scattered(from_b, a, Lobes::followed).value.x / on_a)
+                  .epsilon(2e-3)
+                  .margin(1e-5));
+    }
+}
+
+TEST_CASE("coat normal: no surface sends on more than all", "[shading]")
+{
+    Material plastic = tiny::matt(Rgb(1));
+    plastic.specular = 1;
+    for (const Material& base : {tiny::matt(Rgb(1)), plastic, tiny::mirror(Rgb(1))})
+        for (const float coat : {0.2f, 0.6f})
+            for (const float height : {0.05f, 0.2f, 0.5f, 1.0f})
+                for (const float toward : {1.0f, -0.2f}) {
+                    const Interaction at =
+                        below_tilted_coat(lacquered(base, 0.4f, coat), {toward, 0.1f, height});
+                    if (!(at.seen().coat > 0))
+                        continue;
+                    RunningMean sent; // drawn: no grid resolves a coat at grazing angles
+                    for (std::uint64_t i = 0; i < 4000; ++i) {
+                        RandomSequence random(5, RandomStream::pictures, 0, i);
+                        sent.add(sample_scatter(at, Lobes::gathered, random).weight.x +
+                                 (at.bsdf.follows()
+                                      ? sample_scatter(at, Lobes::followed, random).weight.x
+                                      : 0));
+                    }
+                    INFO("coat " << coat << ", height " << at.back.z << ", towards " << toward);
+                    CHECK(sent.mean() <= 1.008 + kMostZ * sent.standard_error()); // the table
+                    CHECK(sent.mean() > 0.5);
+                    CHECK(sent.standard_error() < 0.02);
+                }
+}
+
+TEST_CASE("coat normal: a mirror below a tilted coat loses as much both ways", "[shading]")
+{
+    const Material chrome = lacquered(tiny::mirror(Rgb(1)), 0, 0.2f);
+    const Interaction there = below_tilted_coat(chrome, kBacks[1]);
+    const Interaction back = below_tilted_coat(chrome, reflect(there.back, there.normal));
+    const Rgb sent = specular_lobes(there.bsdf, there.seen(), true, true).mirror;
+    CHECK(sent.x == Approx(specular_lobes(back.bsdf, back.seen(), true, true).mirror.x));
+    CHECK(sent.x == Approx((1 - clearcoat_albedo(there.bsdf, there.seen().coat)) *
+                           (1 - clearcoat_albedo(back.bsdf, back.seen().coat))));
+}
