@@ -23,7 +23,7 @@ void write_exr_with_error(const std::filesystem::path& path, const Image& image,
         write_exr(path, image, {});
         return;
     }
-    const ErrorLayers layers = error_layers(film, checks.back().error.order);
+    const ErrorLayers layers = error_layers(film);
     std::vector<Layer> named = {{"noise", &layers.noise}, {"error", &layers.error}};
     if (!layers.bias.pixels.empty())
         named.push_back({"bias", &layers.bias});
@@ -70,7 +70,7 @@ std::optional<LegendedPicture> write_error_image(const std::filesystem::path& pa
         report.warn(path.string() + ": not written; the error is known from two passes on");
         return std::nullopt;
     }
-    const std::vector<double> errors = relative_errors(film, checks.back().error.order);
+    const std::vector<double> errors = relative_errors(film);
     const LegendedPicture written =
         write_with_legend(path, error_picture(film.width, film.height, errors), legend_of_errors());
     report.line("wrote " + path.string());

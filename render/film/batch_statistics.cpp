@@ -138,8 +138,8 @@ BiasSquare bias_square(const BatchProducts& products)
         std::sqrt(2 * std::sqrt(rest.square * spread.square) / pairs_of(batches) +
                   std::max(first, 0.0) * rest.along() / batches.all);
     const double off = first > 0 ? kZ * ratio_deviation / first : kInfinity;
-    out.value = square_by(products, out.ratio).value;
-    const RatedSquare low = square_by(products, std::max(out.ratio - off, kLeast));
+    out.value = square_by(products, (out.ratio + kLeast) / 2).value;
+    const RatedSquare low = square_by(products, kLeast);
     const RatedSquare high = square_by(products, std::min(out.ratio + off, kMost));
     out.interval = {low.value - kZ * low.deviation,
                     std::max(high.value, 0.0) + kZ * high.deviation};

@@ -27,10 +27,10 @@ double dark_square(const Image& image)
 
 } // namespace
 
-std::vector<double> relative_errors(const Film& film, double order)
+std::vector<double> relative_errors(const Film& film)
 {
     const Image image = film_image(film);
-    const Image error = error_layers(film, order).error;
+    const Image error = error_layers(film).error;
     const double dark = dark_square(image);
     std::vector<double> out(image.pixels.size());
     for (std::size_t i = 0; i < out.size(); ++i) {

@@ -76,14 +76,13 @@ std::optional<ImageError> estimate_error(const Film& film)
     return out;
 }
 
-ErrorLayers error_layers(const Film& film, double order)
+ErrorLayers error_layers(const Film& film)
 {
     const ChannelReader reader(film);
     ErrorLayers out{Image(film.width, film.height), {}, Image(film.width, film.height)};
     const bool biased = film.bias == BiasKnowledge::from_radii;
     if (biased)
         out.bias = Image(film.width, film.height);
-    const double factor = biased ? 1 / (1 - std::pow(kNarrowing, order)) : 0;
     const Batches& batches = reader.narrow();
     for (std::size_t i = 0; i < film.pixel_count(); ++i)
         for (std::size_t channel = 0; channel < 3; ++channel) {
@@ -92,7 +91,7 @@ ErrorLayers error_layers(const Film& film, double order)
             double mean = 0, same = 0;
             for (std::size_t j = 0; j < batches.batch.size(); ++j) {
                 const double passes = batches.passes[j];
-                const double bias = found.first[j] + factor * found.second[j];
+                const double bias = found.first[j] + kSmoothRest * found.second[j];
                 mean += passes * bias / batches.all;
                 same += square_of(passes * bias);
             }

@@ -31,7 +31,6 @@ struct ErrorLayers {
                  ///< halves multiplied and nothing below zero
 };
 
-/// order: of the bias, from estimate_error.
-ErrorLayers error_layers(const Film& film, double order);
+ErrorLayers error_layers(const Film& film);
 
 } // namespace hipmap

@@ -36,7 +36,7 @@ TEST_CASE("error picture: the mean square of pixels is that of the image", "[fil
     passes.pixel_noise = passes.photon_noise = 1e-3; // the weights' own noise is of second order
     passes.radii = false;
     const Film film = film_of(passes, 16);
-    const std::vector<double> errors = relative_errors(film, 0);
+    const std::vector<double> errors = relative_errors(film);
     CHECK(mean_square(errors) == Approx(estimate_error(film)->noise2).epsilon(1e-3));
 
     passes.radii = true;
@@ -46,8 +46,7 @@ TEST_CASE("error picture: the mean square of pixels is that of the image", "[fil
     const ImageError whole = estimate_error(biased).value();
     CHECK(whole.bias2 > 100 * whole.noise2);
     // The image's bias is weighed by means without bias, its pixels' by their means.
-    CHECK(mean_square(relative_errors(biased, whole.order)) ==
-          Approx(whole.error * whole.error).epsilon(0.1));
+    CHECK(mean_square(relative_errors(biased)) == Approx(whole.error * whole.error).epsilon(0.1));
 }
 
 TEST_CASE("error picture: what is black has no error, and what no batch agrees on has much",
@@ -57,10 +56,10 @@ TEST_CASE("error picture: what is black has no error, and what no batch agrees o
     Film film = make_film(2, 1, 1, BiasKnowledge::unbiased);
     for (std::uint64_t pass = 0; pass < 8; ++pass)
         add_pass(film, pass, black);
-    CHECK(relative_errors(film, 0) == std::vector<double>{0, 0});
+    CHECK(relative_errors(film) == std::vector<double>{0, 0});
     black.radiance.pixels[1] = Rgb(1);
     add_pass(film, 8, black);
-    const std::vector<double> errors = relative_errors(film, 0);
+    const std::vector<double> errors = relative_errors(film);
     CHECK(errors[0] == 0);
     CHECK(errors[1] > 0.5);
 }
