@@ -3,6 +3,8 @@
 #include "common/math/sampling.h"
 #include "render/shading/scatter.h"
 
+#include <vector>
+
 namespace hipmap::tiny {
 
 /// A point of a flat surface of the material, seen from `back`: in front of it if back.z > 0.
@@ -42,6 +44,44 @@ void over_sphere(int rows, Each&& each)
         for (int j = 0; j < columns; ++j)
             each(direction_from_cosine(cosine, (j + 0.5f) / columns), solid_angle);
     }
+}
+
+/// All that the gathered and followed lobes send on of light from at.back.
+inline glm::dvec3 sent(const Interaction& at, int rows)
+{
+    glm::dvec3 sum(0.0);
+    over_sphere(rows, [&](const glm::vec3& in, double solid_angle) {
+        sum += glm::dvec3(scattered(at, in, Lobes::gathered).value +
+                          scattered(at, in, Lobes::followed).value) *
+               solid_angle;
+    });
+    return sum;
+}
+
+/// Pairs of directions above surfaces of the materials, by either set of lobes: `each(there, back)`
+/// hears what the lobes scatter one way and the other.
+template <typename Each>
+void there_and_back(const std::vector<Material>& materials, Each&& each)
+{
+    for (std::uint64_t i = 0; i < 4000; ++i) {
+        RandomSequence random(11, RandomStream::pictures, 0, i);
+        const Material& material = materials[i % materials.size()];
+        glm::vec3 a = sample_sphere(random.next2()), b = sample_sphere(random.next2());
+        a.z = std::abs(a.z);
+        b.z = std::abs(b.z);
+        for (const Lobes lobes : {Lobes::gathered, Lobes::followed})
+            each(scattered(lit_surface(material, a), b, lobes).value.x / b.z,
+                 scattered(lit_surface(material, b), a, lobes).value.x / a.z);
+    }
+}
+
+/// Below a clear coat.
+inline Material lacquered(Material material, float roughness, float coat_roughness)
+{
+    material.roughness = roughness;
+    material.clearcoat = 0.9f;
+    material.clearcoat_roughness = coat_roughness;
+    return material;
 }
 
 } // namespace hipmap::tiny

@@ -17,4 +17,23 @@ inline RunningMean means_of(const tiny::ReadyScene& ready, ImageOptions options,
     return out;
 }
 
+/// Means by maps and by paths, and the standard error of their difference.
+struct MapsAndPaths {
+    RunningMean maps, paths;
+    double noise = 0;
+};
+
+/// By `progressive` and `path`, each of so many samples a pixel.
+inline MapsAndPaths by_maps_and_paths(const tiny::ReadyScene& ready, ImageOptions options, int maps,
+                                      int paths)
+{
+    MapsAndPaths out;
+    options.integrator = Integrator::path;
+    out.paths = means_of(ready, options, paths);
+    options.integrator = Integrator::progressive;
+    out.maps = means_of(ready, options, maps);
+    out.noise = std::hypot(out.maps.standard_error(), out.paths.standard_error());
+    return out;
+}
+
 } // namespace hipmap

@@ -37,11 +37,7 @@ TEST_CASE("coat normal: photon maps agree with paths below a tilted coat", "[int
         ImageOptions options;
         options.width = options.height = 16;
         options.photons = 20000;
-        options.integrator = Integrator::path;
-        const RunningMean paths = means_of(*ready, options, 150);
-        options.integrator = Integrator::progressive;
-        const RunningMean maps = means_of(*ready, options, 16);
-        const double noise = std::hypot(maps.standard_error(), paths.standard_error());
+        const auto [maps, paths, noise] = by_maps_and_paths(*ready, options, 16, 150);
         INFO("coat " << coat_roughness << ": maps " << maps.mean() << ", paths " << paths.mean()
                      << ", noise " << noise);
         CHECK(std::abs(maps.mean() - paths.mean()) < 0.01 * paths.mean() + kMostZ * noise);

@@ -48,11 +48,7 @@ TEST_CASE("sheen light: photon maps agree with paths on coloured velvet", "[inte
     ImageOptions options;
     options.width = options.height = 16;
     options.photons = 20000;
-    options.integrator = Integrator::path;
-    const RunningMean paths = means_of(*ready, options, 70);
-    options.integrator = Integrator::progressive;
-    const RunningMean maps = means_of(*ready, options, 8);
-    const double noise = std::hypot(maps.standard_error(), paths.standard_error());
+    const auto [maps, paths, noise] = by_maps_and_paths(*ready, options, 8, 70);
     INFO("maps " << maps.mean() << ", paths " << paths.mean() << ", noise " << noise);
     CHECK(std::abs(maps.mean() - paths.mean()) < 0.01 * paths.mean() + kMostZ * noise);
     CHECK(noise < 0.01 * paths.mean());

@@ -8,14 +8,6 @@ using namespace hipmap;
 
 namespace {
 
-Material lacquered(Material material, float roughness, float coat_roughness)
-{
-    material.roughness = roughness;
-    material.clearcoat = 0.9f;
-    material.clearcoat_roughness = coat_roughness;
-    return material;
-}
-
 /// Coats that are mirrors, followed and gathered, over bases that are matt, and that reflect in
 /// each way.
 std::vector<Material> lacquers()
@@ -23,11 +15,11 @@ std::vector<Material> lacquers()
     Material plastic = tiny::matt({0.8f, 0.5f, 0.2f});
     plastic.specular = 1;
     const Material gold = tiny::mirror({1, 0.8f, 0.3f}), matt = tiny::matt({0.8f, 0.5f, 0.2f});
-    return {lacquered(matt, 1, 0),          lacquered(plastic, 0, 0),
-            lacquered(gold, 0.25f, 0),      lacquered(matt, 1, 0.2f),
-            lacquered(plastic, 0.6f, 0.2f), lacquered(gold, 0.25f, 0.2f),
-            lacquered(gold, 0, 0.5f),       lacquered(plastic, 0.25f, 0.5f),
-            lacquered(plastic, 0.6f, 0.5f), lacquered(gold, 0.6f, 0.5f)};
+    return {tiny::lacquered(matt, 1, 0),          tiny::lacquered(plastic, 0, 0),
+            tiny::lacquered(gold, 0.25f, 0),      tiny::lacquered(matt, 1, 0.2f),
+            tiny::lacquered(plastic, 0.6f, 0.2f), tiny::lacquered(gold, 0.25f, 0.2f),
+            tiny::lacquered(gold, 0, 0.5f),       tiny::lacquered(plastic, 0.25f, 0.5f),
+            tiny::lacquered(plastic, 0.6f, 0.5f), tiny::lacquered(gold, 0.6f, 0.5f)};
 }
 
 const glm::vec3 kBacks[] = {{0.1f, 0, 1}, {0.7f, -0.4f, 0.6f}, {-1, 0.2f, 0.25f}};
@@ -99,19 +91,9 @@ TEST_CASE("clear coat: the mean weight is the integral of the lobes, for photons
 
 TEST_CASE("clear coat: light takes the same way back", "[shading]")
 {
-    const std::vector<Material> materials = lacquers();
-    for (std::uint64_t i = 0; i < 4000; ++i) {
-        RandomSequence random(11, RandomStream::pictures, 0, i);
-        const Material& material = materials[i % materials.size()];
-        glm::vec3 a = sample_sphere(random.next2()), b = sample_sphere(random.next2());
-        a.z = std::abs(a.z);
-        b.z = std::abs(b.z);
-        for (const Lobes lobes : {Lobes::gathered, Lobes::followed}) {
-            const float there = scattered(tiny::lit_surface(material, a), b, lobes).value.x / b.z;
-            const float back = scattered(tiny::lit_surface(material, b), a, lobes).value.x / a.z;
-            CHECK(there == Approx(back).epsilon(2e-3).margin(1e-5));
-        }
-    }
+    tiny::there_and_back(lacquers(), [](float there, float back) {
+        CHECK(there == Approx(back).epsilon(2e-3).margin(1e-5));
+    });
 }
 
 TEST_CASE("clear coat: no surface sends on more than all, a white base beneath absorbs nothing",
@@ -122,23 +104,23 @@ TEST_CASE("clear coat: no surface sends on more than all, a white base beneath a
     for (const float coat : {0.0f, 0.25f, 0.6f})
         for (const glm::vec3& back : kBacks) {
             INFO("coat " << coat << ", height " << back.z);
-            const Material matt = lacquered(tiny::matt(Rgb(1)), 1, coat);
+            const Material matt = tiny::lacquered(tiny::matt(Rgb(1)), 1, coat);
             CHECK(sent(tiny::lit_surface(matt, back), 160) == Approx(1).margin(0.004));
-            const Interaction both = tiny::lit_surface(lacquered(coated, 0.4f, coat), back);
+            const Interaction both = tiny::lit_surface(tiny::lacquered(coated, 0.4f, coat), back);
             CHECK(sent(both, 160) <= 1.005);
             CHECK(sent(both, 160) > 0.97);
-            const Material metal = lacquered(tiny::mirror(Rgb(1)), 0.4f, coat);
+            const Material metal = tiny::lacquered(tiny::mirror(Rgb(1)), 0.4f, coat);
             CHECK(sent(tiny::lit_surface(metal, back), 160) <= 1.005);
         }
 }
 
 TEST_CASE("clear coat: factor 0, and a coat of glass, are none", "[shading]")
 {
-    Material material = lacquered(tiny::matt(Rgb(0.5f)), 1, 0);
+    Material material = tiny::lacquered(tiny::matt(Rgb(0.5f)), 1, 0);
     material.clearcoat = 0;
     CHECK(make_bsdf(material, material_factors(material), DiffuseModel::lambert).clearcoat ==
           Reflection::none);
-    material = lacquered(tiny::glass(1.5f), 0, 0);
+    material = tiny::lacquered(tiny::glass(1.5f), 0, 0);
     CHECK(make_bsdf(material, material_factors(material), DiffuseModel::lambert).clearcoat ==
           Reflection::none);
 }

@@ -11,23 +11,15 @@ namespace {
 const glm::vec3 kCoatNormal = glm::normalize(glm::vec3(0.25f, 0.1f, 1));
 const glm::vec3 kBacks[] = {{0.1f, 0, 1}, {0.7f, -0.4f, 0.6f}, {-0.4f, 0.3f, 1}};
 
-Material lacquered(Material material, float roughness, float coat_roughness)
-{
-    material.roughness = roughness;
-    material.clearcoat = 0.9f;
-    material.clearcoat_roughness = coat_roughness;
-    return material;
-}
-
 /// Matt, coated and metal, below coats that are followed and gathered.
 std::vector<Material> lacquers()
 {
     Material plastic = tiny::matt({0.8f, 0.5f, 0.2f});
     plastic.specular = 1;
     const Material gold = tiny::mirror({1, 0.8f, 0.3f}), matt = tiny::matt({0.8f, 0.5f, 0.2f});
-    return {lacquered(matt, 1, 0.2f),       lacquered(plastic, 0.6f, 0.2f),
-            lacquered(gold, 0.25f, 0.2f),   lacquered(gold, 0.6f, 0.2f),
-            lacquered(plastic, 0.6f, 0.5f), lacquered(gold, 0.25f, 0.5f)};
+    return {tiny::lacquered(matt, 1, 0.2f),       tiny::lacquered(plastic, 0.6f, 0.2f),
+            tiny::lacquered(gold, 0.25f, 0.2f),   tiny::lacquered(gold, 0.6f, 0.2f),
+            tiny::lacquered(plastic, 0.6f, 0.5f), tiny::lacquered(gold, 0.25f, 0.5f)};
 }
 
 /// A flat surface of which the coat alone is tilted.
@@ -45,7 +37,7 @@ Scene lacquered_quad(std::initializer_list<TextureUse> uses)
     Scene scene = tiny::make_scene(tiny::quad());
     scene.mesh.attributes.uv[0] = {{0, 1}, {1, 1}, {1, 0}, {0, 0}}; // v runs down
     scene.images.push_back({"bumps", 1, 1, {204, 128, 230, 255}});
-    scene.materials[0] = lacquered(tiny::matt(Rgb(0.5f)), 1, 0);
+    scene.materials[0] = tiny::lacquered(tiny::matt(Rgb(0.5f)), 1, 0);
     for (const TextureUse use : uses) {
         TextureSlot slot;
         slot.use = use;
@@ -105,7 +97,8 @@ TEST_CASE("coat normal: a coat that may be tilted is followed, an even one a mir
 TEST_CASE("coat normal: the coat reflects about its own normal", "[shading]")
 {
     for (const glm::vec3& back : kBacks) {
-        const Interaction at = below_tilted_coat(lacquered(tiny::matt(Rgb(0.5f)), 1, 0.03f), back);
+        const Interaction at =
+            below_tilted_coat(tiny::lacquered(tiny::matt(Rgb(0.5f)), 1, 0.03f), back);
         const glm::vec3 expected = reflect(at.back, kCoatNormal);
         if (expected.z < 0.1f)
             continue;
@@ -156,7 +149,7 @@ TEST_CASE("coat normal: the mean weight is the integral of the lobes", "[shading
 
 TEST_CASE("coat normal: light takes the same way back, by the coat and below it", "[shading]")
 {
-    const Material material = lacquered(tiny::matt({0.8f, 0.5f, 0.2f}), 1, 0.28f);
+    const Material material = tiny::lacquered(tiny::matt({0.8f, 0.5f, 0.2f}), 1, 0.28f);
     for (std::uint64_t i = 0; i < 4000; ++i) {
         RandomSequence random(11, RandomStream::pictures, 0, i);
         // High enough that nothing is folded.
@@ -182,8 +175,8 @@ TEST_CASE("coat normal: no surface sends on more than all", "[shading]")
         for (const float coat : {0.2f, 0.6f})
             for (const float height : {0.05f, 0.2f, 0.5f, 1.0f})
                 for (const float toward : {1.0f, -0.2f}) {
-                    const Interaction at =
-                        below_tilted_coat(lacquered(base, 0.4f, coat), {toward, 0.1f, height});
+                    const Interaction at = below_tilted_coat(tiny::lacquered(base, 0.4f, coat),
+                                                             {toward, 0.1f, height});
                     if (!(at.seen().coat > 0))
                         continue;
                     RunningMean sent; // drawn: no grid resolves a coat at grazing angles
@@ -203,7 +196,7 @@ TEST_CASE("coat normal: no surface sends on more than all", "[shading]")
 
 TEST_CASE("coat normal: a mirror below a tilted coat loses as much both ways", "[shading]")
 {
-    const Material chrome = lacquered(tiny::mirror(Rgb(1)), 0, 0.2f);
+    const Material chrome = tiny::lacquered(tiny::mirror(Rgb(1)), 0, 0.2f);
     const Interaction there = below_tilted_coat(chrome, kBacks[1]);
     const Interaction back = below_tilted_coat(chrome, reflect(there.back, there.normal));
     const Rgb sent = specular_lobes(there.bsdf, there.seen(), true, true).mirror;

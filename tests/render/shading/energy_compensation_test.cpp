@@ -38,18 +38,6 @@ std::vector<Material> metals()
 
 const glm::vec3 kBacks[] = {{0.1f, 0, 1}, {0.7f, -0.4f, 0.6f}, {-1, 0.2f, 0.25f}};
 
-/// All that the gathered and followed lobes send on of light from at.back.
-glm::dvec3 sent(const Interaction& at, int rows)
-{
-    glm::dvec3 sum(0.0);
-    tiny::over_sphere(rows, [&](const glm::vec3& in, double solid_angle) {
-        sum += glm::dvec3(scattered(at, in, Lobes::gathered).value +
-                          scattered(at, in, Lobes::followed).value) *
-               solid_angle;
-    });
-    return sum;
-}
-
 /// The same by directions drawn, where no grid resolves a lobe.
 RunningMean drawn_albedo(const Interaction& at, std::uint64_t draws)
 {
@@ -90,8 +78,8 @@ TEST_CASE("energy compensation: what is regained is less where more is absorbed 
         const Material gold = compensated(tiny::mirror({1, 0.5f, 0.1f}), roughness);
         Material plain = gold;
         plain.energy_compensation = false;
-        const glm::dvec3 more = sent(tiny::lit_surface(gold, kBacks[1]), 200);
-        const glm::dvec3 before = sent(tiny::lit_surface(plain, kBacks[1]), 200);
+        const glm::dvec3 more = tiny::sent(tiny::lit_surface(gold, kBacks[1]), 200);
+        const glm::dvec3 before = tiny::sent(tiny::lit_surface(plain, kBacks[1]), 200);
         const glm::dvec3 gain = more / before;
         CHECK(more.x == Approx(1).margin(0.004));
         CHECK(gain.x > gain.y);
@@ -173,19 +161,9 @@ TEST_CASE("energy compensation: the mean weight is the integral of the lobes, fo
 
 TEST_CASE("energy compensation: light takes the same way back", "[shading]")
 {
-    const std::vector<Material> materials = metals();
-    for (std::uint64_t i = 0; i < 4000; ++i) {
-        RandomSequence random(11, RandomStream::pictures, 0, i);
-        const Material& material = materials[i % materials.size()];
-        glm::vec3 a = sample_sphere(random.next2()), b = sample_sphere(random.next2());
-        a.z = std::abs(a.z);
-        b.z = std::abs(b.z);
-        for (const Lobes lobes : {Lobes::gathered, Lobes::followed}) {
-            const float there = scattered(tiny::lit_surface(material, a), b, lobes).value.x / b.z;
-            const float back = scattered(tiny::lit_surface(material, b), a, lobes).value.x / a.z;
-            CHECK(there == Approx(back).epsilon(2e-3).margin(1e-5));
-        }
-    }
+    tiny::there_and_back(metals(), [](float there, float back) {
+        CHECK(there == Approx(back).epsilon(2e-3).margin(1e-5));
+    });
 }
 
 TEST_CASE("energy compensation: no surface sends on more than all", "[shading]")

@@ -54,18 +54,6 @@ double lobe_by_the_text(double cos_in, double cos_out, double cos_half, double a
     return spread / ((1 + lambda(cos_in) + lambda(cos_out)) * 4 * cos_in * cos_out);
 }
 
-/// All that the gathered and followed lobes send on of light from at.back.
-glm::dvec3 sent(const Interaction& at, int rows)
-{
-    glm::dvec3 sum(0.0);
-    tiny::over_sphere(rows, [&](const glm::vec3& in, double solid_angle) {
-        sum += glm::dvec3(scattered(at, in, Lobes::gathered).value +
-                          scattered(at, in, Lobes::followed).value) *
-               solid_angle;
-    });
-    return sum;
-}
-
 } // namespace
 
 TEST_CASE("sheen: the lobe is the extension's", "[shading]")
@@ -163,10 +151,10 @@ TEST_CASE("sheen: no surface sends on more than all, a white base beneath absorb
         for (const glm::vec3& back : kBacks) {
             INFO("sheen " << roughness << ", height " << back.z);
             const Material white = velvet(tiny::matt(Rgb(1)), Rgb(1), roughness);
-            CHECK(sent(tiny::lit_surface(white, back), 200).x == Approx(1).margin(0.006));
+            CHECK(tiny::sent(tiny::lit_surface(white, back), 200).x == Approx(1).margin(0.006));
             Material metal = velvet(tiny::mirror(Rgb(1)), {1, 0.5f, 0}, roughness);
             metal.roughness = 0.4f;
-            const glm::dvec3 by_metal = sent(tiny::lit_surface(metal, back), 200);
+            const glm::dvec3 by_metal = tiny::sent(tiny::lit_surface(metal, back), 200);
             CHECK(by_metal.x <= 1.006);
             CHECK(by_metal.z < by_metal.x);
         }
