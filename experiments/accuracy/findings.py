@@ -35,7 +35,8 @@ def reference_noise(results, scene, size):
 
 
 def reference_seconds(results, scene):
-    return sum(results["runs"][f"reference/{scene.name}/{plan.FILTER}/{half}"]["seconds"] for half in (0, 1))
+    return sum(results["runs"][f"reference/{scene.name}/{plan.FILTER}/{half}"]["seconds"]
+               for half in (0, 1))
 
 
 def quickest(found, names, error):

@@ -153,7 +153,7 @@ double ChannelReader::without_bias(const ChannelStatistics& biased) const
     const double sure = sum / size - kPlain * std::sqrt(squares / (size * (size - 1)));
     if (!(sure > 0) || !(biased.mean > 0))
         return biased.mean;
-    return std::max(biased.mean - sure / (1 - kNarrowing * kNarrowing), 0.0);
+    return std::max(biased.mean - kSmoothRest * sure, 0.0);
 }
 
 /// By what the pixels around have, as far as the channel's own noise allows for it.

@@ -6,6 +6,10 @@
 
 namespace hipmap {
 
+/// A bias of order 2 is so many times what a narrowing takes off, and what it leaves so many times
+/// what the next one does, docs/error.md (9).
+inline constexpr double kSmoothRest = 1 / (1 - kNarrowing * kNarrowing);
+
 /// Inner products of the fields of up to kBatches batches with each other.
 class Products {
   public:

@@ -39,10 +39,6 @@ double product_of_means(const Products& products, const Batches& batches);
 /// `z`; docs/error.md (7).  May be infinite.
 double f_quantile(double z, double above, double below);
 
-/// What is left of a bias of order 2 is so many times what the last narrowing took off,
-/// docs/error.md (9).
-inline constexpr double kSmoothRest = 1 / (1 - kNarrowing * kNarrowing);
-
 /// Sum of squares of the bias over the channels.
 struct BiasSquare {
     double value = 0;

@@ -93,8 +93,7 @@ PassImages images_of(const TileGrid& grid, const std::vector<TileSums<images>>& 
             Samples<images> mean = gather_tiles(grid, tiles, x, y, weight);
             for (Rgb& value : mean)
                 value /= weight;
-            if (!(weight > 0) ||
-                !std::ranges::all_of(mean, [](const Rgb& value) { return is_finite(value); }))
+            if (!(weight > 0) || !are_finite(mean))
                 continue;
             out.radiance.at(x, y) = mean[0];
             if constexpr (images == 3) {

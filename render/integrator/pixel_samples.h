@@ -33,6 +33,12 @@ struct PictureJob {
 template <std::size_t images>
 using Samples = std::array<Rgb, images>;
 
+template <std::size_t images>
+bool are_finite(const Samples<images>& samples)
+{
+    return std::ranges::all_of(samples, [](const Rgb& value) { return is_finite(value); });
+}
+
 /// What samples add to the nine pixels around their own, row by row: sums of values times weights,
 /// and of weights.
 template <std::size_t images>
@@ -122,7 +128,7 @@ FilteredSamples<images> sample_pixel(const PictureJob& job, int x, int y, const 
         const PixelRay from = pixel_ray(job, x, y, random);
         const Samples<images> sample =
             trace(from.ray, apart ? SeenLights::left_out : SeenLights::added, random);
-        if (std::ranges::all_of(sample, [](const Rgb& value) { return is_finite(value); }))
+        if (are_finite(sample))
             sums.add(job.options.filter, from.at, sample);
     }
     const auto all = static_cast<float>(samples);
