@@ -49,19 +49,21 @@ def halved(image):
     return width // 2, out
 
 
-def weights(halves):
-    """1/(r² + c) of docs/error.md (3), r the mean of the halves of the reference."""
+def weights(halves, constant=None):
+    """1/(r² + c) of docs/error.md (3), r the mean of the halves of the reference.  constant: c, if
+    another."""
     means = [(a + b) / 2 for a, b in zip(halves[0][1], halves[1][1])]
-    floor2 = (0.1 * sum(means) / len(means)) ** 2
-    return [1 / (mean * mean + floor2) for mean in means]
+    if constant is None:
+        constant = (0.1 * sum(means) / len(means)) ** 2
+    return [1 / (mean * mean + constant) for mean in means]
 
 
-def relative_mse(image, halves):
+def relative_mse(image, halves, constant=None):
     """relMSE of docs/error.md (3) against a reference of two independent halves of one expectation:
     one factor of each square is against each half, so that their noise averages out.  Below zero
     by chance, if the error is small beside that noise."""
     total = sum(w * (x - a) * (x - b) for w, x, a, b in
-                zip(weights(halves), image[1], halves[0][1], halves[1][1]))
+                zip(weights(halves, constant), image[1], halves[0][1], halves[1][1]))
     return total / len(image[1])
 
 
@@ -72,20 +74,20 @@ def noise_of(halves):
     return total / 4 / len(halves[0][1])
 
 
-def mean_curve(runs):
+def mean_curve(runs, column=2):
     """[(seconds, error, its standard error, passes)] of the runs of some seeds, each [(passes,
-    seconds, relMSE)] at the same passes.  Where the mean relMSE is not above zero the reference does
+    seconds, relMSE, ...)] at the same passes, by the relMSE in that column.  Where the mean relMSE is not above zero the reference does
     not tell the error, and there is no point."""
     curve = []
     for points in zip(*runs):
-        squares = [square for _, _, square in points]
+        squares = [point[column] for point in points]
         mean = sum(squares) / len(squares)
         if mean <= 0:
             continue
         spread = math.sqrt(sum((square - mean) ** 2 for square in squares) /
                            (max(1, len(squares) - 1) * len(squares)))
         error = math.sqrt(mean)
-        seconds = sum(seconds for _, seconds, _ in points) / len(points)
+        seconds = sum(point[1] for point in points) / len(points)
         curve.append((seconds, error, spread / (2 * error), points[0][0]))
     return curve
 

@@ -35,7 +35,7 @@ def render(scene, image, samples, size):
 
 
 def run(lab, scene, size, seconds):
-    """[[samples, seconds, relMSE]]: at half the time and at all of it."""
+    """[[samples, seconds, *errors2]]: at half the time and at all of it."""
     points = []
     with tempfile.TemporaryDirectory() as folder:
         image = pathlib.Path(folder, "image.pfm")
@@ -45,5 +45,5 @@ def run(lab, scene, size, seconds):
         last = max(2, round((seconds - few) / each))
         for samples in (last // 2, last):
             spent = render(scene, image, samples, size)
-            points.append([samples, spent, lab.error2(scene, plan.CYCLES, size, image)])
+            points.append([samples, spent, *lab.errors2(scene, plan.CYCLES, size, image)])
     return points

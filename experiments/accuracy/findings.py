@@ -7,14 +7,14 @@ import plan
 
 
 def runs(results, kind, scene, setting):
-    """Of all seeds: [[[passes, seconds, relMSE]]]."""
+    """Of all seeds: [[[passes, seconds, relMSE, that with plan.MARKS_CONSTANT]]]."""
     begin = f"{kind}/{scene.name}/{setting.name}/"
     return [run for key, run in results["runs"].items() if key.startswith(begin)]
 
 
-def curve(results, kind, scene, setting):
-    """[(seconds, error, its standard error, passes)]"""
-    return arithmetic.mean_curve(runs(results, kind, scene, setting))
+def curve(results, kind, scene, setting, column=2):
+    """[(seconds, error, its standard error, passes)], the error by that column of the runs."""
+    return arithmetic.mean_curve(runs(results, kind, scene, setting), column)
 
 
 def curves(results, scene):

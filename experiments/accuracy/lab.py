@@ -76,16 +76,18 @@ class Lab:
         found = [arithmetic.read_pfm(self.half(scene, by_filter, number)) for number in (0, 1)]
         return [arithmetic.halved(half) for half in found] if size == self.study.size else found
 
-    def error2(self, scene, setting, size, image):
-        return arithmetic.relative_mse(arithmetic.read_pfm(image),
-                                       self.halves(scene, setting.filter, size))
+    def errors2(self, scene, setting, size, image):
+        """[relMSE, that with plan.MARKS_CONSTANT]"""
+        read, halves = arithmetic.read_pfm(image), self.halves(scene, setting.filter, size)
+        return [arithmetic.relative_mse(read, halves, constant)
+                for constant in (None, plan.MARKS_CONSTANT)]
 
     def noise2(self, scene):
         return {str(size): arithmetic.noise_of(self.halves(scene, plan.FILTER, size))
                 for size in (self.study.size, self.study.reference_size)}
 
     def run(self, scene, setting, size, seed, passes, start):
-        """[[passes, seconds, relMSE]]: one image at these passes.  Seconds are those of a render
+        """[[passes, seconds, *errors2]]: one image at these passes.  Seconds are those of a render
         that does them all at once.  start: those before its first pass, which going on takes again."""
         points, spent = [], start
         with tempfile.TemporaryDirectory() as folder:
@@ -93,7 +95,7 @@ class Lab:
             for count in passes:
                 spent += self.render(scene, setting, size, "-o", image, "--state", state,
                                      "--passes", count, "--seed", seed) - start
-                points.append([count, spent, self.error2(scene, setting, size, image)])
+                points.append([count, spent, *self.errors2(scene, setting, size, image)])
         return points
 
     def keep_promise(self, scene, setting, error, seed):
@@ -113,4 +115,4 @@ class Lab:
                     "promised_seconds": price["seconds"], "passes": check["passes"],
                     "seconds": check["seconds"], "stated": check["error"],
                     "met": stats["ended_by"] == "error",
-                    "error2": self.error2(scene, setting, self.study.size, image)}
+                    "error2": self.errors2(scene, setting, self.study.size, image)[0]}

@@ -77,6 +77,8 @@ SETTINGS = {setting.name: setting for setting in (
 
 # Of a minute of two cores, as hipmap renders if nothing is said of the method; and the referee.
 MINUTE = 120
+# c of docs/error.md (3) for the marks: other renderers, from which they come, were measured with it.
+MARKS_CONSTANT = 0.01
 MINUTE_SETTINGS = {setting.name: setting for setting in (
     progressive("progressive", MINUTE, photons=DEFAULT_PHOTONS),
     Setting("path", MINUTE, ("--integrator", "path")),

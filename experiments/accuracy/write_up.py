@@ -110,20 +110,32 @@ def verdict_of(square, scene, share):
     return verdict(square <= scene.mark if square and share == 1 else None)
 
 
+def minute_line(results, scene, name, setting):
+    """None: not measured."""
+    share = results["about"]["study"]["share"]
+    line, verdicts = None, []
+    for column in (2, 3):
+        points = findings.curve(results, "minute", scene, setting, column)
+        if not points:
+            return None
+        error = arithmetic.error_after(points, plan.MINUTE * share)
+        square = None if error is None else error ** 2
+        line = line or [scene.name, name, points[-1][3], seconds(points[-1][0]),
+                        f"{scene.mark:.0e}"]
+        line.append(UNKNOWN if square is None else f"{square:.2g}")
+        verdicts.append(verdict_of(square, scene, share) if name == plan.BASE else "-")
+    return [*line[:-1], verdicts[0], line[-1], verdicts[1]]
+
+
 def minute(results):
     lines, share = [], results["about"]["study"]["share"]
     rivals = {**plan.MINUTE_SETTINGS, plan.CYCLES.name: plan.CYCLES}
     width = 2 * results["about"]["study"]["size"]
     for scene in findings.scenes(results):
         for name, setting in rivals.items() if scene.mark else ():
-            points = findings.curve(results, "minute", scene, setting)
-            if not points:
-                continue
-            error = arithmetic.error_after(points, plan.MINUTE * share)
-            square = None if error is None else error ** 2
-            lines.append([scene.name, name, points[-1][3], seconds(points[-1][0]),
-                          UNKNOWN if square is None else f"{square:.2g}", f"{scene.mark:.0e}",
-                          verdict_of(square, scene, share) if name == plan.BASE else "-"])
+            line = minute_line(results, scene, name, setting)
+            if line:
+                lines.append(line)
     note = "" if share == 1 else (
         f"\nThis run was another: the images had {plan.MINUTE * share:.3g} s, of which the marks are not.")
     return f"""## After a minute of two cores
@@ -131,9 +143,14 @@ def minute(results):
 relMSE after {plan.MINUTE} processor seconds, {width} pixels wide, by `render`'s default of {plan.DEFAULT_PHOTONS:,} photons where
 nothing else is said, from images that took about as long, by the slope between half the time and all of it (seeds:
 {results["about"]["study"]["minute_seeds"]}). Passes of Cycles (Blender's path tracer, where `blender` is installed) are samples of a pixel; its time is
-that of rendering alone, on one thread too. `box`: by the box filter, against references by it, since Cycles has no B-spline.{note}
+that of rendering alone, on one thread too. `box`: by the box filter, against references by it, since Cycles has no B-spline.
 
-""" + table(["scene", "method", "passes", "processor s", "relMSE", "mark", "verdict"], lines)
+The marks come from what other renderers reach on scenes of these kinds, measured with c = {plan.MARKS_CONSTANT} in (3) of
+[error.md](error.md). Here c is the square of a tenth of the image's mean, which is less in each of
+these scenes, so that what is dark counts for more. Both are told.{note}
+
+""" + table(["scene", "method", "passes", "processor s", "mark", "relMSE", "verdict",
+             f"with c = {plan.MARKS_CONSTANT}", "verdict"], lines)
 
 
 def quotes(results):

@@ -35,9 +35,10 @@ class Errors(unittest.TestCase):
 
     def test_relative_mse_is_that_of_its_definition_and_of_compare_images(self):
         image, truth = (1, [1.0, 2.0, 3.0]), (1, [1.0, 1.0, 4.0])
-        floor2 = 0.2 ** 2
-        by_hand = (0 / (1 + floor2) + 1 / (1 + floor2) + 1 / (16 + floor2)) / 3
-        self.assertAlmostEqual(arithmetic.relative_mse(image, [truth, truth]), by_hand)
+        for constant, c in ((None, 0.2 ** 2), (0.5, 0.5)):
+            by_hand = (0 / (1 + c) + 1 / (1 + c) + 1 / (16 + c)) / 3
+            found = arithmetic.relative_mse(image, [truth, truth], constant)
+            self.assertAlmostEqual(found, by_hand)
         self.assertEqual(arithmetic.noise_of([truth, truth]), 0)
         paths = []
         for seed in (0, 1):
@@ -110,8 +111,8 @@ class Curves(unittest.TestCase):
         self.assertEqual(arithmetic.seconds_to(CURVE, 0.9), 1)
 
     def test_a_curve_is_the_mean_of_squares_with_its_standard_error(self):
-        runs = [[[1, 1.0, 0.04], [3, 2.0, -1e-3]], [[1, 3.0, 0.12], [3, 4.0, 5e-4]]]
-        (seconds, error, spread, passes), = arithmetic.mean_curve(runs)
+        runs = [[[1, 1.0, 7, 0.04], [3, 2.0, 7, -1e-3]], [[1, 3.0, 7, 0.12], [3, 4.0, 7, 5e-4]]]
+        (seconds, error, spread, passes), = arithmetic.mean_curve(runs, 3)
         self.assertEqual((seconds, passes), (2, 1))
         self.assertAlmostEqual(error, math.sqrt(0.08))
         self.assertAlmostEqual(spread, 0.04 / (2 * math.sqrt(0.08)))
@@ -203,7 +204,7 @@ class Command(unittest.TestCase):
         key = "image/cornell_diffuse/path/1"
         self.assertEqual([point[2] for point in again["runs"][key]],
                          [point[2] for point in results["runs"][key]])
-        self.assertEqual(document.count("verdict"), 1)
+        self.assertEqual(document.count("verdict"), 2)
 
 
 if __name__ == "__main__":
