@@ -23,14 +23,14 @@ struct MapsAndPaths {
     double noise = 0;
 };
 
-/// By `progressive` and `path`, each of so many samples a pixel.
+/// By an integrator with maps and by `path`, each of so many samples a pixel.
 inline MapsAndPaths by_maps_and_paths(const tiny::ReadyScene& ready, ImageOptions options, int maps,
-                                      int paths)
+                                      int paths, Integrator with_maps = Integrator::progressive)
 {
     MapsAndPaths out;
     options.integrator = Integrator::path;
     out.paths = means_of(ready, options, paths);
-    options.integrator = Integrator::progressive;
+    options.integrator = with_maps;
     out.maps = means_of(ready, options, maps);
     out.noise = std::hypot(out.maps.standard_error(), out.paths.standard_error());
     return out;

@@ -3,7 +3,7 @@
 #include "render/integrator/path_tracer.h"
 #include "render/shading/glossy_albedo.h"
 #include "render/shading/scatter.h"
-#include "tests/support/mean_luminance.h"
+#include "tests/support/means_of_images.h"
 #include "tests/support/render_image.h"
 #include "tests/support/statistics.h"
 #include "tests/support/tiny_rooms.h"
@@ -190,17 +190,8 @@ TEST_CASE("glossy light: path tracer and photon maps agree on a glossy room", "[
     options.width = 24;
     options.height = 16;
     options.photons = 40000;
-    RunningMean maps, paths;
-    for (options.seed = 0; options.seed < 10; ++options.seed) {
-        options.integrator = Integrator::direct;
-        options.samples = 8;
-        maps.add(mean_luminance(render_image(*ready->render, options, {}).image));
-        options.integrator = Integrator::path;
-        options.samples = 60;
-        paths.add(mean_luminance(render_image(*ready->render, options, {}).image));
-    }
+    const auto [maps, paths, noise] = by_maps_and_paths(*ready, options, 8, 60, Integrator::direct);
     // Estimates blur across facets and close corners: a bias below 1 part in 100.
-    const double noise = std::hypot(maps.standard_error(), paths.standard_error());
     INFO("maps " << maps.mean() << ", paths " << paths.mean() << ", noise " << noise);
     CHECK(std::abs(maps.mean() - paths.mean()) < 0.01 * paths.mean() + kMostZ * noise);
     CHECK(noise < 0.01 * paths.mean());

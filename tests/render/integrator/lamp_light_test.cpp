@@ -5,7 +5,7 @@
 #include "render/photons/aimed_emission.h"
 #include "render/shading/lamps.h"
 #include "render/shading/scatter.h"
-#include "tests/support/mean_luminance.h"
+#include "tests/support/means_of_images.h"
 #include "tests/support/render_image.h"
 #include "tests/support/statistics.h"
 #include "tests/support/tiny_rooms.h"
@@ -207,16 +207,7 @@ TEST_CASE("lamps: the integrators agree on a room with a glass ball, lit by lamp
     ImageOptions options;
     options.width = options.height = 16;
     options.photons = 10'000;
-    RunningMean progressive, paths;
-    for (options.seed = 0; options.seed < 12; ++options.seed) {
-        options.integrator = Integrator::progressive;
-        options.samples = 8;
-        progressive.add(mean_luminance(render_image(*ready->render, options, {}).image));
-        options.integrator = Integrator::path;
-        options.samples = 60;
-        paths.add(mean_luminance(render_image(*ready->render, options, {}).image));
-    }
-    const double noise = std::hypot(progressive.standard_error(), paths.standard_error());
+    const auto [progressive, paths, noise] = by_maps_and_paths(*ready, options, 8, 60);
     INFO("progressive " << progressive.mean() << ", paths " << paths.mean() << ", noise " << noise);
     CHECK(std::abs(progressive.mean() - paths.mean()) < 0.01 * paths.mean() + kMostZ * noise);
     CHECK(noise < 0.02 * paths.mean());

@@ -1,4 +1,4 @@
-#include "tests/support/mean_luminance.h"
+#include "tests/support/means_of_images.h"
 #include "tests/support/render_image.h"
 #include "tests/support/statistics.h"
 #include "tests/support/tiny_rooms.h"
@@ -14,18 +14,10 @@ TEST_CASE("path tracer and photon maps agree on a room with glass and mirror", "
     options.width = 24;
     options.height = 16;
     options.photons = 50000;
-    RunningMean maps, paths;
-    for (options.seed = 0; options.seed < 12; ++options.seed) {
-        options.integrator = Integrator::direct;
-        options.samples = 16;
-        maps.add(mean_luminance(render_image(*ready->render, options, {}).image));
-        options.integrator = Integrator::path;
-        options.samples = 100;
-        paths.add(mean_luminance(render_image(*ready->render, options, {}).image));
-    }
+    const auto [maps, paths, noise] =
+        by_maps_and_paths(*ready, options, 16, 100, Integrator::direct);
     // Estimates blur across faceted balls and close corners, which leaves a bias below 1 part in
     // 100.
-    const double noise = std::hypot(maps.standard_error(), paths.standard_error());
     CHECK(std::abs(maps.mean() - paths.mean()) < 0.01 * paths.mean() + kMostZ * noise);
     CHECK(noise < 0.01 * paths.mean());
 }

@@ -1,5 +1,5 @@
 #include "render/integrator/direct_light.h"
-#include "tests/support/mean_luminance.h"
+#include "tests/support/means_of_images.h"
 #include "tests/support/render_image.h"
 #include "tests/support/statistics.h"
 #include "tests/support/tiny_rooms.h"
@@ -110,16 +110,7 @@ TEST_CASE("sky light: the integrators agree under a picture, with a glass and a 
     ImageOptions options;
     options.width = options.height = 16;
     options.photons = 20'000;
-    RunningMean progressive, paths;
-    for (options.seed = 0; options.seed < 12; ++options.seed) {
-        options.integrator = Integrator::progressive;
-        options.samples = 8;
-        progressive.add(mean_luminance(render_image(*ready->render, options, {}).image));
-        options.integrator = Integrator::path;
-        options.samples = 100;
-        paths.add(mean_luminance(render_image(*ready->render, options, {}).image));
-    }
-    const double noise = std::hypot(progressive.standard_error(), paths.standard_error());
+    const auto [progressive, paths, noise] = by_maps_and_paths(*ready, options, 8, 100);
     INFO("progressive " << progressive.mean() << ", paths " << paths.mean() << ", noise " << noise);
     CHECK(std::abs(progressive.mean() - paths.mean()) < 0.01 * paths.mean() + kMostZ * noise);
     CHECK(noise < 0.03 * paths.mean());
