@@ -76,8 +76,10 @@ wide, each by a seed of its own), and states an interval that is to hold its tru
 or less; its noise is taken off. Images by `path`, and by `progressive` where paths find all the light, are
 compared with a long `path`; where there are lamps without size behind glass or in mirrors, which paths do not
 find, or where all light comes through glass (`glass_globe`, which paths hardly ever find and are left out),
-`progressive` is compared with itself by 30 times the photons, and so narrower radii. What `direct` states is
-noise alone: it is compared with its own mean.
+`progressive` is compared with itself by 30 times the photons and 4 neighbours: by radii less than a tenth as wide,
+since what bias the reference has left would be missing in that of the images. What `direct` states is noise alone:
+it is compared with its own mean. Its images have 8 samples of a pixel in each pass: `hexagonal` has a bright line of less than a
+hundredth of two pixels, and of what no sample has met no estimate knows.
 
 A line is right if a count as unlikely as the one found has a chance of {percent(LEAST_CHANCE, 0)} or more where each image
 is inside with {percent(STATED, 0)}; all together are, if {low} to {high} of the images are inside.
