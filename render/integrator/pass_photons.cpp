@@ -1,7 +1,5 @@
 #include "render/integrator/pass_photons.h"
 
-#include "common/stopwatch.h"
-
 namespace hipmap {
 
 namespace {
@@ -38,17 +36,11 @@ VolumeRadii volume_radii(const RenderScene& scene, const TracedPhotons& pilot,
 }
 
 std::optional<VolumeMap> build_volume(const RenderScene& scene, const TracedPhotons& traced,
-                                      const VolumeRadii& first, float shrink,
-                                      RenderStatistics& statistics)
+                                      const VolumeRadii& first, float shrink)
 {
     if (!scene.media)
         return std::nullopt;
-    const Stopwatch watch;
-    VolumeMap out = build_volume_map(traced.volume, first, shrink, scene.media->rays);
-    statistics.volume_photons += out.photons.size();
-    statistics.seconds_maps += watch.seconds();
-    statistics.processor_maps += watch.processor_seconds();
-    return out;
+    return build_volume_map(traced.volume, first, shrink, scene.media->rays);
 }
 
 TracedPhotons trace_pass(const RenderScene& scene, const PhotonOptions& options,
@@ -66,9 +58,8 @@ TracedPhotons trace_pass(const RenderScene& scene, const PhotonOptions& options,
 }
 
 PhotonMaps build_maps(const RenderScene& scene, const std::vector<Photon>& photons,
-                      const MapOptions& options, KindStatistics& kind, RenderStatistics& statistics)
+                      const MapOptions& options, KindStatistics& kind)
 {
-    const Stopwatch watch;
     MapOptions of_maps = options;
     of_maps.directions = scene.directional;
     PhotonMaps maps = build_photon_maps(photons, scene.mesh(), scene.partition, of_maps);
@@ -79,9 +70,15 @@ PhotonMaps build_maps(const RenderScene& scene, const std::vector<Photon>& photo
     kind.group_maps = maps.groups.maps.size() + maps.group_tier.maps.size();
     kind.local_plan = maps.local_tier.plan;
     kind.group_plan = maps.group_tier.plan;
+    return maps;
+}
+
+void count_maps(const std::optional<VolumeMap>& volume, const Stopwatch& watch,
+                RenderStatistics& statistics)
+{
+    statistics.volume_photons += volume ? volume->photons.size() : 0;
     statistics.seconds_maps += watch.seconds();
     statistics.processor_maps += watch.processor_seconds();
-    return maps;
 }
 
 } // namespace hipmap

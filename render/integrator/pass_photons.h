@@ -1,5 +1,6 @@
 #pragma once
 
+#include "common/stopwatch.h"
 #include "render/integrator/render_options.h"
 
 namespace hipmap {
@@ -19,18 +20,20 @@ PhotonOptions photon_options(const RenderScene& scene, const RenderOptions& opti
 VolumeRadii volume_radii(const RenderScene& scene, const TracedPhotons& pilot,
                          const RenderOptions& options);
 
-/// Builds the volume map of a pass and counts it; none if the scene has no media.
+/// Builds the volume map of a pass; none if the scene has no media.
 std::optional<VolumeMap> build_volume(const RenderScene& scene, const TracedPhotons& traced,
-                                      const VolumeRadii& first, float shrink,
-                                      RenderStatistics& statistics);
+                                      const VolumeRadii& first, float shrink);
 
 /// Traces photons and counts them.
 TracedPhotons trace_pass(const RenderScene& scene, const PhotonOptions& options,
                          RenderStatistics& statistics);
 
-/// Builds maps and counts them; `kind` is the part of the statistics that they belong to.
+/// Builds maps and counts them.  Those of several kinds may be built at the same time.
 PhotonMaps build_maps(const RenderScene& scene, const std::vector<Photon>& photons,
-                      const MapOptions& options, KindStatistics& kind,
-                      RenderStatistics& statistics);
+                      const MapOptions& options, KindStatistics& kind);
+
+/// Counts all maps of a pass as a whole.  watch: since the first was begun.
+void count_maps(const std::optional<VolumeMap>& volume, const Stopwatch& watch,
+                RenderStatistics& statistics);
 
 } // namespace hipmap

@@ -21,11 +21,13 @@ PassMapSet make_maps(const RenderScene& scene, const RenderOptions& options, std
                      RenderStatistics& statistics)
 {
     TracedPhotons traced = trace_pass(scene, photon_options(scene, options, pass), statistics);
+    const Stopwatch watch;
     PassMapSet maps;
-    maps.volume = build_volume(scene, traced, volume_radii(scene, traced, options), 1, statistics);
+    maps.volume = build_volume(scene, traced, volume_radii(scene, traced, options), 1);
     maps.caustic = build_maps(scene, std::exchange(traced.caustic, {}), options.maps,
-                              statistics.caustic, statistics); // which frees them
-    maps.global = build_maps(scene, traced.global, options.maps, statistics.global, statistics);
+                              statistics.caustic); // which frees them
+    maps.global = build_maps(scene, traced.global, options.maps, statistics.global);
+    count_maps(maps.volume, watch, statistics);
     return maps;
 }
 

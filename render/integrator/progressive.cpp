@@ -1,10 +1,11 @@
 #include "render/integrator/progressive.h"
 
-#include "common/stopwatch.h"
 #include "render/integrator/gather_path.h"
 #include "render/integrator/light_allotment.h"
 #include "render/integrator/pass_photons.h"
 #include "render/integrator/picture_tiles.h"
+
+#include <tbb/parallel_invoke.h>
 
 #include <memory>
 
@@ -81,20 +82,27 @@ PassMapsByKind make_maps(const MappedScene& mapped, const Progressive& shared,
 {
     const RenderScene& scene = mapped.scene;
     const TracedPhotons traced = trace_linked(scene, options, pass, statistics);
-    const Stopwatch weighing;
-    const std::vector<Photon> weighed = weigh_bounces(traced, shared.first, mapped.surfaces);
-    statistics.seconds_maps += weighing.seconds();
-    const auto maps_of = [&](const std::vector<Photon>& photons, KindStatistics& kind) {
-        return build_maps(scene, photons, options.maps, kind, statistics);
+    const Stopwatch watch;
+    PassMapsByKind maps;
+    const auto build = [&](PhotonMaps& to, const std::vector<Photon>& photons,
+                           KindStatistics& kind) {
+        to = build_maps(scene, photons, options.maps, kind);
     };
-    PassMapsByKind maps{
-        maps_of(traced.caustic, statistics.caustic),
-        maps_of(traced.global, statistics.global),
-        maps_of(weighed, statistics.indirect),
-        {},
-        build_volume(scene, traced, shared.first_volume, static_cast<float>(shrink), statistics)};
+    // At the same time: where one map has most photons, threads would wait at its root.
+    tbb::parallel_invoke([&] { build(maps.caustic, traced.caustic, statistics.caustic); },
+                         [&] { build(maps.global, traced.global, statistics.global); },
+                         [&] {
+                             build(maps.indirect,
+                                   weigh_bounces(traced, shared.first, mapped.surfaces),
+                                   statistics.indirect);
+                         },
+                         [&] {
+                             maps.volume = build_volume(scene, traced, shared.first_volume,
+                                                        static_cast<float>(shrink));
+                         });
     if (precomputes(scene, options))
         maps.irradiance = estimate_at_photons(maps.global, mapped.surfaces, {});
+    count_maps(maps.volume, watch, statistics);
     return maps;
 }
 
