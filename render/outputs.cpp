@@ -106,7 +106,7 @@ std::string describe_error(const ErrorCheck& check)
 std::string describe_price(const RenderState& state)
 {
     const ErrorCheck& last = state.checks.back();
-    const ErrorLaw law = fit_law(state.checks, alpha_of(state.settings));
+    const ErrorLaw law = error_law(state.checks, alpha_of(state.settings));
     const Price half = price_of(state.checks, law, last.error.error / 2, 0);
     const double before = error_after(law, static_cast<double>(last.passes) / 2);
     std::string text = "price: " + percent(last.error.error) + " took " +
@@ -129,7 +129,7 @@ std::vector<Price> price_list(const RenderState& state, double target)
         errors.push_back(target);
     std::sort(errors.begin(), errors.end(), std::greater<>());
     errors.erase(std::unique(errors.begin(), errors.end()), errors.end());
-    const ErrorLaw law = fit_law(checks, alpha_of(state.settings));
+    const ErrorLaw law = error_law(checks, alpha_of(state.settings));
     for (const double error : errors)
         prices.push_back(price_of(checks, law, error, photons_of(state.settings)));
     return prices;

@@ -112,6 +112,7 @@ Json check_json(const ErrorCheck& check)
                  {"high", error.high}, // null if infinite
                  {"noise", std::sqrt(error.noise2)}};
     if (error.bias == BiasKnowledge::from_radii) {
+        json["photon_noise"] = std::sqrt(error.photon2);
         json["bias2"] = error.bias2;
         json["bias_order"] = error.order;
     }
@@ -130,13 +131,15 @@ Json error_json(const RenderState& state, double target)
                           {"passes", price.passes},
                           {"seconds", price.seconds},
                           {"photons", price.photons}});
-    const ErrorLaw law = fit_law(state.checks, alpha_of(state.settings));
+    const ErrorLaw law = error_law(state.checks, alpha_of(state.settings));
     return {{"bias", kBias[static_cast<int>(state.film.bias)]},
             {"checks", checks},
             {"law",
              {{"by_pass", law.by_pass},
               {"by_photon", law.by_photon},
-              {"photon_power", law.photon_power}}},
+              {"photon_power", law.photon_power},
+              {"by_bias", law.by_bias},
+              {"bias_power", law.bias_power}}},
             {"prices", prices},
             {"memory", peak_memory()}};
 }

@@ -30,7 +30,7 @@ def price(stats):
 
 
 CAPTION = ("Error against time, both logarithmic. Dots: what was found; band: holds the error of "
-           "this image 95 times of 100; line: the law fitted, dashed where it foretells.")
+           "this image 95 times of 100; line: the law by its parts at the end, dashed where it foretells.")
 
 
 def sentences_of(error, last):
@@ -56,12 +56,13 @@ def interval(check):
 def law_of(error, last):
     """The error after so many seconds."""
     law = error.get("law", {})
-    by_pass, by_photon = law.get("by_pass", 0), law.get("by_photon", 0)
+    parts = [(law.get("by_pass", 0), 1), (law.get("by_photon", 0), law.get("photon_power", 1)),
+             (law.get("by_bias", 0), law.get("bias_power", 1))]
 
     def at(seconds):
         passes = seconds / last["seconds"] * last["passes"]
-        return math.sqrt(by_pass / passes + by_photon / passes ** (2 / 3))
-    return at if by_pass > 0 or by_photon > 0 else None
+        return math.sqrt(sum(factor / passes ** power for factor, power in parts))
+    return at if any(factor > 0 for factor, _ in parts) else None
 
 
 def foretold(error, last, target):

@@ -120,27 +120,46 @@ double f_quantile(double z, double above, double below)
     return root * root * root;
 }
 
+namespace {
+
+/// Of squares of a bias and of what is left of it by radii narrower by one step.
+double order_of(double square, double left)
+{
+    constexpr double kLowest = 1, kHighest = 4;
+    if (!(square > 0))
+        return 2;
+    if (!(left > 0))
+        return kHighest;
+    return std::clamp(std::log(left / square) / (2 * std::log(kNarrowing)), kLowest, kHighest);
+}
+
+} // namespace
+
 BiasSquare bias_square(const BatchProducts& products)
 {
     constexpr double kLeast = kNarrowing * kNarrowing, kMost = kNarrowing; // orders 2 and 1
     const Batches& batches = products.narrow;
     if (batches.batch.size() < 2)
-        return {0, kMost, {0, kInfinity}};
+        return {0, 2, 0, {0, kInfinity}};
     const double first = product_of_means(products.first, batches);
     const double both = product_of_means(products.both, batches);
     const Spread spread = spread_of(centred(products.first, batches), products.channels);
 
     BiasSquare out;
-    out.ratio = first > 0 ? std::clamp(both / first, kLeast, kMost) : kLeast;
+    out.photon = spread.energy; // docs/error.md (12)
+    const double ratio = first > 0 ? std::clamp(both / first, kLeast, kMost) : kLeast;
     const Spread rest =
-        spread_of(centred(combined(products, -out.ratio, 1), batches), products.channels);
+        spread_of(centred(combined(products, -ratio, 1), batches), products.channels);
     const double ratio_deviation =
         std::sqrt(2 * std::sqrt(rest.square * spread.square) / pairs_of(batches) +
                   std::max(first, 0.0) * rest.along() / batches.all);
     const double off = first > 0 ? kZ * ratio_deviation / first : kInfinity;
-    out.value = square_by(products, (out.ratio + kLeast) / 2).value;
+    const double middle = (ratio + kLeast) / 2;
+    out.value = square_by(products, middle).value;
+    out.order = order_of(out.value, product_of_means(products.second, batches) /
+                                        ((1 - middle) * (1 - middle)));
     const RatedSquare low = square_by(products, kLeast);
-    const RatedSquare high = square_by(products, std::min(out.ratio + off, kMost));
+    const RatedSquare high = square_by(products, std::min(ratio + off, kMost));
     out.interval = {low.value - kZ * low.deviation,
                     std::max(high.value, 0.0) + kZ * high.deviation};
     return out;

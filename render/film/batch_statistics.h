@@ -42,7 +42,8 @@ double f_quantile(double z, double above, double below);
 /// Sum of squares of the bias over the channels.
 struct BiasSquare {
     double value = 0;
-    double ratio = 0;  ///< of the second difference to the first
+    double order = 0;  ///< power of the radius by which it falls, docs/error.md (12)
+    double photon = 0; ///< variance that photons make in a pass, summed over the channels
     Interval interval; ///< 95 %, not cut at zero
 };
 

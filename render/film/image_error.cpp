@@ -58,9 +58,10 @@ std::optional<ImageError> estimate_error(const Film& film)
     ImageError out;
     out.bias = film.bias;
     out.noise2 = noise.value / products.channels;
+    if (bias.photon > 0) // as a part: both are told too low by the weight of the image itself
+        out.photon2 = out.noise2 * std::min(bias.photon / spread.energy, 1.0);
     out.bias2 = bias.value / products.channels;
-    if (bias.ratio > 0)
-        out.order = std::log(bias.ratio) / std::log(kNarrowing);
+    out.order = bias.order;
     out.error = std::sqrt(sum / products.channels);
     out.high = std::numeric_limits<double>::infinity();
     if (products.wide.batch.size() < kBatches)

@@ -9,12 +9,13 @@ namespace hipmap {
 /// How far an image is from the truth: of relMSE, docs/error.md (3), and its root.  1: 100 %.
 struct ImageError {
     BiasKnowledge bias = BiasKnowledge::unknown;
-    double noise2 = 0; ///< relMSE that noise makes
-    double bias2 = 0;  ///< relMSE that bias makes, without bias itself: below zero now and then
-    double order = 0;  ///< bias goes with this power of the radius, 1 to 2; 0: not known
-    double error = 0;  ///< root of noise2, and of bias2 where above zero
-    double low = 0;    ///< with `high`, 95 % interval for the error of this very image
-    double high = 0;   ///< infinite: not known, before every batch holds a pass
+    double noise2 = 0;  ///< relMSE that noise makes
+    double photon2 = 0; ///< the part of it that photons make, which falls more slowly
+    double bias2 = 0;   ///< relMSE that bias makes, without bias itself: below zero now and then
+    double order = 0;   ///< bias falls with this power of the radius, 1 to 4; 0: not known
+    double error = 0;   ///< root of noise2, and of bias2 where above zero
+    double low = 0;     ///< with `high`, 95 % interval for the error of this very image
+    double high = 0;    ///< infinite: not known, before every batch holds a pass
     bool operator==(const ImageError&) const = default;
 };
 

@@ -8,6 +8,9 @@ namespace hipmap {
 
 namespace {
 
+/// Passes that nobody waits for.
+constexpr std::uint64_t kForever = std::uint64_t{1} << 50;
+
 double square_of(double x)
 {
     return x * x;
@@ -16,35 +19,8 @@ double square_of(double x)
 /// The square of the error that a law gives.
 double square_after(const ErrorLaw& law, double passes)
 {
-    return law.by_pass / passes + law.by_photon / std::pow(passes, law.photon_power);
-}
-
-/// Least squares of what checks differ from the law, relative to them; the later count more, by
-/// their passes.  Neither part below zero.
-ErrorLaw fit_shape(std::span<const ErrorCheck> checks, double power)
-{
-    double aa = 0, ab = 0, bb = 0, a1 = 0, b1 = 0;
-    int used = 0;
-    for (const ErrorCheck& check : checks) {
-        const auto passes = static_cast<double>(check.passes);
-        const double square = square_of(check.error.error);
-        if (check.passes < kBatches || !(square > 0))
-            continue;
-        ++used;
-        const double a = 1 / (passes * square), b = 1 / (std::pow(passes, power) * square);
-        aa += passes * a * a;
-        ab += passes * a * b;
-        bb += passes * b * b;
-        a1 += passes * a;
-        b1 += passes * b;
-    }
-    const double determinant = aa * bb - ab * ab;
-    // Checks at one number of passes do not tell the parts apart.
-    const ErrorLaw both{(a1 * bb - b1 * ab) / determinant, (b1 * aa - a1 * ab) / determinant,
-                        power};
-    if (used < 2 || !(both.by_pass > 0) || !std::isfinite(both.by_pass))
-        return {0, 1, power};
-    return both.by_photon > 0 ? both : ErrorLaw{1, 0, power};
+    return law.by_pass / passes + law.by_photon / std::pow(passes, law.photon_power) +
+           law.by_bias / std::pow(passes, law.bias_power);
 }
 
 } // namespace
@@ -63,17 +39,19 @@ std::uint64_t next_check(std::uint64_t passes)
     return next_look(std::max(passes, kBatches - 1));
 }
 
-ErrorLaw fit_law(std::span<const ErrorCheck> checks, double alpha)
+ErrorLaw error_law(std::span<const ErrorCheck> checks, double alpha)
 {
     if (checks.empty())
         return {};
-    const ErrorCheck& last = checks.back();
-    const double power = std::min(alpha, 2 - 2 * alpha);
-    const ErrorLaw shape = last.error.bias == BiasKnowledge::from_radii ? fit_shape(checks, power)
-                                                                        : ErrorLaw{1, 0, power};
-    const double scale =
-        square_of(last.error.error) / square_after(shape, static_cast<double>(last.passes));
-    return {scale * shape.by_pass, scale * shape.by_photon, power};
+    const ImageError& error = checks.back().error;
+    const auto passes = static_cast<double>(checks.back().passes);
+    ErrorLaw law;
+    law.photon_power = alpha;
+    law.bias_power = (1 - alpha) * error.order;
+    law.by_pass = (error.noise2 - error.photon2) * passes;
+    law.by_photon = error.photon2 * std::pow(passes, law.photon_power);
+    law.by_bias = std::max(error.bias2, 0.0) * std::pow(passes, law.bias_power);
+    return law;
 }
 
 double error_after(const ErrorLaw& law, double passes)
@@ -83,18 +61,15 @@ double error_after(const ErrorLaw& law, double passes)
 
 double passes_for(const ErrorLaw& law, double error)
 {
-    if (square_after(law, 1) <= square_of(error))
-        return 1;
-    if (!(error > 0))
-        return std::numeric_limits<double>::infinity();
-    double low = 1, high = 2;
-    while (square_after(law, high) > square_of(error) && std::isfinite(high))
-        low = high, high *= 2;
-    for (int i = 0; i < 60 && high - low > 0.5; ++i) {
-        const double middle = (low + high) / 2;
-        (square_after(law, middle) > square_of(error) ? low : high) = middle;
+    constexpr double kRounding = 1e-9; // relative: of a law that is met exactly
+    const double wanted = square_of(error) * (1 + kRounding);
+    std::uint64_t passes = next_check(0);
+    while (square_after(law, static_cast<double>(passes)) > wanted) {
+        if (passes > kForever)
+            return std::numeric_limits<double>::infinity();
+        passes = next_check(passes);
     }
-    return std::ceil(high);
+    return static_cast<double>(passes);
 }
 
 Price price_of(std::span<const ErrorCheck> checks, const ErrorLaw& law, double error,

@@ -14,11 +14,14 @@ struct ErrorCheck {
     bool operator==(const ErrorCheck&) const = default;
 };
 
-/// How the square of the error falls: by_pass / N + by_photon / N^photon_power, docs/error.md (12).
+/// How the square of the error falls: by_pass / N + by_photon / N^photon_power +
+/// by_bias / N^bias_power, docs/error.md (12).
 struct ErrorLaw {
     double by_pass = 0;
     double by_photon = 0;
     double photon_power = 2.0 / 3;
+    double by_bias = 0;
+    double bias_power = 2.0 / 3;
 };
 
 /// What an error costs, from the first pass on.
@@ -37,19 +40,18 @@ std::uint64_t next_look(std::uint64_t passes);
 /// first of many looks would stop at luck.
 std::uint64_t next_check(std::uint64_t passes);
 
-/// Fits the law to checks of one film from 8 passes on, in order of their passes; exact at the last
-/// one.  alpha: of docs/error.md (1).  None: zero.
-ErrorLaw fit_law(std::span<const ErrorCheck> checks, double alpha);
+/// The law by the parts of the error at the last check.  alpha: of docs/error.md (1).  None: zero.
+ErrorLaw error_law(std::span<const ErrorCheck> checks, double alpha);
 
 /// The error after so many passes.
 double error_after(const ErrorLaw& law, double passes);
 
-/// The least whole number of passes, at least 1, after which the error is at most `error`;
-/// infinite if `error` is not above zero and the law is not zero.
+/// The first number of passes at which a render may end for its error, after which that is at most
+/// `error`; infinite if `error` is not above zero and the law is not zero.
 double passes_for(const ErrorLaw& law, double error);
 
-/// Price of `error` by a law of these checks, at the pace of the last one, in which passes cost the
-/// same each.
+/// What a render to an `error` takes, by a law of these checks, at the pace of the last one, in
+/// which passes cost the same each.
 Price price_of(std::span<const ErrorCheck> checks, const ErrorLaw& law, double error,
                std::uint64_t photons_per_pass);
 

@@ -10,7 +10,7 @@ namespace hipmap {
 
 namespace {
 
-constexpr std::uint32_t kVersion = 2;
+constexpr std::uint32_t kVersion = 3;
 constexpr std::uint64_t kMostSettings = 1000;
 constexpr int kMostSide = 65536;
 /// Of any float, the exponent of its mean.
@@ -40,8 +40,8 @@ void put_check(StateWriter& out, const ErrorCheck& check)
     const ImageError& error = check.error;
     out.put(check.passes);
     out.put(static_cast<std::uint32_t>(error.bias));
-    for (const double value : {check.seconds, error.noise2, error.bias2, error.order, error.error,
-                               error.low, error.high})
+    for (const double value : {check.seconds, error.noise2, error.photon2, error.bias2, error.order,
+                               error.error, error.low, error.high})
         out.put(value);
 }
 
@@ -115,8 +115,8 @@ ErrorCheck get_check(StateReader& in)
     in.require(check.passes > 0 && check.passes <= kMostPasses, "check");
     check.error.bias = get_bias(in);
     ImageError& error = check.error;
-    for (double* value :
-         {&check.seconds, &error.noise2, &error.bias2, &error.order, &error.error, &error.low}) {
+    for (double* value : {&check.seconds, &error.noise2, &error.photon2, &error.bias2, &error.order,
+                          &error.error, &error.low}) {
         *value = in.get<double>();
         in.require(std::isfinite(*value), "check");
     }

@@ -89,7 +89,7 @@ class Run {
     {
         if (!(rules_.error > 0) || state_.checks.size() < kLooksToForetell)
             return std::nullopt;
-        const double needed = std::min(passes_for(fit_law(state_.checks, alpha_), rules_.error),
+        const double needed = std::min(passes_for(error_law(state_.checks, alpha_), rules_.error),
                                        static_cast<double>(kMostPasses));
         const auto before = static_cast<std::uint64_t>(needed) - 1;
         return static_cast<double>(next_check(std::max(before, passes())));

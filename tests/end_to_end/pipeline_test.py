@@ -131,7 +131,8 @@ class Pipeline(ToolsTestCase):
         self.assertTrue(any("Lamp" in sentence for sentence in stats["audit"]["found"]))
         self.assertEqual([check["passes"] for check in stats["error"]["checks"]], [2, 3, 4])
         law, last = stats["error"]["law"], stats["error"]["checks"][-1]
-        square = law["by_pass"] / 4 + law["by_photon"] / 4 ** (2 / 3)
+        square = (law["by_pass"] / 4 + law["by_photon"] / 4 ** law["photon_power"] +
+                  law["by_bias"] / 4 ** law["bias_power"])
         self.assertAlmostEqual(math.sqrt(square), last["error"], delta=1e-6)
         photons = stats["photons"]
         self.assertEqual(photons["emitted"], 4 * 20000)

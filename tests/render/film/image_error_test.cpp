@@ -152,14 +152,38 @@ TEST_CASE("image error: bias of orders 1 and 2 is found from the radii", "[film]
             fitted.add(error.order);
         }
         INFO("order " << order << ", found " << fitted.mean() << ", bias " << found.mean());
-        CHECK(fitted.mean() == Approx(order).margin(0.1));
         // What the third radius leaves is taken for half-way between this order and 2, and the
         // order is kept within 1 and 2, which is a small bias of its own.
         const double ratio = std::pow(kNarrowing, order), middle = (ratio + 0.5) / 2;
-        const double expected = std::pow((1 + ratio / (1 - middle)) * (1 - ratio), 2);
+        const double left = ratio / (1 - middle);
+        const double expected = std::pow((1 + left) * (1 - ratio), 2);
+        const double told_order = std::log(left / (1 + left)) / std::log(kNarrowing);
+        CHECK(fitted.mean() == Approx(told_order).margin(0.1));
         CHECK(found.mean() == Approx(expected).margin(0.1 + kMostZ * found.standard_error()));
         CHECK(found.standard_error() < 0.03);
     }
+}
+
+TEST_CASE("image error: the part of the noise that photons make is told from the radii", "[film]")
+{
+    const auto [photon_noise, pixel_noise] =
+        GENERATE(std::pair{0.3, 0.0}, std::pair{0.3, 0.3}, std::pair{0.0, 0.3});
+    SyntheticPasses passes;
+    passes.photon_noise = photon_noise;
+    passes.pixel_noise = pixel_noise;
+    constexpr std::uint64_t kPasses = 16;
+    double photons = 0, pixels = 0; // variances, summed over the passes
+    for (std::uint64_t pass = 0; pass < kPasses; ++pass) {
+        photons += std::pow(photon_noise / radius_of_pass(pass, 2.0 / 3), 2);
+        pixels += pixel_noise * pixel_noise;
+    }
+    RunningMean found;
+    for (passes.seed = 0; passes.seed < 50; ++passes.seed) {
+        const ImageError error = *estimate_error(film_of(passes, 0, kPasses));
+        found.add(error.photon2 / error.noise2);
+    }
+    CHECK(found.mean() == Approx(photons / (photons + pixels)).epsilon(0.1));
+    CHECK(found.standard_error() < 0.02);
 }
 
 TEST_CASE("image error: where there is no bias its square is as often below zero", "[film]")
