@@ -68,6 +68,12 @@ MOST_SLOWER = 1.5  # times that the progressive integrator may take without caus
 WITHIN = 1.5  # times, of a promise
 
 
+def begins_better(found, name, error):
+    """Whether the first point of a curve is better than that: there is no equal error to compare
+    at."""
+    return bool(found.get(name)) and found[name][0][1] < error
+
+
 def keeps_mark(scene, ratio, only_below):
     """True, False, or None where that is not known."""
     most = 1.0 if scene.caustics else MOST_SLOWER

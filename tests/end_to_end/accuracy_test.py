@@ -134,6 +134,9 @@ class Marks(unittest.TestCase):
         self.assertIsNone(findings.against_path(found, "a", 0.05))
         found["path"] = FLAT
         self.assertEqual(findings.against_path(found, "a", 0.2), (4, None, 0.25, True))
+        self.assertTrue(findings.begins_better(found, "a", 0.5))
+        self.assertFalse(findings.begins_better(found, "a", 0.3))
+        self.assertFalse(findings.begins_better(found, "b", 0.5))
 
     def test_marks_are_stricter_where_there_are_caustics(self):
         caustic, diffuse = plan.SCENES["glass_globe"], plan.SCENES["cornell_diffuse"]
