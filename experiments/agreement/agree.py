@@ -19,7 +19,7 @@ import report
 import runs
 from progress import Progress
 
-MINUTES = 14
+MINUTES = 20
 
 
 def parse_options():

@@ -54,8 +54,7 @@ def worst_region(case):
 
 def judge(case):
     """Whether means, regions and difference are within what is stated, each with a chance of
-    CHANCE to be called wrong if it is right.  A method compared with itself shares some of its
-    bias, and may differ by less."""
+    CHANCE to be called wrong if it is right.  What differs by less is within."""
     freedom = 2 * (len(case["difference2"]) - 1)
     means = all(excess(found, case["bias"]) < student_limit(CHANCE / 3, freedom)
                 for found in channels(case) if found)
@@ -64,8 +63,7 @@ def judge(case):
     mean, error = runs.mean_and_error(off)
     return {"means": means,
             "regions": excess(region, case["bias"]) < student_limit(CHANCE / regions, freedom),
-            "difference": (max(mean, 0) if "why" in case else abs(mean)) <
-                          error * student_limit(CHANCE, freedom / 2)}
+            "difference": mean < error * student_limit(2 * CHANCE, freedom / 2)}
 
 
 def verdict_on(case):
@@ -133,8 +131,8 @@ light is carried ({results["size"]}x{results["size"]} pixels, {results["seeds"]}
 * **Difference**: root of the mean square of A - B over that of the truth, as an error is ([error.md](error.md) (3)).
   **Stated**: what it should be by the errors that both images state, added in squares. **Bias stated**: the part of it
   that is bias.
-* **Verdict**: `agree` if means, regions and difference are off by chance alone, which is what Student's distribution exceeds
-  once in {1 / CHANCE:.0f} scenes; `within the bias` if means or regions are off by more, but not by more than that and the bias
+* **Verdict**: `agree` if means and regions are off, and the difference is above what is stated, by chance alone, which is
+  what Student's distribution exceeds once in {1 / CHANCE:.0f} scenes; `within the bias` if means or regions are off by more, but not by more than that and the bias
   stated, which shrinks with every pass. `direct` states no bias and is not judged.
 
 {right} of {len(judged)} agree, {within} more are within the bias.

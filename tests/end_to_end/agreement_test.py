@@ -43,12 +43,11 @@ class Agreement(unittest.TestCase):
         self.assertEqual(report.judge(case(factor=1.01)),
                          {**right, "means": False, "regions": False})
         self.assertEqual(report.judge(case(factor=1.01, bias=0.01)), right)
-        for off2 in (0.5, 2):
-            self.assertEqual(report.judge(case(off2=off2)), {**right, "difference": False})
+        self.assertEqual(report.judge(case(off2=2)), {**right, "difference": False})
+        self.assertEqual(report.judge(case(off2=0.5)), right)
         self.assertEqual(report.verdict_on(case(off2=2)), "**difference off**")
         self.assertEqual(report.verdict_on(case(factor=1.01, bias=0.01)), "within the bias")
         self.assertEqual(report.verdict_on(case()), report.AGREE)
-        self.assertEqual(report.judge({**case(off2=0.5), "why": "paths"}), right)
 
     def test_regions_have_their_own_means(self):
         image = (8, [float(x // 2 + 10 * (y // 2)) + c for y in range(8) for x in range(8)
