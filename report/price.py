@@ -30,7 +30,8 @@ def price(stats):
 
 
 CAPTION = ("Error against time, both logarithmic. Dots: what was found; band: holds the error of "
-           "this image 95 times of 100; line: the law by its parts at the end, dashed where it foretells.")
+           "this image 95 times of 100; line: the law by its parts at the end, dashed where it "
+           "foretells.")
 
 
 def sentences_of(error, last):
@@ -117,13 +118,13 @@ def band(axes, checks):
 
 
 def lines(axes, error, checks, ahead):
-    """The law is fitted to as many passes as an interval needs, docs/error.md (12)."""
+    """The law of docs/error.md (12), from as many passes as an interval needs."""
     law = law_of(error, checks[-1])
     if law is None:
         return ""
     spent = checks[-1]["seconds"]
-    fitted = [check["seconds"] for check in checks if check.get("high") is not None]
-    begin = min(fitted, default=spent)
+    known = [check["seconds"] for check in checks if check.get("high") is not None]
+    begin = min(known, default=spent)
     end = max([spent] + [entry["seconds"] for entry in ahead])
     drawn = axes.line(curve_of(law, begin, spent), "law")
     return drawn + (axes.line(curve_of(law, spent, end), "law ahead") if end > spent else "")
