@@ -80,6 +80,21 @@ def add_vertex_colours(glb):
              COLOR_0=[tuple(0.5 + 0.5 * c for c in n) + (1,) for n in ball[1]])
 
 
+def add_reflection_models(glb):
+    """Phong's model, wide and narrow, and Schlick's, with grooves on the last ball."""
+    for i, (name, color, roughness, own) in enumerate((
+            ("Phong 8", (0.75, 0.3, 0.15), 0.5,
+             {"reflection": "phong", "exponent": 8, "specular": [0.3, 0.3, 0.3]}),
+            ("Phong 200", (0.15, 0.35, 0.75), 0.22,
+             {"reflection": "phong", "exponent": 200, "specular": [0.3, 0.3, 0.3]}),
+            ("Schlick 0.15", (0.9, 0.65, 0.3), 0.15, {"reflection": "schlick"}),
+            ("Schlick 0.5", (0.8, 0.8, 0.82), 0.5, {"reflection": "schlick", "isotropy": 0.1}))):
+        material = glb.material(name, color, base={"roughnessFactor": roughness},
+                                extensions={"KHR_materials_ior": {"ior": 1.5}},
+                                extras={"hipmap": own})
+        glb.mesh(f"Ball {i}", material, sphere((0.46 * i - 0.69, 0.22, 0.3), 0.22, 40, 20))
+
+
 def add_rough_metal(glb):
     """White metal of more and more roughness."""
     for i, roughness in enumerate((0.1, 0.4, 0.7, 1)):
@@ -363,6 +378,7 @@ SCENES = {
     "milk": (add_milk, 20),
     "motion": (add_motion, 20),
     "normal_maps": (add_normal_maps, 20),
+    "reflection_models": (add_reflection_models, 20),
     "reflections": (add_reflections, 20),
     "rough_metal": (add_rough_metal, 20),
     "sheen": (add_sheen, 20),

@@ -103,13 +103,15 @@ void add_material(Hasher& hasher, const Material& material)
                  specular, specular_color, absorption, thickness, scattering, medium_emission,
                  phase, density, boundary, dispersion, clearcoat, clearcoat_roughness, sheen_color,
                  sheen_roughness, diffuse_transmission, diffuse_transmission_color, anisotropy,
-                 anisotropy_rotation, energy_compensation, alpha, alpha_mode, alpha_cutoff, unlit,
-                 textures] = material;
+                 anisotropy_rotation, energy_compensation, reflection_model, phong_exponent,
+                 phong_specular, isotropy, alpha, alpha_mode, alpha_cutoff, unlit, textures] =
+        material;
     hasher.add(base_color, metallic, roughness, emission, double_sided, transmission, ior, specular,
                specular_color, absorption, thickness, scattering, medium_emission, phase.kind,
                phase.g, boundary, dispersion, clearcoat, clearcoat_roughness, sheen_color,
                sheen_roughness, diffuse_transmission, diffuse_transmission_color, anisotropy,
-               anisotropy_rotation, energy_compensation, alpha, alpha_mode, alpha_cutoff, unlit);
+               anisotropy_rotation, energy_compensation, reflection_model, phong_exponent,
+               phong_specular, isotropy, alpha, alpha_mode, alpha_cutoff, unlit);
     add_density(hasher, density.get());
     hasher.add(static_cast<std::uint64_t>(textures.size()));
     for (const TextureSlot& slot : textures)

@@ -32,6 +32,19 @@ void note_textures(const json& holder, WantedAttributes& wanted)
             note_texture(key, value, wanted);
 }
 
+/// Schlick's reflection is stretched along tangents, docs/scene.md.
+bool has_isotropy(const json& material)
+{
+    const auto extras = material.find("extras");
+    if (extras == material.end() || !extras->is_object() || !extras->contains("hipmap"))
+        return false;
+    const json& own = (*extras)["hipmap"];
+    // Of a text that is not read here, too much would only cost memory.
+    return own.is_string()
+               ? own.get_ref<const std::string&>().find("\"isotropy\"") != std::string::npos
+               : own.is_object() && own.contains("isotropy");
+}
+
 /// The components of element `i` of 2, 3 or 4; what is missing is 1.
 glm::dvec4 vector_at(const GltfAccessor& values, std::size_t i)
 {
@@ -99,6 +112,8 @@ WantedAttributes find_wanted_attributes(const GltfDocument& document)
         note_textures(material, wanted);
         if (material.contains("pbrMetallicRoughness"))
             note_textures(material["pbrMetallicRoughness"], wanted);
+        if (has_isotropy(material))
+            wanted.tangents = wanted.uv[0] = true;
         if (!material.contains("extensions"))
             continue;
         for (const auto& [name, extension] : material["extensions"].items()) {

@@ -1,6 +1,7 @@
 #include "common/scene/gltf_extras.h"
 
 #include "common/scene/density_file.h"
+#include "common/scene/gltf_reflection.h"
 #include "common/scene/hipmap_extras.h"
 #include "common/scene/scene_file.h"
 #include "common/scene/scene_names.h"
@@ -147,7 +148,7 @@ void read_world_extras(const GltfDocument& document, RawScene& scene)
     extras.finish("");
 }
 
-void read_medium_extras(const json& from, Material& material, RawScene& scene)
+void read_material_extras(const json& from, Material& material, RawScene& scene)
 {
     const std::string place = "material " + quote_name(material.name);
     HipmapExtras extras(from, place, scene);
@@ -162,6 +163,7 @@ void read_medium_extras(const json& from, Material& material, RawScene& scene)
     material.boundary = extras.flag("boundary").value_or(true);
     if (!material.boundary)
         material.alpha_mode = AlphaMode::opaque; // of a surface that is not there
+    read_reflection(extras, from, material, scene.audit);
     extras.finish("");
 }
 

@@ -19,7 +19,7 @@ void read_camera_extras(const GltfDocument& document, std::size_t node, std::siz
 void read_empty_extras(const GltfDocument& document, const PlacedNode& at, RawScene& scene);
 /// The world, from the scene's extras.
 void read_world_extras(const GltfDocument& document, RawScene& scene);
-/// The inside of a material, per metre, and whether it has a surface.
-void read_medium_extras(const nlohmann::json& from, Material& material, RawScene& scene);
+/// The inside of a material, per metre, whether it has a surface, and how that reflects.
+void read_material_extras(const nlohmann::json& from, Material& material, RawScene& scene);
 
 } // namespace hipmap

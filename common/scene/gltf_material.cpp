@@ -187,6 +187,7 @@ bool is_unlit(const json& material)
 void make_unlit(Material& material)
 {
     material.unlit = true;
+    material.reflection_model = ReflectionModel::metallic_roughness;
     std::erase_if(material.textures, [](const TextureSlot& slot) {
         return slot.use != TextureUse::base_color; // which stays for its alpha
     });
@@ -246,7 +247,7 @@ void read_gltf_materials(const GltfDocument& document, const tinygltf::Model& mo
         Material out = read_material(material, read);
         out.name = name;
         out.textures = textures.read(material, name);
-        read_medium_extras(material, out, scene);
+        read_material_extras(material, out, scene);
         if (is_unlit(material)) {
             make_unlit(out);
             unlit.push_back(name);

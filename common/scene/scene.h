@@ -23,6 +23,13 @@ struct SceneFrame {
 /// What a base colour's alpha means: nothing, a cut at alpha_cutoff, or a share let through.
 enum class AlphaMode : std::uint8_t { opaque, mask, blend };
 
+/// How a surface reflects, docs/light_transport.md.
+enum class ReflectionModel : std::uint8_t {
+    metallic_roughness, ///< glTF's, with all its layers
+    phong,              ///< a lobe about the mirror direction over a matt base (35)
+    schlick,            ///< one layer, even, spread and mirror by its roughness (36)
+};
+
 /// glTF metallic-roughness and the extensions read so far.  Textures multiply the factors.
 struct Material {
     std::string name;
@@ -52,6 +59,10 @@ struct Material {
     float anisotropy = 0.0f;          ///< KHR_materials_anisotropy
     float anisotropy_rotation = 0.0f; ///< radians from the tangent towards the bitangent
     bool energy_compensation = false; ///< what its facets pass to one another is not lost
+    ReflectionModel reflection_model = ReflectionModel::metallic_roughness;
+    float phong_exponent = 0.0f;
+    Rgb phong_specular{0.0f}; ///< 0 to 1
+    float isotropy = 1.0f;    ///< of Schlick's model, above 0; 1: alike all round
     float alpha = 1.0f;
     AlphaMode alpha_mode = AlphaMode::opaque;
     float alpha_cutoff = 0.5f;

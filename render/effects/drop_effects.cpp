@@ -34,8 +34,12 @@ void drop_effects(Scene& scene, const EffectPlan& plan)
             material.sheen_color = Rgb(0);
         if (!plan.has(Effect::diffuse_transmission))
             material.diffuse_transmission = 0;
-        if (!plan.has(Effect::anisotropy))
+        if (!plan.has(Effect::anisotropy)) {
             material.anisotropy = 0;
+            material.isotropy = 1;
+        }
+        if (!plan.has(Effect::reflection_models))
+            material.reflection_model = ReflectionModel::metallic_roughness;
         if (!plan.has(Effect::alpha))
             material.alpha_mode = AlphaMode::opaque;
         if (!plan.has(Effect::media))

@@ -6,6 +6,7 @@
 #include "render/shading/textured_material.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace hipmap {
 
@@ -40,8 +41,7 @@ Finding find_mirror(const SceneFacts& facts)
     const std::string names =
         facts.materials_where([](const Material& material, const Bsdf& bsdf, bool) {
             const bool may_be_smooth = has_texture(material, TextureUse::metallic_roughness);
-            return bsdf.reflects(Reflection::mirror) ||
-                   (bsdf.reflection != Reflection::none && may_be_smooth);
+            return bsdf.has_mirror() || (bsdf.reflection != Reflection::none && may_be_smooth);
         });
     if (names.empty())
         return {false, "no surface is smooth and reflects", ""};
@@ -216,14 +216,14 @@ Finding find_anisotropy(const SceneFacts& facts)
     const glm::vec2 middle(1.0f / 3);
     for (FaceId face = 0; face < mesh.face_count(); ++face) {
         const MaterialId material = mesh.material_of_face[face];
-        if (directed[material] == 0 && facts.bsdfs[material].is_stretched())
+        if (directed[material] == 0 && facts.bsdfs[material].is_directed())
             directed[material] =
                 stretched_along(facts.scene, surface_point(mesh, face, middle), middle).has_value();
     }
     const auto names = [&](std::uint8_t wanted) {
         return facts.materials_where([&](const Material& material, const Bsdf& bsdf, bool) {
             const auto index = static_cast<std::size_t>(&material - facts.scene.materials.data());
-            return bsdf.is_stretched() && directed[index] == wanted;
+            return bsdf.is_directed() && directed[index] == wanted;
         });
     };
     const std::string rest =
@@ -234,6 +234,22 @@ Finding find_anisotropy(const SceneFacts& facts)
         return {false, rest.empty() ? "no reflection is stretched" : rest, ""};
     return {true, names(1) + " are stretched" + (rest.empty() ? "" : "; " + rest),
             "a direction where a ray meets them, and a longer formula"};
+}
+
+Finding find_reflection_models(const SceneFacts& facts)
+{
+    const auto names = [&](ReflectionModel wanted) {
+        return facts.materials_where(
+            [wanted](const Material&, const Bsdf& bsdf, bool) { return bsdf.model == wanted; });
+    };
+    std::string reason;
+    for (const auto& [model, name] : {std::pair(ReflectionModel::phong, "Phong"),
+                                      std::pair(ReflectionModel::schlick, "Schlick")})
+        if (const std::string worn = names(model); !worn.empty())
+            reason += (reason.empty() ? "" : "; ") + worn + " reflect by the model of " + name;
+    if (reason.empty())
+        return {false, "no material names a model of its own", ""};
+    return {true, reason, "a formula of their own where a ray meets them"};
 }
 
 } // namespace hipmap

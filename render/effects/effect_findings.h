@@ -37,6 +37,7 @@ Finding find_clearcoat(const SceneFacts& facts);
 Finding find_sheen(const SceneFacts& facts);
 Finding find_diffuse_transmission(const SceneFacts& facts);
 Finding find_anisotropy(const SceneFacts& facts);
+Finding find_reflection_models(const SceneFacts& facts);
 
 /// One that is in the file, but not rendered.  names: in quotes; empty: not in the file.
 Finding not_rendered_yet(const std::string& names, const char* without);

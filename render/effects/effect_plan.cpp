@@ -36,6 +36,7 @@ constexpr std::array<Row, kEffects> kRows = {{
     {Effect::sheen, "sheen", find_sheen, true},
     {Effect::diffuse_transmission, "diffuse-transmission", find_diffuse_transmission, true},
     {Effect::anisotropy, "anisotropy", find_anisotropy, true},
+    {Effect::reflection_models, "reflection-models", find_reflection_models, true},
     {Effect::environment, "environment", find_environment, true},
     {Effect::depth_of_field, "depth-of-field", find_depth_of_field, true},
     {Effect::motion_blur, "motion-blur", find_motion_blur, true},

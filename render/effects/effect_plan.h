@@ -31,11 +31,12 @@ enum class Effect : std::uint8_t {
     sheen,
     diffuse_transmission,
     anisotropy,
+    reflection_models,
     environment,
     depth_of_field,
     motion_blur,
 };
-inline constexpr std::size_t kEffects = 21;
+inline constexpr std::size_t kEffects = 22;
 
 /// As the user writes it.
 std::string_view name_of(Effect effect);

@@ -2,6 +2,7 @@
 
 #include "render/shading/energy_compensation.h"
 #include "render/shading/glossy_albedo.h"
+#include "render/shading/reflection_models.h"
 #include "render/shading/sheen.h"
 
 #include <glm/glm.hpp>
@@ -54,11 +55,6 @@ constexpr float kStretchedLoss = 0.15f;
 /// Reflectance of the clear coat at normal incidence (its index is 1.5).
 constexpr float kClearcoatF0 = 0.04f;
 
-float alpha_of(float roughness)
-{
-    return roughness > kMirrorRoughness ? roughness * roughness : 0;
-}
-
 /// A stretched reflection is no mirror's, nor is that of a coat that may have a normal of its own:
 /// across it is at least so rough.
 constexpr float kLeastSpreadRoughness = 0.03f;
@@ -77,14 +73,6 @@ void stretch(float strength, Bsdf& out)
     const float kept = 1 - kStretchedLoss * (out.alpha_along - out.alpha);
     out.diffuse *= kept;
     out.diffuse_beyond *= kept;
-}
-
-/// Of a reflection that is there.
-Reflection kind_of(float roughness)
-{
-    if (alpha_of(roughness) == 0)
-        return Reflection::mirror;
-    return is_followed(roughness) ? Reflection::followed : Reflection::gathered;
 }
 
 void add_clearcoat(const Material& material, const MaterialPoint& at, Bsdf& out)
@@ -162,12 +150,16 @@ Bsdf make_bsdf(const Material& material, const MaterialPoint& at, DiffuseModel m
     Bsdf out;
     if (!material.boundary)
         return out; // no surface
-    out.alpha = alpha_of(roughness_of(at));
-    if (model == DiffuseModel::burley)
-        out.burley_roughness = at.roughness;
     out.absorption = material.absorption;
     out.emission = at.emission;
     out.emits_behind = material.double_sided;
+    if (material.reflection_model != ReflectionModel::metallic_roughness) {
+        make_modelled(material, at, out);
+        return out;
+    }
+    out.alpha = alpha_of(roughness_of(at));
+    if (model == DiffuseModel::burley)
+        out.burley_roughness = at.roughness;
     out.glass = (1 - at.metallic) * at.transmission;
     out.glass_tint = at.base_color;
     out.glass_reflection = glm::min(at.specular_color, Rgb(1)) * at.specular;
@@ -265,6 +257,8 @@ Rgb reflection_albedo(const Bsdf& bsdf, float cosine)
 {
     if (bsdf.reflection == Reflection::none)
         return Rgb(0);
+    if (bsdf.is_modelled())
+        return modelled_albedo(bsdf, cosine);
     const Rgb single = albedo_of(bsdf.reflect_f0, bsdf.reflect_f90, cosine, bsdf.alpha);
     return bsdf.is_compensated() ? single + regained_albedo(bsdf, cosine) : single;
 }
@@ -273,6 +267,10 @@ SpecularLobes smooth_lobes(const Bsdf& bsdf, const Incidence& along, bool front,
 {
     const float cosine = along.cosine;
     SpecularLobes out;
+    if (bsdf.is_modelled()) {
+        out.mirror = modelled_mirror(bsdf, cosine);
+        return out;
+    }
     if (bsdf.clearcoat == Reflection::mirror)
         out.mirror = Rgb(clearcoat_albedo(bsdf, cosine));
     if (bsdf.alpha > 0)

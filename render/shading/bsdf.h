@@ -28,6 +28,12 @@ inline bool is_followed(float roughness)
     return roughness <= kFollowedRoughness;
 }
 
+/// Width of facets; 0: a mirror.
+inline float alpha_of(float roughness)
+{
+    return roughness > kMirrorRoughness ? roughness * roughness : 0;
+}
+
 /// What becomes of the reflection of an opaque surface.
 enum class Reflection : std::uint8_t {
     none,
@@ -35,6 +41,14 @@ enum class Reflection : std::uint8_t {
     followed, ///< spread over facets, followed in a direction drawn
     gathered, ///< spread over facets, photons are stored
 };
+
+/// Of a reflection that is there.
+inline Reflection kind_of(float roughness)
+{
+    if (alpha_of(roughness) == 0)
+        return Reflection::mirror;
+    return is_followed(roughness) ? Reflection::followed : Reflection::gathered;
+}
 
 /// Cosines of a direction: to the shading normal, and to that of the clear coat, which may be
 /// another.
@@ -56,10 +70,14 @@ struct Bsdf {
     float alpha = 0.0f;       ///< width of the facets' distribution; 0: mirror, clear glass
     float alpha_along = 0.0f; ///< of stretched ones along `along`, else 0
     glm::vec3 along{0.0f};    ///< unit, across the shading normal
-    Rgb coat_f0{0.0f};        ///< reflectance of the coat at normal and ...
-    Rgb coat_f90{0.0f};       ///< ... grazing incidence
-    Rgb coat_average{0.0f};   ///< its albedo averaged over the cosine-weighted hemisphere
-    Rgb reflect_f0{0.0f};     ///< the same two of metal and coat together, by their shares
+    ReflectionModel model = ReflectionModel::metallic_roughness; ///< of the reflection
+    float exponent = 0.0f;                                       ///< of Phong's lobe
+    float isotropy = 1.0f;     ///< of Schlick's; below 1: stretched along `along`
+    float mirror_share = 0.0f; ///< of Schlick's: what a mirror reflects beside what is spread
+    Rgb coat_f0{0.0f};         ///< reflectance of the coat at normal and ...
+    Rgb coat_f90{0.0f};        ///< ... grazing incidence
+    Rgb coat_average{0.0f};    ///< its albedo averaged over the cosine-weighted hemisphere
+    Rgb reflect_f0{0.0f};      ///< the same two of metal and coat together, by their shares
     Rgb reflect_f90{0.0f};
     Rgb regained{0.0f}; ///< factor of the lobe that facets of metal pass to one another
     Reflection clearcoat = Reflection::none; ///< what becomes of the reflection of a coat over all
@@ -87,10 +105,16 @@ struct Bsdf {
     bool passes_diffusely() const { return !is_matt() && !is_black(diffuse_beyond); }
     /// Facets are wider along one direction than across it.
     bool is_stretched() const { return !kMattOnly && alpha_along > 0; }
+    /// The reflection is Phong's or Schlick's (reflection_models.h).
+    bool is_modelled() const { return !kMattOnly && model != ReflectionModel::metallic_roughness; }
+    /// `along` has to be known.
+    bool is_directed() const { return is_stretched() || (!kMattOnly && isotropy < 1); }
     /// Light that facets pass to one another is added to their reflection.
     bool is_compensated() const { return !kMattOnly && !is_black(regained); }
     /// Some reflection becomes what is asked for.
     bool reflects(Reflection kind) const { return reflection == kind || clearcoat == kind; }
+    /// Some light is reflected in one direction alone.
+    bool has_mirror() const { return reflects(Reflection::mirror) || mirror_share > 0; }
     /// Photons are stored here: there is a diffuse lobe, sheen or a reflection that is gathered.
     bool gathers() const
     {

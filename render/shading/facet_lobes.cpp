@@ -4,6 +4,7 @@
 #include "common/math/sampling.h"
 #include "render/shading/energy_compensation.h"
 #include "render/shading/facets.h"
+#include "render/shading/reflection_models.h"
 
 namespace hipmap {
 
@@ -123,9 +124,21 @@ float regained_chance(const Interaction& at)
            (max_channel(reflection_albedo(at.bsdf, at.cosine)) + at.bsdf.glass);
 }
 
+/// By Phong's or Schlick's model, which has no facets but spreads light as they do.
+Scattered by_model(const Interaction& at, const glm::vec3& in, bool beyond)
+{
+    const float cosine = glm::dot(in, at.shading_normal);
+    if (beyond || !(cosine > 0))
+        return {};
+    return {modelled_lobe(at.bsdf, at.shading_normal, in, at.back) * cosine,
+            modelled_density(at.bsdf, at.shading_normal, in, at.back)};
+}
+
 /// As `by_one_facet`, of facets that light may meet one after another.
 Scattered unfolded(const Interaction& at, const glm::vec3& in, Lobes lobes, bool beyond)
 {
+    if (at.bsdf.is_modelled()) [[unlikely]]
+        return by_model(at, in, beyond);
     Scattered out = by_one_facet(at, in, lobes, beyond);
     if (!regains(at, lobes))
         return out;
@@ -189,22 +202,46 @@ ScatterSample sample_one_facet(const Interaction& at, Lobes lobes, RandomSequenc
     return out;
 }
 
+/// Of a direction drawn about the shading normal, which may lie past the face.
+ScatterSample folded_back(const Interaction& at, const glm::vec3& direction)
+{
+    ScatterSample out;
+    out.direction = glm::dot(direction, at.normal) < 0 ? mirrored(direction, at.normal) : direction;
+    return out;
+}
+
+/// Gives what was drawn in any way its density and weight.
+void weigh(const Interaction& at, Lobes lobes, ScatterSample& out)
+{
+    const Scattered there = scattered_by_facets(at, out.direction, lobes);
+    out.density = there.density;
+    out.weight = there.density > 0 ? there.value * (out.eta * out.eta / there.density) : Rgb(0);
+}
+
 /// By the cosine, or a facet.
 ScatterSample sample_with_regained(const Interaction& at, Lobes lobes, RandomSequence& random)
 {
     ScatterSample out;
     if (random.next() < regained_chance(at)) {
-        out.direction = Frame(at.shading_normal).to_world(sample_cosine_hemisphere(random.next2()));
-        if (glm::dot(out.direction, at.normal) < 0)
-            out.direction = mirrored(out.direction, at.normal);
+        out = folded_back(
+            at, Frame(at.shading_normal).to_world(sample_cosine_hemisphere(random.next2())));
     } else {
         out = sample_one_facet(at, lobes, random);
         if (is_black(out.weight))
             return out;
     }
-    const Scattered there = scattered_by_facets(at, out.direction, lobes);
-    out.density = there.density;
-    out.weight = there.density > 0 ? there.value * (out.eta * out.eta / there.density) : Rgb(0);
+    weigh(at, lobes, out);
+    return out;
+}
+
+ScatterSample sample_model(const Interaction& at, Lobes lobes, RandomSequence& random)
+{
+    ScatterSample out;
+    out.direction = draw_modelled(at.bsdf, at.shading_normal, at.back, random);
+    if (!(glm::dot(out.direction, at.shading_normal) > 0))
+        return out;
+    out = folded_back(at, out.direction);
+    weigh(at, lobes, out);
     return out;
 }
 
@@ -212,6 +249,8 @@ ScatterSample sample_with_regained(const Interaction& at, Lobes lobes, RandomSeq
 
 ScatterSample sample_own_facets(const Interaction& at, Lobes lobes, RandomSequence& random)
 {
+    if (at.bsdf.is_modelled()) [[unlikely]]
+        return sample_model(at, lobes, random);
     return regains(at, lobes) ? sample_with_regained(at, lobes, random)
                               : sample_one_facet(at, lobes, random);
 }

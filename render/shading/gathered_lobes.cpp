@@ -2,6 +2,7 @@
 
 #include "render/shading/energy_compensation.h"
 #include "render/shading/facets.h"
+#include "render/shading/reflection_models.h"
 #include "render/shading/sheen.h"
 
 namespace hipmap {
@@ -67,6 +68,8 @@ Rgb scattered_by_sheen(const Bsdf& bsdf, const glm::vec3& normal, const glm::vec
 Rgb reflected_by_facets(const Bsdf& bsdf, const glm::vec3& normal, const glm::vec3& in,
                         const glm::vec3& out)
 {
+    if (bsdf.is_modelled()) [[unlikely]]
+        return modelled_lobe(bsdf, normal, in, out);
     const glm::vec3 half = glm::normalize(in + out);
     const float cos_in = glm::dot(normal, in), cos_out = glm::dot(normal, out);
     const float passed =

@@ -39,10 +39,12 @@ void stretch(const RenderScene& scene, const RayHit& hit, Interaction& at)
     std::optional<glm::vec3> along = stretched_along(scene.scene, at.point, hit.barycentric);
     if (along)
         along = part_across(*along, at.shading_normal);
-    if (along)
+    if (along) {
         at.bsdf.along = *along;
-    else
-        at.bsdf.alpha_along = 0;
+        return;
+    }
+    at.bsdf.alpha_along = 0;
+    at.bsdf.isotropy = 1;
 }
 
 /// What differs from point to point.
@@ -61,7 +63,7 @@ void add_details(const RenderScene& scene, const RayHit& hit, MaterialId materia
         if (at.bsdf.clearcoat != Reflection::none)
             tilt_coat(scene, hit, sign, smooth, at);
     }
-    if (at.bsdf.is_stretched())
+    if (at.bsdf.is_directed())
         stretch(scene, hit, at);
 }
 

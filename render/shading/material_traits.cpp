@@ -6,8 +6,7 @@ namespace hipmap {
 
 bool may_be_specular(const Material& material, const Bsdf& bsdf)
 {
-    return bsdf.reflects(Reflection::mirror) || bsdf.reflects(Reflection::followed) ||
-           bsdf.glass > 0 ||
+    return bsdf.has_mirror() || bsdf.reflects(Reflection::followed) || bsdf.glass > 0 ||
            (bsdf.clearcoat != Reflection::none &&
             find_texture(material.textures, TextureUse::clearcoat_roughness) != nullptr) ||
            find_texture(material.textures, TextureUse::metallic_roughness) != nullptr ||
@@ -18,6 +17,8 @@ bool may_gather_by_direction(const Material& material, const Bsdf& bsdf)
 {
     if (bsdf.burley_roughness >= 0 || bsdf.clearcoat == Reflection::gathered || bsdf.has_sheen())
         return true;
+    if (bsdf.is_modelled())
+        return bsdf.reflection == Reflection::gathered;
     const bool may_reflect =
         material.metallic > 0 || material.specular * max_channel(material.specular_color) > 0;
     return !is_followed(material.roughness) &&

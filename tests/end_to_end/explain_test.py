@@ -25,7 +25,7 @@ def reflections(m):
 
 def is_specular(m):
     """May be, for a picture of roughness may make it so."""
-    return m["glass"] or any(r <= FOLLOWED for r in reflections(m)) or bool(
+    return m["glass"] or m["mirror"] or any(r <= FOLLOWED for r in reflections(m)) or bool(
         m["textures"] & {"metallicRoughnessTexture", "transmissionTexture"})
 
 
@@ -43,7 +43,7 @@ def see_through(m):
 
 
 def has_mirror(m):
-    return any(r <= MIRROR for r in reflections(m)) or (
+    return m["mirror"] or any(r <= MIRROR for r in reflections(m)) or (
         m["reflects"] and "metallicRoughnessTexture" in m["textures"])
 
 
@@ -65,6 +65,7 @@ BY_MATERIAL = {
     "diffuse-transmission": lambda m: m["through"],
     "anisotropy": lambda m: m["anisotropy"] > 0 and m["directed"] and (
         m["reflects"] or m["glass"]),
+    "reflection-models": lambda m: m["model"] != "",
 }
 NEVER = ("subsurface", "motion-blur")
 

@@ -142,7 +142,7 @@ class GltfFacts:
         f0 *= 0 if unlit else number("specular", "specularFactor", 1)
         anisotropy = 0 if unlit else number("anisotropy", "anisotropyStrength", 0)
         attenuation = extensions.get("KHR_materials_volume", {})
-        return {
+        facts = {
             "name": written.get("name") or (f"material {index}" if index >= 0
                                             else "(no material)"),
             "textures": textures, "unlit": unlit, "anisotropy": anisotropy,
@@ -171,7 +171,27 @@ class GltfFacts:
                        number("diffuse_transmission", "diffuseTransmissionFactor", 0) > 0 and
                        any(number("diffuse_transmission", "diffuseTransmissionColorFactor", [1])),
             "dispersion": number("dispersion", "dispersion", 0),
+            "model": "" if unlit else own.get("reflection", ""), "mirror": False,
         }
+        return self.modelled(facts, own, base) if facts["model"] else facts
+
+    @staticmethod
+    def modelled(facts, own, base):
+        """The same of a material that reflects by a model of hipmap's own key, which has no layers."""
+        colour = base.get("baseColorFactor", [1, 1, 1])[:3]
+        facts.update(glass=False, solid=False, medium=False, coat=0, sheen=False, through=False)
+        facts["textures"] &= {"baseColorTexture", "normalTexture", "emissiveTexture"} | (
+            {"metallicRoughnessTexture", "anisotropyTexture"} if facts["model"] == "schlick"
+            else set())
+        if facts["model"] == "phong":
+            facts.update(
+                roughness=(2 * own["exponent"] + 1) ** -0.25, reflects=any(own["specular"]),
+                matt=any(c * (1 - s) > 0 for c, s in zip(colour, own["specular"])), anisotropy=0)
+            return facts
+        roughness = base.get("roughnessFactor", 1)
+        facts.update(roughness=roughness ** 0.25, reflects=True, mirror=roughness < 0.5,
+                     matt=roughness > 0.5 and any(colour), anisotropy=1 - own.get("isotropy", 1))
+        return facts
 
     def directed(self, index):
         """Something says along what reflections are stretched."""

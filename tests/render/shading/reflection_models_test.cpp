@@ -1,0 +1,197 @@
+#include "render/shading/phong.h"
+#include "render/shading/reflection_models.h"
+#include "render/shading/schlick_layer.h"
+#include "tests/support/drawn_directions.h"
+#include "tests/support/statistics.h"
+#include "tests/support/tiny_scenes.h"
+
+#include <catch2/catch.hpp>
+
+using namespace hipmap;
+
+namespace {
+
+Material phong(const Rgb& base, const Rgb& specular, float exponent)
+{
+    Material material = tiny::matt(base);
+    material.reflection_model = ReflectionModel::phong;
+    material.phong_specular = specular;
+    material.phong_exponent = exponent;
+    return material;
+}
+
+Material schlick(const Rgb& base, float roughness, float isotropy = 1)
+{
+    Material material = tiny::matt(base);
+    material.reflection_model = ReflectionModel::schlick;
+    material.roughness = roughness;
+    material.isotropy = isotropy;
+    return material;
+}
+
+/// As tiny::lit_surface, with a direction to be stretched along.
+Interaction lit(const Material& material, const glm::vec3& back)
+{
+    Interaction at = tiny::lit_surface(material, back);
+    at.bsdf.along = {0.6f, 0.8f, 0};
+    return at;
+}
+
+/// Gathered and followed, of either model.
+std::vector<Material> all_models()
+{
+    return {phong({0.8f, 0.5f, 0.2f}, {0.3f, 0.6f, 0.1f}, 0),
+            phong({0.8f, 0.5f, 0.2f}, {0.2f, 0.4f, 0.9f}, 12),
+            phong({0.1f, 0.3f, 0.2f}, Rgb(0.7f), 90),
+            schlick({0.9f, 0.6f, 0.2f}, 0.15f),
+            schlick({0.9f, 0.6f, 0.2f}, 0.5f, 0.3f),
+            schlick({0.2f, 0.4f, 0.9f}, 0.8f),
+            schlick(Rgb(0), 1),
+            schlick({0.8f, 0.4f, 0.9f}, 0.006f)};
+}
+
+const glm::vec3 kBacks[] = {{0.1f, 0, 1}, {0.7f, -0.4f, 0.6f}, {-1, 0.2f, 0.15f}};
+
+Lobes lobes_of(const Interaction& at)
+{
+    return at.bsdf.follows() ? Lobes::followed : Lobes::gathered;
+}
+
+/// f(in, back) of what is gathered.
+double value_at(const Interaction& at, const glm::vec3& in)
+{
+    return scattered(at, in, Lobes::gathered).value.x / in.z;
+}
+
+} // namespace
+
+TEST_CASE("reflection models: Phong's values by hand", "[shading]")
+{
+    const double pi = std::numbers::pi;
+    const Interaction at = lit(phong(Rgb(0.4f), Rgb(0.5f), 2), {0.6f, 0, 0.8f});
+    CHECK(value_at(at, {-0.6f, 0, 0.8f}) == Approx((0.4 * 0.5 + 0.5 * 2) / pi)); // the mirror image
+    CHECK(value_at(at, {0, 0, 1}) == Approx((0.4 * 0.5 + 0.5 * 2 * 0.64) / pi));
+    CHECK(value_at(at, {0.8f, 0, 0.6f}) == Approx(0.4 * 0.5 / pi)); // a right angle from it
+    const Interaction even = lit(phong(Rgb(0), Rgb(1), 0), {0, 0, 1});
+    CHECK(value_at(even, {0.6f, 0, 0.8f}) == Approx(1 / pi));
+}
+
+TEST_CASE("reflection models: Schlick's values by hand", "[shading]")
+{
+    const double pi = std::numbers::pi;
+    const glm::vec3 up(0, 0, 1);
+    const Interaction smooth = lit(schlick(Rgb(0.3f), 0.2f), up); // a 0, b 0.64, c 0.36
+    CHECK(value_at(smooth, up) == Approx(0.3 * 0.64 * 5 / (4 * pi)));
+    CHECK(specular_lobes(smooth.bsdf, smooth.seen(), true, false).mirror.x == Approx(0.3 * 0.36));
+    const Interaction rough = lit(schlick(Rgb(0.3f), 0.8f), up); // a 0.36, b 0.64, c 0
+    CHECK(value_at(rough, up) == Approx(0.3 * (0.36 + 0.64 * 1.25 / 4) / pi));
+    CHECK(specular_lobes(rough.bsdf, rough.seen(), true, false).mirror == Rgb(0));
+    const Interaction aslant = lit(schlick(Rgb(0.3f), 0.2f), {0.6f, 0, 0.8f});
+    const double masking = std::sqrt(0.2) / 2 * 0.2 + 0.8, reflected = 0.3 + 0.7 * std::pow(0.2, 5);
+    CHECK(value_at(aslant, {-0.6f, 0, 0.8f}) ==
+          Approx(reflected * 0.64 * 5 / (4 * pi * masking * masking)));
+}
+
+TEST_CASE("reflection models: Schlick's layer is stretched as its isotropy says", "[shading]")
+{
+    const SchlickLayer even{{0, 0, 1}, {1, 0, 0}, 0.5f, 1},
+        brushed{{0, 0, 1}, {1, 0, 0}, 0.5f, 0.25f};
+    const auto ratio = [&](const glm::vec3& half) {
+        const glm::vec3 out(0, 0, 1), in = reflect(out, half);
+        return brushed.spread(in, out, half) / even.spread(in, out, half);
+    };
+    CHECK(ratio({0.28f, 0, 0.96f}) == Approx(2));   // 1/sqrt(p)
+    CHECK(ratio({0, 0.28f, 0.96f}) == Approx(0.5)); // sqrt(p)
+    CHECK(ratio(glm::normalize(glm::vec3(0.2f, 0.2f, 1))) ==
+          Approx(std::sqrt(2 * 0.25 / (1 + 0.0625))));
+}
+
+TEST_CASE("reflection models: light takes the same way back", "[shading]")
+{
+    tiny::there_and_back(all_models(), [](float there, float back) {
+        CHECK(there == Approx(back).epsilon(2e-3).margin(1e-5));
+    });
+}
+
+TEST_CASE("reflection models: directions are drawn by the density that is said", "[shading]")
+{
+    for (const Material& material : all_models())
+        for (const glm::vec3& back : {kBacks[0], kBacks[2]}) {
+            const Interaction at = lit(material, back);
+            INFO("exponent " << at.bsdf.exponent << ", roughness " << material.roughness
+                             << ", height " << back.z);
+            CHECK(tiny::chi_square_z(at, lobes_of(at)) < kMostZ);
+        }
+    for (const Material& material : {all_models()[1], all_models()[3]})
+        CHECK(tiny::chi_square_z(tiny::tilted_surface(material, {0.8f, 0, 0.6f}), Lobes::gathered) <
+              kMostZ);
+}
+
+TEST_CASE("reflection models: the mean weight is the integral of the lobes", "[shading]")
+{
+    for (const Material& material : all_models()) {
+        const Interaction at = lit(material, kBacks[1]);
+        const Lobes lobes = lobes_of(at);
+        double integral = 0;
+        tiny::over_sphere(250, [&](const glm::vec3& in, double solid_angle) {
+            integral += double{scattered(at, in, lobes).value.y} * solid_angle;
+        });
+        RunningMean mean;
+        for (std::uint64_t i = 0; i < 20000; ++i) {
+            RandomSequence random(5, RandomStream::pictures, 0, i);
+            mean.add(sample_scatter(at, lobes, random).weight.y);
+        }
+        INFO("exponent " << at.bsdf.exponent << ", roughness " << material.roughness);
+        CHECK(std::abs(mean.mean() - integral) < 0.002 + kMostZ * mean.standard_error());
+    }
+}
+
+TEST_CASE("reflection models: no surface sends on more than it gets", "[shading]")
+{
+    const glm::vec3 backs[] = {{0, 0, 1}, {0.6f, 0.3f, 0.7f}, {-1, 0.2f, 0.15f}, {1, 0.3f, 0.02f}};
+    const auto all = [](const Interaction& at) {
+        return tiny::sent(at, 150).x + specular_lobes(at.bsdf, at.seen(), true, false).mirror.x;
+    };
+    for (const glm::vec3& back : backs) {
+        for (const float exponent : {0.0f, 3.0f, 40.0f})
+            for (const float specular : {0.3f, 1.0f}) {
+                INFO("exponent " << exponent << ", height " << back.z);
+                const double sum = all(lit(phong(Rgb(1), Rgb(specular), exponent), back));
+                CHECK(sum <= 1.002);
+                if (back.z == 1)
+                    CHECK(sum == Approx(1).margin(0.002));
+            }
+        // By Schlick's own masking it would be up to 1.2 at a roughness of 0.03.
+        for (const float roughness : {0.03f, 0.2f, 0.5f, 0.7f, 1.0f})
+            for (const float isotropy : {1.0f, 0.4f, 0.05f}) {
+                INFO("roughness " << roughness << ", isotropy " << isotropy << ", height "
+                                  << back.z);
+                CHECK(all(lit(schlick(Rgb(1), roughness, isotropy), back)) <= 1.002);
+            }
+    }
+    CHECK(all(lit(schlick(Rgb(1), 1), kBacks[1])) == Approx(1).margin(0.002));
+}
+
+TEST_CASE("reflection models: what becomes of the lobe goes by the roughness it is worth",
+          "[shading]")
+{
+    const auto made = [](const Material& material) {
+        return make_bsdf(material, material_factors(material), DiffuseModel::lambert);
+    };
+    CHECK(phong_roughness(0) == 1);
+    CHECK(made(phong(Rgb(1), Rgb(0.5f), 61)).reflection == Reflection::gathered);
+    CHECK(made(phong(Rgb(1), Rgb(0.5f), 62)).reflection == Reflection::followed);
+    CHECK(made(phong(Rgb(1), Rgb(0), 5)).is_matt());
+    const Bsdf mirror = made(phong(Rgb(1), Rgb(0.5f), 1e7f));
+    CHECK(mirror.reflection == Reflection::mirror);
+    CHECK(specular_lobes(mirror, 0.5f, true, false).mirror.x == Approx(0.25));
+    CHECK(made(schlick(Rgb(1), 0.0082f)).reflection == Reflection::gathered);
+    CHECK(made(schlick(Rgb(1), 0.008f)).reflection == Reflection::followed);
+    const Bsdf polished = made(schlick(Rgb(0.5f), 0));
+    CHECK(polished.reflection == Reflection::mirror);
+    CHECK_FALSE(polished.gathers());
+    CHECK(specular_lobes(polished, 0.5f, true, false).mirror.x ==
+          Approx(0.5 + 0.5 * std::pow(0.5, 5)));
+    CHECK(made(schlick(Rgb(0.5f), 0.4f)).has_mirror());
+    CHECK_FALSE(made(schlick(Rgb(0.5f), 0.6f)).has_mirror());
+}
