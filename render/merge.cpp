@@ -48,7 +48,7 @@ int merge_states(const MergeArguments& arguments)
                 (arguments.states.size() == 1 ? " state" : " states"));
     if (!state.checks.empty()) {
         report.line(describe_error(state.checks.back()));
-        report.line(describe_price(state));
+        report.line(describe_price(state, 0));
     }
 
     const Stopwatch writing;

@@ -103,18 +103,21 @@ std::string describe_error(const ErrorCheck& check)
     return text;
 }
 
-std::string describe_price(const RenderState& state)
+std::string describe_price(const RenderState& state, double target)
 {
     const ErrorCheck& last = state.checks.back();
     const ErrorLaw law = error_law(state.checks, alpha_of(state.settings));
-    const Price half = price_of(state.checks, law, last.error.error / 2, 0);
+    const bool of_target = target > 0 && target / 2 < last.error.error;
+    const Price half = price_of(state.checks, law, (of_target ? target : last.error.error) / 2, 0);
     const double before = error_after(law, static_cast<double>(last.passes) / 2);
     std::string text = "price: " + percent(last.error.error) + " took " +
                        std::to_string(last.passes) + " passes and " + format_seconds(last.seconds);
     if (!std::isfinite(half.passes) || last.error.error == 0)
         return text;
-    text += "; half that error takes " + whole(half.passes) + " and " +
-            format_seconds(half.seconds) + ", half the time gave " + percent(before);
+    text += of_target ? "; half the error asked for, " + percent(half.error) + ","
+                      : "; half that error";
+    text += " takes " + whole(half.passes) + " and " + format_seconds(half.seconds) +
+            ", half the time gave " + percent(before);
     return text;
 }
 
@@ -126,7 +129,7 @@ std::vector<Price> price_list(const RenderState& state, double target)
         return prices;
     std::vector<double> errors = {0.2, 0.1, 0.05, 0.02, 0.01, 0.005, checks.back().error.error / 2};
     if (target > 0)
-        errors.push_back(target);
+        errors.insert(errors.end(), {target, target / 2});
     std::sort(errors.begin(), errors.end(), std::greater<>());
     errors.erase(std::unique(errors.begin(), errors.end()), errors.end());
     const ErrorLaw law = error_law(checks, alpha_of(state.settings));

@@ -31,10 +31,12 @@ std::string percent(double share);
 /// What is known of an image's error, in words.
 std::string describe_error(const ErrorCheck& check);
 
-/// What half the error would cost.
-std::string describe_price(const RenderState& state);
+/// What half the error would cost: of that asked for while it is to be reached, else of that there
+/// is.  target: what was asked for, 0 for none.
+std::string describe_price(const RenderState& state, double target);
 
-/// The errors of a price list: half of what there is now, and round ones.  target: 0 for none.
+/// The errors of a price list: half of what there is now, round ones, and the target and half of
+/// it.  target: 0 for none.
 std::vector<Price> price_list(const RenderState& state, double target);
 
 /// The most memory that this process has held, bytes; 0: not known.

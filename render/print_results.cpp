@@ -68,7 +68,7 @@ void print_error(const RenderArguments& arguments, const RenderState& state, Rep
     if (state.checks.empty())
         return;
     report.line(describe_error(state.checks.back()));
-    report.line(describe_price(state));
+    report.line(describe_price(state, arguments.stops.error));
     if (!arguments.quote)
         return;
     for (const Price& price : price_list(state, arguments.stops.error)) {

@@ -130,7 +130,7 @@ class State(ToolsTestCase):
     def test_it_ends_at_an_error_and_after_a_time_and_says_the_price(self):
         said = self.render("a.pfm", "--integrator", "path", "--error", "20%", "--stats",
                            self.path("a.json"))
-        self.assertIn("half that error takes", said)
+        self.assertRegex(said, "half the error asked for, 10 %, takes [0-9]+ and ")
         stats = self.read_json("a.json")
         self.assertEqual(stats["ended_by"], "error")
         checks = stats["error"]["checks"]
