@@ -76,8 +76,8 @@ def noise_of(halves):
 
 def mean_curve(runs, column=2):
     """[(seconds, error, its standard error, passes)] of the runs of some seeds, each [(passes,
-    seconds, relMSE, ...)] at the same passes, by the relMSE in that column.  Where the mean relMSE is not above zero the reference does
-    not tell the error, and there is no point."""
+    seconds, relMSE, ...)] at the same passes, by the relMSE in that column.  Where the mean relMSE
+    is not above zero the reference does not tell the error, and there is no point."""
     curve = []
     for points in zip(*runs):
         squares = [point[column] for point in points]

@@ -1,4 +1,5 @@
 #include "tests/support/drawn_directions.h"
+#include "tests/support/drawn_weights.h"
 #include "tests/support/statistics.h"
 #include "tests/support/tiny_scenes.h"
 
@@ -132,15 +133,7 @@ TEST_CASE("coat normal: the mean weight is the integral of the lobes", "[shading
             const Interaction at = below_tilted_coat(material, kBacks[1]);
             if (lobes == Lobes::gathered ? !at.bsdf.gathers() : !at.bsdf.follows())
                 continue;
-            double integral = 0;
-            tiny::over_sphere(250, [&](const glm::vec3& in, double solid_angle) {
-                integral += double{scattered(at, in, lobes).value.y} * solid_angle;
-            });
-            RunningMean mean;
-            for (std::uint64_t i = 0; i < 20000; ++i) {
-                RandomSequence random(5, RandomStream::pictures, 0, i);
-                mean.add(sample_scatter(at, lobes, random).weight.y);
-            }
+            const auto [integral, mean] = tiny::integral_and_weights(at, lobes);
             INFO("base " << material.roughness << ", coat " << material.clearcoat_roughness
                          << ", set " << int(lobes));
             CHECK(std::abs(mean.mean() - integral) < 0.002 + kMostZ * mean.standard_error());

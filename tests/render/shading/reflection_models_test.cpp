@@ -2,6 +2,7 @@
 #include "render/shading/reflection_models.h"
 #include "render/shading/schlick_layer.h"
 #include "tests/support/drawn_directions.h"
+#include "tests/support/drawn_weights.h"
 #include "tests/support/statistics.h"
 #include "tests/support/tiny_scenes.h"
 
@@ -132,15 +133,7 @@ TEST_CASE("reflection models: the mean weight is the integral of the lobes", "[s
     for (const Material& material : all_models()) {
         const Interaction at = lit(material, kBacks[1]);
         const Lobes lobes = lobes_of(at);
-        double integral = 0;
-        tiny::over_sphere(250, [&](const glm::vec3& in, double solid_angle) {
-            integral += double{scattered(at, in, lobes).value.y} * solid_angle;
-        });
-        RunningMean mean;
-        for (std::uint64_t i = 0; i < 20000; ++i) {
-            RandomSequence random(5, RandomStream::pictures, 0, i);
-            mean.add(sample_scatter(at, lobes, random).weight.y);
-        }
+        const auto [integral, mean] = tiny::integral_and_weights(at, lobes);
         INFO("exponent " << at.bsdf.exponent << ", roughness " << material.roughness);
         CHECK(std::abs(mean.mean() - integral) < 0.002 + kMostZ * mean.standard_error());
     }
