@@ -190,9 +190,5 @@ TEST_CASE("glossy light: path tracer and photon maps agree on a glossy room", "[
     options.width = 24;
     options.height = 16;
     options.photons = 40000;
-    const auto [maps, paths, noise] = by_maps_and_paths(*ready, options, 8, 60, Integrator::direct);
-    // Estimates blur across facets and close corners: a bias below 1 part in 100.
-    INFO("maps " << maps.mean() << ", paths " << paths.mean() << ", noise " << noise);
-    CHECK(std::abs(maps.mean() - paths.mean()) < 0.01 * paths.mean() + kMostZ * noise);
-    CHECK(noise < 0.01 * paths.mean());
+    check_agreement(*ready, options, 8, 60, {.with_maps = Integrator::direct});
 }

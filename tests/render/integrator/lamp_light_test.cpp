@@ -207,8 +207,5 @@ TEST_CASE("lamps: the integrators agree on a room with a glass ball, lit by lamp
     ImageOptions options;
     options.width = options.height = 16;
     options.photons = 10'000;
-    const auto [progressive, paths, noise] = by_maps_and_paths(*ready, options, 8, 60);
-    INFO("progressive " << progressive.mean() << ", paths " << paths.mean() << ", noise " << noise);
-    CHECK(std::abs(progressive.mean() - paths.mean()) < 0.01 * paths.mean() + kMostZ * noise);
-    CHECK(noise < 0.02 * paths.mean());
+    check_agreement(*ready, options, 8, 60, {.most_noise = 0.02});
 }

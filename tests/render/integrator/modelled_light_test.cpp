@@ -25,9 +25,6 @@ TEST_CASE("reflection models: photon maps agree with paths", "[integrator]")
         ImageOptions options;
         options.width = options.height = 16;
         options.photons = 20000;
-        const auto [maps, paths, noise] = by_maps_and_paths(*ready, options, 8, 70);
-        INFO("maps " << maps.mean() << ", paths " << paths.mean() << ", noise " << noise);
-        CHECK(std::abs(maps.mean() - paths.mean()) < 0.01 * paths.mean() + kMostZ * noise);
-        CHECK(noise < 0.01 * paths.mean());
+        check_agreement(*ready, options, 8, 70);
     }
 }

@@ -110,8 +110,5 @@ TEST_CASE("sky light: the integrators agree under a picture, with a glass and a 
     ImageOptions options;
     options.width = options.height = 16;
     options.photons = 20'000;
-    const auto [progressive, paths, noise] = by_maps_and_paths(*ready, options, 8, 100);
-    INFO("progressive " << progressive.mean() << ", paths " << paths.mean() << ", noise " << noise);
-    CHECK(std::abs(progressive.mean() - paths.mean()) < 0.01 * paths.mean() + kMostZ * noise);
-    CHECK(noise < 0.03 * paths.mean());
+    check_agreement(*ready, options, 8, 100, {.most_noise = 0.03});
 }
