@@ -1,7 +1,9 @@
 #include "common/scene/gltf_material.h"
 
 #include "common/scene/gltf_extras.h"
+#include "common/scene/gltf_factors.h"
 #include "common/scene/gltf_texture.h"
+#include "common/scene/gltf_volume.h"
 #include "common/scene/scene_names.h"
 
 #include <algorithm>
@@ -13,93 +15,8 @@ namespace {
 
 using nlohmann::json;
 
-/// An attenuation colour of zero would absorb without limit; this leaves a millionth.
-constexpr double kDarkestAttenuation = 1e-6;
-
 /// KHR_materials_ior: an index of 0 stands for infinity (all is reflected).
 constexpr float kInfiniteIor = 1e4f;
-
-/// Reads the factors of one material; keeps track of those that had to be clamped.
-class FactorReader {
-  public:
-    FactorReader(const RawScene& scene, const std::string& name)
-        : path_(scene.path), place_("material " + quote_name(name))
-    {
-    }
-
-    double number(const json& object, const char* key, double otherwise) const
-    {
-        return object.value(key, otherwise);
-    }
-
-    float fraction(const json& object, const char* key, double otherwise)
-    {
-        return fraction_of(number(object, key, otherwise), key);
-    }
-
-    float fraction_of(double value, const char* key)
-    {
-        if (!(value >= 0 && value <= 1))
-            clamped.emplace_back(key);
-        return static_cast<float>(std::clamp(value, 0.0, 1.0));
-    }
-
-    glm::dvec3 colour(const json& object, const char* key, double otherwise) const
-    {
-        if (!object.contains(key))
-            return glm::dvec3(otherwise);
-        const json& c = object[key];
-        return {c[0].get<double>(), c[1].get<double>(), c[2].get<double>()};
-    }
-
-    float at_least_zero(const json& object, const char* key, double otherwise = 0.0) const
-    {
-        const double value = number(object, key, otherwise);
-        if (!(value >= 0))
-            fail(std::string(key) + " must not be negative");
-        return static_cast<float>(value);
-    }
-
-    Rgb fractions(const json& object, const char* key, double otherwise = 1.0)
-    {
-        const glm::dvec3 c = colour(object, key, otherwise);
-        return {fraction_of(c.x, key), fraction_of(c.y, key), fraction_of(c.z, key)};
-    }
-
-    [[noreturn]] void fail(const std::string& what) const
-    {
-        throw scene_error(path_, place_, what);
-    }
-
-    std::vector<std::string> clamped;
-
-  private:
-    const std::filesystem::path& path_;
-    std::string place_;
-};
-
-const json& extension(const json& material, const char* name)
-{
-    static const json kNothing = json::object();
-    const auto extensions = material.find("extensions");
-    if (extensions == material.end() || !extensions->contains(name))
-        return kNothing;
-    return (*extensions)[name];
-}
-
-void read_volume(const json& volume, FactorReader& read, Material& out)
-{
-    out.thickness = read.at_least_zero(volume, "thicknessFactor");
-    if (!volume.contains("attenuationDistance"))
-        return;
-    const double distance = read.number(volume, "attenuationDistance", 0.0);
-    if (!(distance > 0))
-        read.fail("attenuationDistance must be above 0; set a density above 0");
-    const Rgb colour = read.fractions(volume, "attenuationColor");
-    for (int c = 0; c < 3; ++c)
-        out.absorption[c] = static_cast<float>(
-            -std::log(std::max<double>(colour[c], kDarkestAttenuation)) / distance);
-}
 
 void read_extensions(const json& material, FactorReader& read, Material& out)
 {
@@ -115,7 +32,7 @@ void read_extensions(const json& material, FactorReader& read, Material& out)
     if (!(colour.x >= 0 && colour.y >= 0 && colour.z >= 0))
         read.fail("its specular colour must not be negative");
     out.specular_color = Rgb(colour);
-    read_volume(extension(material, "KHR_materials_volume"), read, out);
+    read_volume(material, read, out);
 }
 
 /// Layers and effects that are read for renderers that know them.

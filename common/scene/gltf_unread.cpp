@@ -15,23 +15,15 @@ using nlohmann::json;
 using std::string_view;
 
 constexpr string_view kRead[] = {
-    "KHR_lights_punctual",
-    "KHR_materials_emissive_strength",
-    "KHR_materials_transmission",
-    "KHR_materials_ior",
-    "KHR_materials_specular",
-    "KHR_materials_volume",
-    "KHR_materials_clearcoat",
-    "KHR_materials_unlit",
-    "KHR_mesh_quantization",
-    "KHR_draco_mesh_compression",
-    "EXT_meshopt_compression",
-    "EXT_mesh_gpu_instancing",
-    "KHR_texture_transform",
-    "KHR_materials_sheen",
-    "KHR_materials_dispersion",
-    "KHR_materials_anisotropy",
-    "KHR_materials_diffuse_transmission",
+    "KHR_lights_punctual",          "KHR_materials_emissive_strength",
+    "KHR_materials_transmission",   "KHR_materials_ior",
+    "KHR_materials_specular",       "KHR_materials_volume",
+    "KHR_materials_volume_scatter", "KHR_materials_clearcoat",
+    "KHR_materials_unlit",          "KHR_mesh_quantization",
+    "KHR_draco_mesh_compression",   "EXT_meshopt_compression",
+    "EXT_mesh_gpu_instancing",      "KHR_texture_transform",
+    "KHR_materials_sheen",          "KHR_materials_dispersion",
+    "KHR_materials_anisotropy",     "KHR_materials_diffuse_transmission",
 };
 
 constexpr string_view kRenderedTextures[] = {"baseColorTexture",

@@ -57,6 +57,41 @@ TEST_CASE("a material's factors and extensions are read as glTF defines them", "
     check_colour(m.absorption, 0, 0, 0);
 }
 
+TEST_CASE("a volume that scatters sends back the colour that its file names", "[scene][gltf]")
+{
+    const auto load_wax = [](const json& scatter) {
+        const double e = std::exp(1.0);
+        return load_material(
+            {{"extensions",
+              {{"KHR_materials_volume",
+                {{"attenuationDistance", 1}, {"attenuationColor", {1, 1 / e, 1 / (e * e)}}}},
+               {"KHR_materials_volume_scatter", scatter}}}},
+            1.0);
+    };
+    const LoadedScene loaded =
+        load_wax({{"multiscatterColor", {0.5, 0.25, 0.8}}, {"scatterAnisotropy", 0.3}});
+    CHECK(loaded.audit.warnings.empty());
+    const Material& m = loaded.scene.materials.at(0);
+    CHECK(m.phase.kind == PhaseKind::henyey_greenstein);
+    CHECK(m.phase.g == 0.3f);
+    check_colour(m.inside().extinction(), 0, 1, 2);
+    CHECK(m.scattering.x == 0);
+    for (const int c : {1, 2}) {
+        // What comes back from a deep medium, by its albedo (van de Hulst's fit).
+        const double albedo = m.scattering[c] / (m.scattering[c] + m.absorption[c]);
+        const double s = std::sqrt((1 - albedo) / (1 - albedo * 0.3));
+        CHECK((1 - s) * (1 - 0.139 * s) / (1 + 1.17 * s) ==
+              Approx(c == 1 ? 0.25 : 0.8).epsilon(2e-4));
+    }
+    const Material black = load_wax({{"scatterAnisotropy", 0}}).scene.materials.at(0);
+    CHECK(black.phase.kind == PhaseKind::isotropic);
+    CHECK(max_channel(black.scattering) < 1e-4f);
+    const Material white = load_wax({{"multiscatterColor", {1, 1, 1}}}).scene.materials.at(0);
+    check_colour(white.absorption, 0, 0, 0);
+    check_colour(white.scattering, 0, 1, 2);
+    CHECK_THROWS_WITH(load_wax({{"scatterAnisotropy", 1}}), Catch::Contains("scatterAnisotropy"));
+}
+
 TEST_CASE("alpha, coat, sheen, anisotropy, dispersion and thickness are read", "[scene][gltf]")
 {
     const LoadedScene loaded = load_material(
