@@ -9,8 +9,9 @@ import math
 import os
 import sys
 
+import effect_insides
 import smoke_density
-from glb_writer import Glb, box, byte, png, quad, sphere
+from glb_writer import Glb, byte, png, quad, sphere
 
 WHITE = (0.74, 0.74, 0.72)
 
@@ -230,96 +231,6 @@ def add_motion(glb):
     glb.animate("Ball", translation=("CUBICSPLINE", (0, 0.625, 1), rows))
 
 
-def add_fog(glb):
-    """A spot shines through fog, and a ball stands in its way."""
-    glb.root["scenes"][0]["extras"] = {"hipmap": {"medium": {
-        "scattering": [0.22, 0.22, 0.22], "absorption": [0.02, 0.02, 0.02], "g": 0.3}}}
-    used = glb.root.setdefault("extensionsUsed", [])
-    used.append("KHR_lights_punctual")
-    spot = {"type": "spot", "name": "Spot", "intensity": 683 * 30,
-            "spot": {"innerConeAngle": 0.2, "outerConeAngle": 0.24}}
-    glb.root["extensions"] = {"KHR_lights_punctual": {"lights": [spot]}}
-    down = math.atan2(1.4, 1.5)  # turned from -z to +x, then downwards
-    half_turn, half_down = -math.pi / 4, -down / 2
-    glb.node("Spot", translation=[-1.0, 1.75, 0.1],
-             rotation=[math.cos(half_turn) * math.sin(half_down),
-                       math.sin(half_turn) * math.cos(half_down),
-                       -math.sin(half_turn) * math.sin(half_down),
-                       math.cos(half_turn) * math.cos(half_down)],
-             extensions={"KHR_lights_punctual": {"light": 0}})
-    red = glb.material("Red", (0.7, 0.15, 0.1))
-    glb.mesh("Ball", red, sphere((-0.14, 0.95, 0.1), 0.12))
-
-
-def add_milk(glb):
-    """A ball of milky glass, and a ball of smoke that has no surface."""
-    milk = {"scattering": [9, 10, 11], "absorption": [0.02, 0.1, 0.3], "g": 0.5}
-    glass = glb.material(
-        "Milky glass", (1, 1, 1), base={"roughnessFactor": 0},
-        extensions={"KHR_materials_transmission": {"transmissionFactor": 1},
-                    "KHR_materials_ior": {"ior": 1.4}}, extras={"hipmap": {"medium": milk}})
-    smoke = {"scattering": [3, 3, 3], "absorption": [1.5, 0.8, 0.4], "phase": "schlick", "g": 0.6}
-    cloud = glb.material("Smoke", (1, 1, 1),
-                         extras={"hipmap": {"boundary": False, "medium": smoke}})
-    glb.mesh("Ball of glass", glass, sphere((-0.45, 0.39, 0), 0.38, 40, 20))
-    glb.mesh("Ball of smoke", cloud, sphere((0.45, 0.39, 0), 0.38, 40, 20))
-
-
-def add_smoke(glb):
-    """Smoke of a density that differs from place to place, in a box that has no surface."""
-    smoke = {"scattering": [16, 16, 15], "absorption": [2, 3, 4], "phase": "schlick", "g": 0.3,
-             "density": "smoke.vol"}
-    cloud = glb.material("Smoke", (1, 1, 1),
-                         extras={"hipmap": {"boundary": False, "medium": smoke}})
-    glb.mesh("Box of smoke", cloud, box((-0.55, 0.01, -0.6), (0.65, 1.7, 0.6)))
-    red = glb.material("Red", (0.7, 0.15, 0.1))
-    glb.mesh("Ball", red, sphere((-0.75, 0.2, 0.3), 0.2, 40, 20))
-
-
-def prism(centre, side, length, turn):
-    """An equilateral one along z; `turn` (radians) from its apex being on top."""
-    corners = [(centre[0] + side / math.sqrt(3) * math.cos(angle),
-                centre[1] + side / math.sqrt(3) * math.sin(angle))
-               for angle in (turn + math.pi / 2 + 2 * math.pi * i / 3 for i in range(3))]
-    back, front = centre[2] - length / 2, centre[2] + length / 2
-    positions, normals, uvs, faces = [], [], [], []
-
-    def add(points, normal):
-        first = len(positions)
-        positions.extend(points)
-        normals.extend([normal] * len(points))
-        uvs.extend([(0, 0)] * len(points))
-        faces.extend((first, first + i, first + i + 1) for i in range(1, len(points) - 1))
-
-    add([(*corner, front) for corner in corners], (0, 0, 1))
-    add([(*corner, back) for corner in reversed(corners)], (0, 0, -1))
-    for i, a in enumerate(corners):
-        b = corners[(i + 1) % 3]
-        normal = ((b[1] - a[1]) / side, (a[0] - b[0]) / side, 0)
-        add([(*a, front), (*a, back), (*b, back), (*b, front)], normal)
-    return positions, normals, uvs, faces
-
-
-def add_dispersion(glb):
-    """A prism of a glass that parts colours more than any real one, in the light of a spot."""
-    glass = glb.material("Prism", (1, 1, 1), base={"roughnessFactor": 0}, extensions={
-        "KHR_materials_ior": {"ior": 1.6}, "KHR_materials_transmission": {"transmissionFactor": 1},
-        "KHR_materials_dispersion": {"dispersion": 3}})
-    glb.mesh("Prism", glass, prism((-0.6, 0.9, -0.1), 0.22, 0.4, math.radians(-23)))
-    glb.spot("Spot", (-1.4, 0.9, -0.1), (0, -math.sqrt(0.5), 0, math.sqrt(0.5)), 40000,
-             math.radians(1.6))
-
-
-def add_absorption(glb):
-    """The same glass, thin and thick."""
-    glass = glb.material("Bottle glass", (1, 1, 1), base={"roughnessFactor": 0}, extensions={
-        "KHR_materials_ior": {"ior": 1.5}, "KHR_materials_transmission": {"transmissionFactor": 1},
-        "KHR_materials_volume": {"thicknessFactor": 1, "attenuationDistance": 0.3,
-                                 "attenuationColor": [0.15, 0.6, 0.3]}})
-    glb.mesh("Large ball", glass, sphere((0.35, 0.41, 0), 0.4, 40, 20))
-    glb.mesh("Small ball", glass, sphere((-0.4, 0.16, 0.2), 0.15, 40, 20))
-
-
 def add_environment(glb):
     """A blue sky beside the lamp."""
     glb.mesh("Ball", 0, sphere((0.1, 0.4, 0), 0.4, 40, 20))
@@ -364,26 +275,28 @@ def add_textures(glb):
 
 
 SCENES = {
-    "absorption": (add_absorption, 20),
+    "absorption": (effect_insides.add_absorption, 20),
     "alpha": (add_alpha, 20),
     "anisotropy": (add_anisotropy, 20),
     "clearcoat": (add_clearcoat, 20),
     "clearcoat_normal": (add_clearcoat_normal, 20),
     "depth_of_field": (add_depth_of_field, 20),
     "diffuse_transmission": (add_diffuse_transmission, 3),
-    "dispersion": (add_dispersion, 8),
+    "dispersion": (effect_insides.add_dispersion, 8),
     "emissive_picture": (add_emissive_picture, 0),
     "environment": (add_environment, 12),
-    "fog": (add_fog, 1.5),
-    "milk": (add_milk, 20),
+    "fog": (effect_insides.add_fog, 1.5),
+    "milk": (effect_insides.add_milk, 20),
     "motion": (add_motion, 20),
+    "nested_dielectrics": (effect_insides.add_nested_dielectrics, 20),
     "normal_maps": (add_normal_maps, 20),
     "reflection_models": (add_reflection_models, 20),
     "reflections": (add_reflections, 20),
     "rough_metal": (add_rough_metal, 20),
     "sheen": (add_sheen, 20),
-    "smoke": (add_smoke, 20),
+    "smoke": (effect_insides.add_smoke, 20),
     "soft_shadows": (add_soft_shadows, 0),
+    "subsurface": (effect_insides.add_subsurface, 20),
     "textures": (add_textures, 20),
     "vertex_colours": (add_vertex_colours, 20),
 }

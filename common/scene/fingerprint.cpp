@@ -101,14 +101,14 @@ void add_material(Hasher& hasher, const Material& material)
 {
     const auto& [name, base_color, metallic, roughness, emission, double_sided, transmission, ior,
                  specular, specular_color, absorption, thickness, scattering, medium_emission,
-                 phase, density, boundary, dispersion, clearcoat, clearcoat_roughness, sheen_color,
-                 sheen_roughness, diffuse_transmission, diffuse_transmission_color, anisotropy,
-                 anisotropy_rotation, energy_compensation, reflection_model, phong_exponent,
-                 phong_specular, isotropy, alpha, alpha_mode, alpha_cutoff, unlit, textures] =
-        material;
+                 phase, density, boundary, priority, dispersion, clearcoat, clearcoat_roughness,
+                 sheen_color, sheen_roughness, diffuse_transmission, diffuse_transmission_color,
+                 anisotropy, anisotropy_rotation, energy_compensation, reflection_model,
+                 phong_exponent, phong_specular, isotropy, alpha, alpha_mode, alpha_cutoff, unlit,
+                 textures] = material;
     hasher.add(base_color, metallic, roughness, emission, double_sided, transmission, ior, specular,
                specular_color, absorption, thickness, scattering, medium_emission, phase.kind,
-               phase.g, boundary, dispersion, clearcoat, clearcoat_roughness, sheen_color,
+               phase.g, boundary, priority, dispersion, clearcoat, clearcoat_roughness, sheen_color,
                sheen_roughness, diffuse_transmission, diffuse_transmission_color, anisotropy,
                anisotropy_rotation, energy_compensation, reflection_model, phong_exponent,
                phong_specular, isotropy, alpha, alpha_mode, alpha_cutoff, unlit);
@@ -174,7 +174,7 @@ Fingerprint fingerprint(const Scene& scene)
 Fingerprint content_fingerprint(const Scene& scene)
 {
     const auto& [frame, mesh, materials, images, lights, area_lights, environment, picture,
-                 strength, around, cameras, camera, diffuse_model] = scene;
+                 strength, around, cameras, camera, diffuse_model, nested] = scene;
     Hasher hasher;
     add_geometry(hasher, scene);
     add_rest_of_mesh(hasher, mesh);

@@ -65,8 +65,10 @@ void read_medium(HipmapExtras& extras, const std::filesystem::path& scene, const
     read("scattering", medium.scattering);
     read("emission", medium.emission);
     const std::optional<double> g = extras.within("g", kMostG);
-    const std::string phase = extras.text("phase").value_or(g ? "henyey-greenstein" : "isotropic");
-    medium.phase = {phase_named(phase, extras), static_cast<float>(g.value_or(0.0))};
+    const std::optional<std::string> phase = extras.text("phase");
+    if (phase || g)
+        medium.phase = {phase_named(phase.value_or("henyey-greenstein"), extras),
+                        static_cast<float>(g.value_or(0.0))};
     if (medium.phase.kind == PhaseKind::isotropic && medium.phase.g != 0)
         extras.fail("g", "has no meaning for the phase \"isotropic\"");
     if (const std::optional<std::string> density = extras.text("density"))
@@ -163,6 +165,7 @@ void read_material_extras(const json& from, Material& material, RawScene& scene)
     material.boundary = extras.flag("boundary").value_or(true);
     if (!material.boundary)
         material.alpha_mode = AlphaMode::opaque; // of a surface that is not there
+    material.priority = static_cast<float>(extras.positive("priority").value_or(0.0));
     read_reflection(extras, from, material, scene.audit);
     extras.finish("");
 }

@@ -49,6 +49,7 @@ struct Material {
     PhaseFunction phase;       ///< of the inside
     std::shared_ptr<const DensityGrid> density; ///< of the inside, as Medium has it
     bool boundary = true;    ///< false: nothing but where its inside begins, rays go on
+    float priority = 0.0f;   ///< of its inside: where others lie too, the highest is there
     float dispersion = 0.0f; ///< KHR_materials_dispersion: 20 / Abbe number
     float clearcoat = 0.0f;  ///< KHR_materials_clearcoat
     float clearcoat_roughness = 0.0f;
@@ -145,6 +146,8 @@ struct Scene {
     std::vector<Camera> cameras;       ///< at least one
     std::size_t camera = 0;            ///< the one to render from
     DiffuseModel diffuse_model = DiffuseModel::lambert; ///< of the program the author saw it in
+    bool nested_dielectrics = false; ///< rays are to know which dielectrics they are in, as some
+                                     ///<   lie in one another; the effect plan says so
 };
 
 } // namespace hipmap

@@ -42,7 +42,8 @@ void drop_effects(Scene& scene, const EffectPlan& plan)
             material.reflection_model = ReflectionModel::metallic_roughness;
         if (!plan.has(Effect::alpha))
             material.alpha_mode = AlphaMode::opaque;
-        if (!plan.has(Effect::media))
+        const bool beneath = material.boundary && !is_black(material.scattering);
+        if (!plan.has(beneath ? Effect::subsurface : Effect::media))
             drop_medium(material);
         if (!plan.has(Effect::normal_maps))
             std::erase_if(material.textures, [](const TextureSlot& slot) {
@@ -52,6 +53,7 @@ void drop_effects(Scene& scene, const EffectPlan& plan)
             std::erase_if(material.textures,
                           [](const TextureSlot& slot) { return is_rendered(slot.use); });
     }
+    scene.nested_dielectrics = plan.has(Effect::nested_dielectrics);
     if (!plan.has(Effect::vertex_colours))
         scene.mesh.attributes.colours.clear();
     if (!plan.has(Effect::depth_of_field))

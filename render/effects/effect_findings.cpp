@@ -92,17 +92,6 @@ Finding find_refraction(const SceneFacts& facts)
     return {true, "rays bend in " + solid, "a reflected and a transmitted ray from clear glass"};
 }
 
-Finding find_absorption(const SceneFacts& facts)
-{
-    const std::string names = facts.materials_where([](const Material& material, const Bsdf& bsdf,
-                                                       bool solid) {
-        return solid && bsdf.glass > 0 && !is_black(bsdf.absorption) && !material.holds_medium();
-    });
-    if (names.empty())
-        return {false, "no solid glass has an attenuation colour", ""};
-    return {true, names + " absorb light on its way through", "an exponential for each ray inside"};
-}
-
 Finding find_dispersion(const SceneFacts& facts)
 {
     const std::string names = facts.materials_where(
@@ -111,37 +100,6 @@ Finding find_dispersion(const SceneFacts& facts)
         return {false, "no solid glass bends colours differently", ""};
     return {true, names + " bend colours differently",
             "noise in colour: paths that meet them go on with one wavelength"};
-}
-
-Finding find_media(const SceneFacts& facts)
-{
-    const std::string names = facts.materials_where([](const Material& m, const Bsdf&, bool solid) {
-        return (m.holds_medium() && solid && m.transmission > 0) || !m.boundary;
-    });
-    const bool around = !facts.scene.around.is_clear();
-    if (names.empty() && !around)
-        return {false, "nothing that light passes through scatters it or glows", ""};
-    const std::string inside = names.empty() ? "" : names + " have an inside that light passes";
-    const std::string grids =
-        facts.materials_where([](const Material& m, const Bsdf&, bool) { return bool(m.density); });
-    return {true,
-            (around ? "the scene has one around it" : "") +
-                std::string(around && !names.empty() ? "; " : "") + inside +
-                (grids.empty() ? "" : "; a grid says how dense " + grids + " is"),
-            grids.empty()
-                ? "distances drawn along every ray, and photons in them"
-                : "distances drawn along every ray, cell by cell of the grid, and photons "
-                  "in them"};
-}
-
-Finding find_subsurface(const SceneFacts& facts)
-{
-    return not_rendered_yet(names_of(facts,
-                                     [](const Material& m) {
-                                         return m.transmission == 0 && m.boundary &&
-                                                !is_black(m.scattering);
-                                     }),
-                            "no opaque material scatters light beneath its surface");
 }
 
 Finding find_textures(const SceneFacts& facts)

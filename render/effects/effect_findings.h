@@ -27,6 +27,7 @@ Finding find_glossy(const SceneFacts& facts);
 Finding find_refraction(const SceneFacts& facts);
 Finding find_absorption(const SceneFacts& facts);
 Finding find_dispersion(const SceneFacts& facts);
+Finding find_nested_dielectrics(const SceneFacts& facts);
 Finding find_media(const SceneFacts& facts);
 Finding find_subsurface(const SceneFacts& facts);
 Finding find_textures(const SceneFacts& facts);
@@ -38,8 +39,5 @@ Finding find_sheen(const SceneFacts& facts);
 Finding find_diffuse_transmission(const SceneFacts& facts);
 Finding find_anisotropy(const SceneFacts& facts);
 Finding find_reflection_models(const SceneFacts& facts);
-
-/// One that is in the file, but not rendered.  names: in quotes; empty: not in the file.
-Finding not_rendered_yet(const std::string& names, const char* without);
 
 } // namespace hipmap

@@ -26,8 +26,9 @@ constexpr std::array<Row, kEffects> kRows = {{
     {Effect::caustics, "caustics", find_caustics, true},
     {Effect::absorption, "absorption", find_absorption, true},
     {Effect::dispersion, "dispersion", find_dispersion, true},
+    {Effect::nested_dielectrics, "nested-dielectrics", find_nested_dielectrics, true},
     {Effect::media, "media", find_media, true},
-    {Effect::subsurface, "subsurface", find_subsurface, false},
+    {Effect::subsurface, "subsurface", find_subsurface, true},
     {Effect::textures, "textures", find_textures, true},
     {Effect::normal_maps, "normal-maps", find_normal_maps, true},
     {Effect::vertex_colours, "vertex-colours", find_vertex_colours, true},
@@ -79,7 +80,7 @@ PlannedEffect plan_effect(const Row& row, const SceneFacts& facts, const EffectO
 {
     const Finding found = row.find(facts);
     const bool by_bounces = row.effect == Effect::indirect || row.effect == Effect::caustics ||
-                            row.effect == Effect::media;
+                            row.effect == Effect::media || row.effect == Effect::subsurface;
     PlannedEffect out{row.effect, found.on, found.reason, found.on ? found.cost : ""};
     if (found.on && by_bounces && !options.bounces)
         out = {row.effect, false,

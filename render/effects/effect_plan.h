@@ -21,6 +21,7 @@ enum class Effect : std::uint8_t {
     caustics,
     absorption,
     dispersion,
+    nested_dielectrics,
     media,
     subsurface,
     textures,
@@ -36,7 +37,7 @@ enum class Effect : std::uint8_t {
     depth_of_field,
     motion_blur,
 };
-inline constexpr std::size_t kEffects = 22;
+inline constexpr std::size_t kEffects = 23;
 
 /// As the user writes it.
 std::string_view name_of(Effect effect);
@@ -74,7 +75,7 @@ struct EffectPlan {
 };
 
 /// What the scene calls for: an effect is on only if some face, light or camera needs it and the
-/// renderer has it.  O(F + M).
+/// renderer has it.  Cost: as gather_facts.
 EffectPlan plan_effects(const Scene& scene, const Partition& partition,
                         const EffectOptions& options);
 

@@ -30,11 +30,6 @@ std::vector<std::string> lights_with_size(const SceneFacts& facts)
 
 } // namespace
 
-Finding not_rendered_yet(const std::string& names, const char* without)
-{
-    return {false, names.empty() ? without : "in the file (" + names + "), not rendered yet", ""};
-}
-
 Finding find_soft_shadows(const SceneFacts& facts)
 {
     std::string lights = facts.materials_where(

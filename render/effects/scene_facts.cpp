@@ -1,6 +1,7 @@
 #include "render/effects/scene_facts.h"
 
 #include "common/scene/scene_names.h"
+#include "render/media/nested_dielectrics.h"
 
 #include <algorithm>
 
@@ -19,7 +20,11 @@ std::string SceneFacts::materials_where(
 SceneFacts gather_facts(const Scene& scene, const Partition& partition)
 {
     const std::size_t materials = scene.materials.size();
-    SceneFacts facts{scene, make_bsdfs(scene.materials, scene.diffuse_model), {}, {}};
+    SceneFacts facts{scene,
+                     make_bsdfs(scene.materials, scene.diffuse_model),
+                     {},
+                     {},
+                     nested_dielectrics(scene, partition)};
     facts.worn.assign(materials, 0);
     facts.solid.assign(materials, 0);
     for (FaceId face = 0; face < scene.mesh.face_count(); ++face) {

@@ -16,6 +16,8 @@ struct SceneFacts {
     std::vector<Bsdf> bsdfs;           ///< [M] by the factors alone
     std::vector<std::uint8_t> worn;    ///< [M] 1: some face with an area wears the material
     std::vector<std::uint8_t> solid;   ///< [M] 1: some face of a closed surface does
+    std::vector<std::uint8_t> nested;  ///< [M] 1: a dielectric that lies in another, or has one in
+                                       ///<     it (nested_dielectrics.h)
     bool shines = false;               ///< there is any light
     bool shutter = false;              ///< it is open for a time
     std::vector<std::string> moving{}; ///< names of what moves meanwhile
@@ -25,7 +27,7 @@ struct SceneFacts {
     materials_where(const std::function<bool(const Material&, const Bsdf&, bool)>& holds) const;
 };
 
-/// O(F + M).
+/// O(F + M), and what nested_dielectrics costs.
 SceneFacts gather_facts(const Scene& scene, const Partition& partition);
 
 } // namespace hipmap

@@ -2,7 +2,7 @@
 
 #include "render/integrator/direct_light.h"
 #include "render/integrator/media_beams.h"
-#include "render/shading/dispersion.h"
+#include "render/shading/interface_index.h"
 #include "render/shading/scatter.h"
 
 #include <array>
@@ -251,7 +251,7 @@ Rgb trace_eye_path(const PassMaps& maps, const Ray& ray, SeenLights seen, Random
             continue;
         Interaction at = interact(maps.scene, branch.ray, *hit);
         at.inside = maps.scene.has_media() ? &branch.inside : nullptr;
-        disperse(at, branch.nanometres, branch.weight, random);
+        find_index(maps.scene, at, branch.nanometres, branch.weight, random);
         if (sees_lights)
             radiance += branch.weight * emitted_radiance(at.bsdf, at.point, at.back) *
                         hit_weight(maps.scene, at.point, branch.ray.direction, hit->distance,
@@ -276,7 +276,8 @@ Rgb trace_seen_lights(const RenderScene& scene, const Ray& ray, RandomSequence& 
         if (!hit)
             continue;
         Interaction at = interact(scene, branch.ray, *hit);
-        disperse(at, branch.nanometres, branch.weight, random);
+        at.inside = scene.has_media() ? &branch.inside : nullptr;
+        find_index(scene, at, branch.nanometres, branch.weight, random);
         radiance += branch.weight * emitted_radiance(at.bsdf, at.point, at.back);
         if (!at.bsdf.is_matt())
             follow_specular(scene, at, branch, random, stack);

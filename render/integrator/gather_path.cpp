@@ -3,7 +3,7 @@
 #include "render/film/pass_images.h"
 #include "render/integrator/gather_branch.h"
 #include "render/integrator/media_beams.h"
-#include "render/shading/dispersion.h"
+#include "render/shading/interface_index.h"
 
 namespace hipmap {
 
@@ -74,7 +74,7 @@ class GatherTracer {
         absorb(branch.absorption, hit->distance, branch.weight);
         Interaction at = interact(scene, branch.ray, *hit);
         at.inside = has_media_ ? &branch.inside : nullptr;
-        disperse(at, branch.nanometres, branch.weight, random_);
+        find_index(scene, at, branch.nanometres, branch.weight, random_);
         if (sees_lights(branch))
             add(branch.weight * emitted_radiance(at.bsdf, at.point, at.back) *
                 hit_weight(scene, at.point, branch.ray.direction, hit->distance, branch.source));

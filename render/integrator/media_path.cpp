@@ -1,6 +1,6 @@
 #include "render/integrator/media_path.h"
 
-#include "render/shading/dispersion.h"
+#include "render/shading/interface_index.h"
 #include "render/shading/scatter.h"
 
 namespace hipmap {
@@ -69,7 +69,7 @@ Rgb trace_media_path(const RenderScene& scene, const Ray& ray, RandomSequence& r
                        : radiance;
         Interaction at = interact(scene, path.ray, *end.hit);
         at.inside = &inside;
-        disperse(at, path.nanometres, path.weight, random);
+        find_index(scene, at, path.nanometres, path.weight, random);
         if (!pass_surface(scene, at, end.hit->distance, light, random, path, radiance))
             return radiance;
         if (glm::dot(path.ray.direction, at.normal) < 0)

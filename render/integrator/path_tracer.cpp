@@ -2,7 +2,7 @@
 
 #include "render/integrator/direct_light.h"
 #include "render/integrator/media_path.h"
-#include "render/shading/dispersion.h"
+#include "render/shading/interface_index.h"
 
 namespace hipmap {
 
@@ -39,7 +39,7 @@ Rgb trace_path(const RenderScene& scene, const Ray& ray, RandomSequence& random,
                        ? radiance + path.weight * met_sky(scene, path.ray.direction, path.source)
                        : radiance;
         Interaction at = interact(scene, path.ray, *hit);
-        disperse(at, path.nanometres, path.weight, random);
+        find_index(scene, at, path.nanometres, path.weight, random);
         if (!pass_surface(scene, at, hit->distance, light, random, path, radiance))
             return radiance;
     }

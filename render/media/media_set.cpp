@@ -34,6 +34,19 @@ void find_spaces(MediaSet& media)
     media.high = with_inside.empty() ? glm::vec3(-1) : with_inside.high;
 }
 
+/// Paper and leaves that hold nothing are thin, closed or not.
+bool lets_light_in(const Material& material)
+{
+    return material.transmission > 0 || !material.boundary ||
+           (material.diffuse_transmission > 0 && !material.inside().is_clear());
+}
+
+/// Its inside is not that of clear glass, whose rays know by themselves what it absorbs.
+bool needs_media(const Material& material)
+{
+    return material.holds_medium() || (material.transmission == 0 && !material.inside().is_clear());
+}
+
 /// Any direction that is unlikely to run along edges.
 glm::vec3 way_out()
 {
@@ -41,22 +54,6 @@ glm::vec3 way_out()
 }
 
 } // namespace
-
-void Interiors::enter(MaterialId material)
-{
-    if (count < kMost)
-        entered[count++] = material;
-}
-
-void Interiors::leave(MaterialId material)
-{
-    for (std::size_t i = count; i-- > 0;)
-        if (entered[i] == material) {
-            std::copy(entered.begin() + i + 1, entered.begin() + count, entered.begin() + i);
-            --count;
-            return;
-        }
-}
 
 std::optional<MediaSet> collect_media(const Scene& scene, const Partition& partition,
                                       const EmbreeScene& rays)
@@ -66,18 +63,19 @@ std::optional<MediaSet> collect_media(const Scene& scene, const Partition& parti
         worn[scene.mesh.material_of_face[face]] = 1;
         closed[scene.mesh.material_of_face[face]] |= partition.closed[face];
     }
-    MediaSet out{scene.mesh, partition, rays, {}, {}, {}, scene.around, {}, {},
-                 {},         {},        {},   {}, {}, {}};
-    bool wanted = !scene.around.is_clear();
+    MediaSet out{.mesh = scene.mesh, .partition = partition, .rays = rays, .around = scene.around};
+    out.nested = scene.nested_dielectrics;
+    bool wanted = out.nested || !scene.around.is_clear();
     out.scatters = scene.around.scatters();
     out.glows = scene.around.glows();
     for (std::size_t m = 0; m < scene.materials.size(); ++m) {
         const Material& material = scene.materials[m];
-        const bool lets_in = material.transmission > 0 || !material.boundary;
         out.insides.push_back(material.inside());
-        out.has_inside.push_back(lets_in && closed[m] != 0);
+        out.has_inside.push_back(lets_light_in(material) && closed[m] != 0);
         out.has_surface.push_back(material.boundary);
-        wanted = wanted || (out.has_inside.back() != 0 && material.holds_medium()) ||
+        out.bends.push_back(material.boundary && material.transmission > 0);
+        out.priority.push_back(material.priority);
+        wanted = wanted || (out.has_inside.back() != 0 && needs_media(material)) ||
                  (worn[m] != 0 && !material.boundary);
         out.scatters |= out.has_inside.back() != 0 && out.insides.back().scatters();
         out.glows |= out.has_inside.back() != 0 && out.insides.back().glows();
@@ -97,9 +95,31 @@ void cross(const MediaSet& media, FaceId face, bool front, Interiors& inside)
         return;
     const MaterialId material = media.mesh.material_of_face[face];
     if (front)
-        inside.enter(material);
+        inside.enter(material, media.priority);
     else
         inside.leave(material);
+}
+
+MaterialId dielectric_at(const MediaSet& media, const Interiors& inside)
+{
+    for (std::size_t i = inside.count; i-- > 0;)
+        if (media.bends[inside.entered[i]] != 0)
+            return inside.entered[i];
+    return kNone;
+}
+
+bool is_surface(const MediaSet& media, FaceId face, bool front, const Interiors& inside)
+{
+    const MaterialId material = media.mesh.material_of_face[face];
+    if (!has_surface(media, face))
+        return false;
+    if (!media.nested || media.bends[material] == 0 || media.partition.closed[face] == 0)
+        return true;
+    Interiors beyond = inside;
+    cross(media, face, front, beyond);
+    // What is left without having been entered, or is one too many, counts as a surface.
+    return beyond.count == inside.count ||
+           dielectric_at(media, beyond) != dielectric_at(media, inside);
 }
 
 Interiors interiors_at(const MediaSet& media, const glm::vec3& point)
@@ -110,7 +130,8 @@ Interiors interiors_at(const MediaSet& media, const glm::vec3& point)
     Ray ray;
     ray.origin = point;
     ray.direction = way_out();
-    Interiors passed, left; // entered on the way; left without having been entered, inmost first
+    Interiors passed;             // entered on the way
+    std::vector<MaterialId> left; // without having been entered, inmost first
     for (int faces = 0; faces < kMostFaces; ++faces) {
         const std::optional<RayHit> hit = media.rays.nearest(ray);
         if (!hit)
@@ -120,11 +141,13 @@ Interiors interiors_at(const MediaSet& media, const glm::vec3& point)
         const std::size_t before = passed.count;
         cross(media, hit->face, front, passed);
         if (!front && passed.count == before && bounds_an_inside(media, hit->face))
-            left.enter(media.mesh.material_of_face[hit->face]);
+            left.push_back(media.mesh.material_of_face[hit->face]);
         ray.origin = offset_origin(at, ray.direction);
     }
-    std::reverse(left.entered.begin(), left.entered.begin() + left.count);
-    return left;
+    Interiors out;
+    for (auto material = left.rbegin(); material != left.rend(); ++material)
+        out.enter(*material, media.priority);
+    return out;
 }
 
 Ray within_sphere(const MediaSet& media, const Ray& ray)

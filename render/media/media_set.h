@@ -6,28 +6,13 @@
 #include "common/scene/scene.h"
 #include "render/media/column.h"
 #include "render/media/flight.h"
-#include "render/media/matt_only.h"
+#include "render/media/interiors.h"
 
-#include <array>
 #include <cmath>
 #include <optional>
 #include <vector>
 
 namespace hipmap {
-
-/// Which insides a point is in, by their materials: the last one entered is what is there.
-/// Insides nested deeper than kMost are passed over.
-struct Interiors {
-    static constexpr std::size_t kMost = kMattOnly ? 1 : 8;
-    std::array<MaterialId, kMost> entered; ///< [count] no more is set, as most rays enter nothing
-    std::size_t count = 0;
-
-    void enter(MaterialId material);
-    /// The last one of the material; nothing if there is none.
-    void leave(MaterialId material);
-    /// kNone: in none.
-    MaterialId current() const { return count > 0 ? entered[count - 1] : kNone; }
-};
 
 /// The media of a scene, docs/media.md.  Borrows the scene, its partition and its rays.
 /// Read-only: any number of threads may use it.
@@ -35,17 +20,20 @@ struct MediaSet {
     const TriangleMesh& mesh;
     const Partition& partition;
     const EmbreeScene& rays;
-    std::vector<Medium> insides;           ///< [M]
-    std::vector<std::uint8_t> has_inside;  ///< [M] 1: light gets into closed meshes of it
-    std::vector<std::uint8_t> has_surface; ///< [M] 0: rays go on through its faces
-    Medium around;                         ///< within the sphere around all faces
+    std::vector<Medium> insides{};           ///< [M]
+    std::vector<std::uint8_t> has_inside{};  ///< [M] 1: light gets into closed meshes of it
+    std::vector<std::uint8_t> has_surface{}; ///< [M] 0: rays go on through its faces
+    std::vector<std::uint8_t> bends{};       ///< [M] 1: its surface is that of a dielectric
+    std::vector<float> priority{};           ///< [M]
+    Medium around{};                         ///< within the sphere around all faces
     glm::vec3 centre{0.0f};
     float radius = 0.0f;
     glm::vec3 low{0.0f}, high{0.0f}; ///< box of the faces that have an inside; low > high: none
+    bool nested = false;             ///< dielectrics lie in one another
     bool scatters = false;           ///< any of them
     bool glows = false;
-    Rgb glow_power{0.0f};                 ///< about, W / metres_per_unit^2
-    std::vector<PlacedDensity> densities; ///< [M + 1] of the insides, and last of `around`
+    Rgb glow_power{0.0f};                   ///< about, W / metres_per_unit^2
+    std::vector<PlacedDensity> densities{}; ///< [M + 1] of the insides, and last of `around`
 
     const Medium& medium(MaterialId inside) const
     {
@@ -57,13 +45,25 @@ struct MediaSet {
     }
 };
 
-/// Nothing if no medium scatters, glows or is around, and every material has a surface: then glass
-/// that absorbs is all there may be.
+/// Nothing if no medium scatters, glows or is around, every material has a surface and dielectrics
+/// lie side by side: then glass that absorbs is all there may be.
 std::optional<MediaSet> collect_media(const Scene& scene, const Partition& partition,
                                       const EmbreeScene& rays);
 
+inline bool has_surface(const MediaSet& media, FaceId face)
+{
+    return media.has_surface[media.mesh.material_of_face[face]] != 0;
+}
+
 /// Updates `inside` for a ray that passes through a face.  front: from its front to its back.
 void cross(const MediaSet& media, FaceId face, bool front, Interiors& inside);
+
+/// The dielectric by whose index light travels there; kNone: there is none, the index is 1.
+MaterialId dielectric_at(const MediaSet& media, const Interiors& inside);
+
+/// Whether a ray in `inside` meets a surface at a face: not where there is none, and not where a
+/// dielectric begins or ends within one of a higher priority, docs/media.md (12).
+bool is_surface(const MediaSet& media, FaceId face, bool front, const Interiors& inside);
 
 /// What a point is in, by the faces met on the way out.  Cost: some rays where it lies in the box
 /// of faces that have an inside, else none.
@@ -118,7 +118,7 @@ WalkEnd walk(const MediaSet& media, Ray ray, Interiors& inside, const Visit& vis
 {
     float before = 0;
     for (int crossed = 0; ray.far > 0; ++crossed) {
-        std::optional<RayHit> hit =
+        const std::optional<RayHit> hit =
             all_faces ? media.rays.nearest_face(ray) : media.rays.nearest(ray);
         const MaterialId current = inside.current();
         if (!media.medium(current).is_clear()) {
@@ -133,13 +133,14 @@ WalkEnd walk(const MediaSet& media, Ray ray, Interiors& inside, const Visit& vis
         }
         if (!hit)
             return {};
-        const MaterialId material = media.mesh.material_of_face[hit->face];
-        if (media.has_surface[material] != 0 || crossed == kMostBoundaries) {
-            hit->distance += before;
-            return {hit, false};
-        }
+        const WalkEnd end{RayHit{before + hit->distance, hit->face, hit->barycentric}, false};
+        if (crossed == kMostBoundaries || (has_surface(media, hit->face) && !media.nested))
+            return end;
         const SurfacePoint at = surface_point(media.mesh, hit->face, hit->barycentric);
-        cross(media, hit->face, glm::dot(ray.direction, at.geometric_normal) <= 0, inside);
+        const bool front = glm::dot(ray.direction, at.geometric_normal) <= 0;
+        if (is_surface(media, hit->face, front, inside))
+            return end;
+        cross(media, hit->face, front, inside);
         before += hit->distance;
         ray.origin = offset_origin(at, ray.direction);
         ray.far -= hit->distance;

@@ -3,7 +3,7 @@
 #include "common/math/frame.h"
 #include "common/math/sampling.h"
 #include "render/photons/media_flight.h"
-#include "render/shading/dispersion.h"
+#include "render/shading/interface_index.h"
 #include "render/shading/scatter.h"
 
 #include <array>
@@ -263,7 +263,7 @@ void trace(const RenderScene& scene, const Wanted& wanted, RandomSequence& rando
             at.inside = &path.inside;
         if (at.coverage < 1 && pass_face(scene, at, wanted, random, path, out))
             continue;
-        disperse(at, path.nanometres, path.power, random);
+        find_index(scene, at, path.nanometres, path.power, random);
         if (at.bsdf.gathers() && scene.partition.map_of_face[hit->face] != kNone)
             store(at, path, scene.directional, wanted, out);
         else if (at.bsdf.gathers())

@@ -77,13 +77,18 @@ float dispersed_index(float ior, float dispersion, float nanometres)
     return std::max(1.0f, ior + (ior - 1) * per_abbe * bend);
 }
 
+void choose_wavelength(float& nanometres, Rgb& carried, RandomSequence& random)
+{
+    if (nanometres != 0)
+        return;
+    const WavelengthSample drawn = sample_wavelength(random.next());
+    nanometres = drawn.nanometres;
+    carried *= drawn.weight;
+}
+
 void disperse_here(Interaction& at, float& nanometres, Rgb& carried, RandomSequence& random)
 {
-    if (nanometres == 0) {
-        const WavelengthSample drawn = sample_wavelength(random.next());
-        nanometres = drawn.nanometres;
-        carried *= drawn.weight;
-    }
+    choose_wavelength(nanometres, carried, random);
     Bsdf& bsdf = at.bsdf;
     bsdf.ior = dispersed_index(bsdf.ior, bsdf.dispersion, nanometres);
     if (bsdf.alpha > 0)

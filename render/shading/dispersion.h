@@ -20,9 +20,12 @@ WavelengthSample sample_wavelength(float u);
 /// has it, docs/light_transport.md (30).  ior: at 587.6 nm.  dispersion: 20 / Abbe number.
 float dispersed_index(float ior, float dispersion, float nanometres);
 
-/// Goes on with a path of one wavelength at a solid that bends colours differently: draws it if the
-/// path has none (0) yet, and multiplies `carried` (weight or power) by what that means.  The path
-/// is to set it to 0 where it leaves by a gathered lobe.
+/// Goes on with a path of one wavelength: draws it if the path has none (0) yet, and multiplies
+/// `carried` (weight or power) by what that means.  The path is to set it to 0 where it leaves by a
+/// gathered lobe.
+void choose_wavelength(float& nanometres, Rgb& carried, RandomSequence& random);
+
+/// Does so at a solid that bends colours differently, and sets the index.
 void disperse_here(Interaction& at, float& nanometres, Rgb& carried, RandomSequence& random);
 
 /// The same wherever a path meets a surface; nothing if colours go the same way there.

@@ -38,6 +38,8 @@ struct RenderScene {
 
     const TriangleMesh& mesh() const { return scene.mesh; }
     bool has_media() const { return !kMattOnly && media.has_value(); }
+    /// Dielectrics lie in one another.
+    bool has_nested() const { return has_media() && media->nested; }
     bool is_clear() const { return kMattOnly || clear; }
     /// The same at all points.
     bool is_plain(MaterialId material) const

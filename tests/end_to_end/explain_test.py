@@ -55,8 +55,9 @@ BY_MATERIAL = {
     "mirror": has_mirror,
     "glossy": is_glossy,
     "refraction": lambda m: m["solid"],
-    "absorption": lambda m: m["solid"] and m["absorbs"],
+    "absorption": lambda m: m["holds"] and m["absorbs"],
     "dispersion": lambda m: m["solid"] and m["dispersion"] > 0,
+    "subsurface": lambda m: m["subsurface"],
     "normal-maps": lambda m: "normalTexture" in m["textures"] or (
         "clearcoatNormalTexture" in m["textures"] and m["coat"] > 0 and not m["glass"]),
     "alpha": see_through,
@@ -67,7 +68,7 @@ BY_MATERIAL = {
         m["reflects"] or m["glass"]),
     "reflection-models": lambda m: m["model"] != "",
 }
-NEVER = ("subsurface", "motion-blur")
+NEVER = ("motion-blur",)
 
 
 def expected(facts):
@@ -81,6 +82,7 @@ def expected(facts):
     pictured = [m["name"] for m in facts.materials if facts.rendered_pictures(m)]
     media = [m["name"] for m in facts.materials if m["medium"]]
     out["media"] = (bool(media) or "medium" in facts.around(), media)
+    out["nested-dielectrics"] = (facts.nested(), None)
     out["textures"] = (bool(pictured), pictured)
     out["vertex-colours"] = (facts.vertex_colours(), None)
     glowing = [m["name"] for m in facts.materials if m["glows"]]

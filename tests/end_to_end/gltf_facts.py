@@ -5,6 +5,7 @@ import json
 import os
 import struct
 from collections import Counter
+from itertools import permutations
 
 from glb_file import COMPONENTS
 
@@ -12,6 +13,37 @@ FORMATS = {5120: "b", 5121: "B", 5122: "h", 5123: "H", 5125: "I", 5126: "f"}
 RENDERED = ("transmissionTexture", "specularTexture", "specularColorTexture", "clearcoatTexture",
             "clearcoatRoughnessTexture", "sheenColorTexture", "sheenRoughnessTexture",
             "anisotropyTexture", "diffuseTransmissionTexture", "diffuseTransmissionColorTexture")
+
+
+def lies_in(point, triangles):
+    """By the number of them that a ray from the point meets."""
+    way, met = (0.2371, 0.8963, 0.3747), 0
+    for a, b, c in triangles:
+        # Cramer's rule for point + t way = a + u (b - a) + v (c - a).
+        u, v, p = ([x - y for x, y in zip(end, a)] for end in (b, c, point))
+        across = cross(way, v)
+        whole = dot(u, across)
+        if whole == 0:
+            continue
+        first, turned = dot(p, across) / whole, cross(p, u)
+        second, along = dot(way, turned) / whole, dot(v, turned) / whole
+        met += first >= 0 and second >= 0 and first + second <= 1 and along > 0
+    return met % 2 == 1
+
+
+def may_touch(a, b):
+    """Whether the boxes of triangles overlap."""
+    boxes = [[(min(axis), max(axis)) for axis in zip(*(c for corners in shape for c in corners))]
+             for shape in (a, b)]
+    return all(low <= top and bottom <= high for (low, high), (bottom, top) in zip(*boxes))
+
+
+def dot(a, b):
+    return sum(x * y for x, y in zip(a, b))
+
+
+def cross(a, b):
+    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
 
 
 class GltfFacts:
@@ -120,6 +152,28 @@ class GltfFacts:
                 return True
         return False
 
+    def triangles(self, mesh):
+        for primitive in mesh["primitives"]:
+            positions = self.values(primitive["attributes"]["POSITION"])
+            corners = [row[0] for row in self.values(primitive["indices"])]
+            for i in range(0, len(corners), 3):
+                yield [positions[c] for c in corners[i:i + 3]]
+
+    def nested(self):
+        """Whether a corner of a closed mesh that transmits lies in another one; None: not judged, as
+        nodes move them."""
+        solid = {m["index"] for m in self.materials if m["solid"]}
+        meshes = [m for m in self.meshes()
+                  if any(p.get("material", -1) in solid for p in m["primitives"])]
+        if len(meshes) < 2:
+            return False
+        if any(key in node for node in self.nodes() if "mesh" in node or "children" in node
+               for key in ("translation", "rotation", "scale", "matrix")):
+            return None
+        shapes = [list(self.triangles(mesh)) for mesh in meshes]
+        return any(lies_in(triangle[0], b) for a, b in permutations(shapes, 2)
+                   if may_touch(a, b) for triangle in a)
+
     def material(self, index):
         """The numbers of one, with glTF's defaults; those of layers in `extensions`."""
         written = self.json["materials"][index] if index >= 0 else {}
@@ -142,6 +196,11 @@ class GltfFacts:
         f0 *= 0 if unlit else number("specular", "specularFactor", 1)
         anisotropy = 0 if unlit else number("anisotropy", "anisotropyStrength", 0)
         attenuation = extensions.get("KHR_materials_volume", {})
+        through = transmission == 0 and metallic < 1 and not unlit and number(
+            "diffuse_transmission", "diffuseTransmissionFactor", 0) > 0
+        solid = ((1 - metallic) * transmission > 0 or through) and self.closed(index)
+        scatters = any(own["medium"].get("scattering", [0])) if "medium" in own else any(
+            number("volume_scatter", "multiscatterColor", [0]))
         facts = {
             "name": written.get("name") or (f"material {index}" if index >= 0
                                             else "(no material)"),
@@ -153,10 +212,11 @@ class GltfFacts:
             "reflects": (metallic > 0 and any(base.get("baseColorFactor", [1])[:3])) or
                         ((1 - metallic) * (1 - transmission) > 0 and f0 > 0),
             "glass": (1 - metallic) * transmission > 0,
-            "solid": (1 - metallic) * transmission > 0 and self.closed(index),
-            "medium": bare or ("medium" in own and transmission > 0 and self.closed(index)),
+            "index": index, "solid": solid and not through, "holds": solid,
+            "subsurface": solid and scatters,
+            "medium": bare or ("medium" in own and solid and not scatters),
             "absorbs": "attenuationDistance" in attenuation and "medium" not in own and
-                       min(attenuation.get("attenuationColor", [1])) < 1,
+                       not scatters and min(attenuation.get("attenuationColor", [1])) < 1,
             "glows": any(base.get("baseColorFactor", [1, 1, 1])[:3] if unlit and not bare
                          else written.get("emissiveFactor", [0])),
             "alpha_mode": written.get("alphaMode", "OPAQUE"),
@@ -167,9 +227,8 @@ class GltfFacts:
                 number("clearcoat", "clearcoatRoughnessFactor", 0),
                 0.03 if textures & {"normalTexture", "clearcoatNormalTexture"} else 0),
             "sheen": any(number("sheen", "sheenColorFactor", [0])) and transmission == 0 and not unlit,
-            "through": transmission == 0 and metallic < 1 and not unlit and
-                       number("diffuse_transmission", "diffuseTransmissionFactor", 0) > 0 and
-                       any(number("diffuse_transmission", "diffuseTransmissionColorFactor", [1])),
+            "through": through and any(
+                number("diffuse_transmission", "diffuseTransmissionColorFactor", [1])),
             "dispersion": number("dispersion", "dispersion", 0),
             "model": "" if unlit else own.get("reflection", ""), "mirror": False,
         }
@@ -179,7 +238,8 @@ class GltfFacts:
     def modelled(facts, own, base):
         """The same of a material that reflects by a model of hipmap's own key, which has no layers."""
         colour = base.get("baseColorFactor", [1, 1, 1])[:3]
-        facts.update(glass=False, solid=False, medium=False, coat=0, sheen=False, through=False)
+        facts.update(glass=False, solid=False, holds=False, subsurface=False, medium=False,
+                     coat=0, sheen=False, through=False)
         facts["textures"] &= {"baseColorTexture", "normalTexture", "emissiveTexture"} | (
             {"metallicRoughnessTexture", "anisotropyTexture"} if facts["model"] == "schlick"
             else set())

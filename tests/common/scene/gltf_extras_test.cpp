@@ -156,6 +156,10 @@ TEST_CASE("extras that make no sense are refused with their place and key",
     check_medium_refused({{"phase", "mie"}}, "'phase'");
     check_medium_refused({{"scattering", {-1, 0, 0}}}, "'scattering'");
     check_medium_refused("fog", "object");
+    file.root["materials"][0]["extras"]["hipmap"] = {{"priority", -1}};
+    CHECK_THROWS_WITH(load(file), Catch::Contains("'priority'"));
+    file.root["materials"][0]["extras"]["hipmap"] = {{"priority", 2}};
+    CHECK(load(file).scene.materials.at(0).priority == 2);
     file.root["materials"][0]["extras"]["hipmap"] = {{"boundary", 1}};
     CHECK_THROWS_WITH(load(file), Catch::Contains("'boundary'"));
 }

@@ -208,7 +208,7 @@ TEST_CASE("effect plan: reasons name what becomes of reflections", "[effects]")
           "and 'frosted'; reflections above roughness 0.3 are gathered from photons: 'tin'");
 }
 
-TEST_CASE("effect plan: what the file has and the renderer has not is off, and said", "[effects]")
+TEST_CASE("effect plan: what the file has and no light gets into is off, and said", "[effects]")
 {
     Material material = named(tiny::matt(Rgb(0.5f)), "wax");
     material.scattering = Rgb(1);
@@ -216,7 +216,7 @@ TEST_CASE("effect plan: what the file has and the renderer has not is off, and s
     const EffectPlan plan = plan_of(scene);
     CHECK(on_in(plan) == Effects{Effect::indirect});
     CHECK(plan.effects[static_cast<std::size_t>(Effect::subsurface)].reason ==
-          "in the file ('wax'), not rendered yet");
+          "no light gets into 'wax', opaque or not closed");
 }
 
 TEST_CASE("effect plan: names are in the order of the effects, all different", "[effects]")
@@ -255,7 +255,7 @@ TEST_CASE("effect plan: switches that make no sense are refused with the names t
          {"", "caustics", "-", "-caustic", "-caustics,", "-mirror", "-caustics,,-indirect"}) {
         INFO(text);
         CHECK_THROWS_WITH(parse_effect_switches(text),
-                          Catch::Contains("indirect, caustics, absorption, dispersion, media"));
+                          Catch::Contains("indirect, caustics, absorption, dispersion, nested"));
     }
 }
 

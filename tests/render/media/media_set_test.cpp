@@ -81,3 +81,70 @@ TEST_CASE("media are found only where a scene has some", "[media]")
     scene.around.emission = Rgb(1);
     CHECK(tiny::ready(scene)->render->media);
 }
+
+namespace {
+
+/// Two cubes of glass of side 1 that share half of their height, the upper one of such a priority.
+Scene overlapping(float priority_above)
+{
+    Scene scene = tiny::make_scene(tiny::cube());
+    scene.materials[0] = tiny::glass(1.3f);
+    TriangleMesh above = tiny::cube();
+    tiny::move(above, {0, 0.5f, 0});
+    tiny::add(scene, above, tiny::glass(1.6f));
+    scene.materials[1].priority = priority_above;
+    scene.nested_dielectrics = true;
+    return scene;
+}
+
+/// Heights at which a ray upwards, or downwards, through both of them meets surfaces.
+std::vector<float> surfaces_met(const MediaSet& media, float up)
+{
+    Ray ray;
+    ray.origin = {0.11f, up > 0 ? -2 : 2, 0.07f};
+    ray.direction = {0, up, 0};
+    std::vector<float> out;
+    Interiors inside;
+    while (true) {
+        const WalkEnd end = walk(media, ray, inside, [](const Stretch&) { return true; });
+        if (!end.hit)
+            return out;
+        const SurfacePoint at = surface_point(media.mesh, end.hit->face, end.hit->barycentric);
+        out.push_back(at.position.y);
+        cross(media, end.hit->face, glm::dot(ray.direction, at.geometric_normal) <= 0, inside);
+        ray.origin = offset_origin(at, ray.direction);
+    }
+}
+
+} // namespace
+
+TEST_CASE("walk: where dielectrics overlap the higher priority is there, whichever way a ray goes",
+          "[media]")
+{
+    for (const float above : {0.0f, 1.0f}) {
+        Scene scene = overlapping(above);
+        scene.materials[0].priority = 0.5f;
+        const auto ready = tiny::ready(scene);
+        const MediaSet& media = ready->render->media.value();
+        const float between = above > 0.5f ? 0.0f : 0.5f;
+        CHECK(surfaces_met(media, 1) == std::vector<float>{-0.5f, between, 1});
+        CHECK(surfaces_met(media, -1) == std::vector<float>{1, between, -0.5f});
+        const MaterialId there = above > 0.5f ? 1 : 0;
+        CHECK(interiors_at(media, {0.1f, 0.25f, 0.2f}).current() == there);
+        CHECK(dielectric_at(media, interiors_at(media, {0.1f, 0.25f, 0.2f})) == there);
+    }
+}
+
+TEST_CASE("walk: meshes of one glass that overlap are one, and fog in it is no surface", "[media]")
+{
+    Scene scene = overlapping(0);
+    scene.mesh.material_of_face.assign(scene.mesh.face_count(), 0);
+    TriangleMesh cloud = tiny::cube();
+    tiny::scale(cloud, 0.25f);
+    tiny::add(scene, cloud, medium_of(1));
+    const auto ready = tiny::ready(scene);
+    const MediaSet& media = ready->render->media.value();
+    CHECK(surfaces_met(media, 1) == std::vector<float>{-0.5f, 1});
+    CHECK(dielectric_at(media, interiors_at(media, {0.01f, 0.02f, 0.03f})) == 0);
+    CHECK(interiors_at(media, {0.01f, 0.02f, 0.03f}).current() == 2);
+}

@@ -1,0 +1,87 @@
+// What light that gets into closed meshes does there.
+
+#include "common/scene/scene_names.h"
+#include "render/effects/effect_findings.h"
+
+namespace hipmap {
+
+namespace {
+
+bool lets_light_in(const Material& material)
+{
+    return material.transmission > 0 || material.diffuse_transmission > 0;
+}
+
+/// Light is scattered beneath its surface.
+bool scatters_inside(const Material& material, bool solid)
+{
+    return solid && material.boundary && lets_light_in(material) && !is_black(material.scattering);
+}
+
+} // namespace
+
+Finding find_absorption(const SceneFacts& facts)
+{
+    const std::string names =
+        facts.materials_where([](const Material& material, const Bsdf&, bool solid) {
+            return solid && lets_light_in(material) && !is_black(material.absorption) &&
+                   !material.holds_medium();
+        });
+    if (names.empty())
+        return {false, "no solid glass has an attenuation colour", ""};
+    return {true, names + " absorb light on its way through", "an exponential for each ray inside"};
+}
+
+Finding find_nested_dielectrics(const SceneFacts& facts)
+{
+    std::vector<std::string> names;
+    for (std::size_t m = 0; m < facts.nested.size(); ++m)
+        if (facts.nested[m] != 0)
+            names.push_back(facts.scene.materials[m].name);
+    if (names.empty())
+        return {false, "no glass or liquid lies in another", ""};
+    return {true,
+            list_names(names) + (names.size() == 1 ? " lies in itself" : " lie in one another"),
+            "a list of what each ray is in"};
+}
+
+Finding find_media(const SceneFacts& facts)
+{
+    const std::string names = facts.materials_where([](const Material& m, const Bsdf&, bool solid) {
+        return !m.boundary ||
+               (m.holds_medium() && solid && lets_light_in(m) && !scatters_inside(m, solid));
+    });
+    const bool around = !facts.scene.around.is_clear();
+    if (names.empty() && !around)
+        return {false, "nothing that light passes through scatters it or glows", ""};
+    const std::string inside = names.empty() ? "" : names + " have an inside that light passes";
+    const std::string grids =
+        facts.materials_where([](const Material& m, const Bsdf&, bool) { return bool(m.density); });
+    return {true,
+            (around ? "the scene has one around it" : "") +
+                std::string(around && !names.empty() ? "; " : "") + inside +
+                (grids.empty() ? "" : "; a grid says how dense " + grids + " is"),
+            grids.empty()
+                ? "distances drawn along every ray, and photons in them"
+                : "distances drawn along every ray, cell by cell of the grid, and photons "
+                  "in them"};
+}
+
+Finding find_subsurface(const SceneFacts& facts)
+{
+    const std::string names = facts.materials_where(
+        [](const Material& m, const Bsdf&, bool solid) { return scatters_inside(m, solid); });
+    if (names.empty()) {
+        const std::string shut = facts.materials_where([](const Material& m, const Bsdf&, bool) {
+            return m.boundary && !is_black(m.scattering);
+        });
+        return {false,
+                shut.empty() ? "nothing scatters light beneath its surface"
+                             : "no light gets into " + shut + ", opaque or not closed",
+                ""};
+    }
+    return {true, names + " scatter light beneath their surface",
+            "random walks of light paths inside, and photons there"};
+}
+
+} // namespace hipmap
