@@ -29,6 +29,7 @@ def allowed_folders():
         order = COMMON + stages + [tool]  # files directly in a tool's folder come last
         for i, folder in enumerate(order):
             allowed[folder] = set(LEAVES) | set(order[:i + 1])
+    allowed["convert"] = set(LEAVES) | set(COMMON) | {"convert"}
     allowed["bench"] = set(allowed["preprocess"]) | set(allowed["render"]) | {"bench"}
     return allowed
 

@@ -16,8 +16,8 @@ static_assert(std::endian::native == std::endian::little);
 
 /// "VOL", version, encoding, three sizes, channels, and the six numbers of a box.
 constexpr std::size_t kHeader = 48;
-constexpr std::uint32_t kFloats = 1;     ///< the encoding
-constexpr std::uint32_t kMost = 1 << 14; ///< nodes along an axis
+constexpr std::uint32_t kFloats = 1; ///< the encoding
+constexpr char kStart[] = {'V', 'O', 'L', 3};
 
 [[noreturn]] void fail(const std::filesystem::path& path, const std::string& what)
 {
@@ -33,11 +33,16 @@ std::uint32_t number_at(const std::vector<std::byte>& bytes, std::size_t at)
 
 void check_header(const std::filesystem::path& path, const std::vector<std::byte>& bytes)
 {
-    constexpr char kStart[] = {'V', 'O', 'L', 3};
     if (bytes.size() < kHeader || std::memcmp(bytes.data(), kStart, sizeof kStart) != 0)
         fail(path, "not a grid of densities; write a .vol as Mitsuba 0.6 has it, version 3");
     if (number_at(bytes, 4) != kFloats || number_at(bytes, 20) != 1)
         fail(path, "bytes 4 to 23: not 32-bit floats of one channel; write encoding 1, 1 channel");
+}
+
+template <typename T>
+void append(std::string& bytes, const T& value)
+{
+    bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
 }
 
 } // namespace
@@ -50,7 +55,7 @@ std::shared_ptr<const DensityGrid> read_density(const std::filesystem::path& pat
     grid->nodes = {number_at(bytes, 8), number_at(bytes, 12), number_at(bytes, 16)};
     std::uint64_t count = 1;
     for (int axis = 0; axis < 3; ++axis) {
-        if (grid->nodes[axis] < 2 || grid->nodes[axis] > kMost)
+        if (grid->nodes[axis] < 2 || grid->nodes[axis] > kMostDensityNodes)
             fail(path, "bytes 8 to 19: from 2 to 16,384 values are needed along each axis");
         count *= grid->nodes[axis];
     }
@@ -64,6 +69,20 @@ std::shared_ptr<const DensityGrid> read_density(const std::filesystem::path& pat
             fail(path, "value " + std::to_string(i) +
                            ": is negative or not finite; densities are 0 or more");
     return grid;
+}
+
+void write_density(const std::filesystem::path& path, const DensityGrid& grid, const glm::vec3& low,
+                   const glm::vec3& high)
+{
+    std::string bytes(kStart, sizeof kStart);
+    append(bytes, kFloats);
+    append(bytes, grid.nodes);
+    append(bytes, std::uint32_t{1}); // channels
+    append(bytes, low);
+    append(bytes, high);
+    bytes.append(reinterpret_cast<const char*>(grid.values.data()),
+                 grid.values.size() * sizeof(float));
+    write_file(path, bytes);
 }
 
 } // namespace hipmap
