@@ -22,8 +22,9 @@ SkyPicture load_sky(const Scene& scene, double turn_deg)
                 std::to_string(i / width) +
                 ") is below zero; a sky has no such radiance, write the picture again");
     }
+    const double whole_turn_deg = scene.environment_turn_deg + turn_deg;
     return make_sky_picture(picture, scene.environment_strength,
-                            static_cast<float>(turn_deg * std::numbers::pi / 180));
+                            static_cast<float>(whole_turn_deg * std::numbers::pi / 180));
 }
 
 } // namespace hipmap

@@ -57,6 +57,7 @@ void choose_sky_picture(const RenderArguments& arguments, LoadedScene& loaded)
         loaded.scene.environment = Rgb(0);
         loaded.scene.environment_picture = arguments.sky.picture;
         loaded.scene.environment_strength = 1;
+        loaded.scene.environment_turn_deg = 0;
     }
     if (!loaded.scene.environment_picture.empty())
         loaded.audit.found.push_back("a picture of the sky, " + loaded.scene.environment_picture);

@@ -174,7 +174,7 @@ Fingerprint fingerprint(const Scene& scene)
 Fingerprint content_fingerprint(const Scene& scene)
 {
     const auto& [frame, mesh, materials, images, lights, area_lights, environment, picture,
-                 strength, around, cameras, camera, diffuse_model, nested] = scene;
+                 strength, turn_deg, around, cameras, camera, diffuse_model, nested] = scene;
     Hasher hasher;
     add_geometry(hasher, scene);
     add_rest_of_mesh(hasher, mesh);
@@ -182,7 +182,7 @@ Fingerprint content_fingerprint(const Scene& scene)
     add_each(hasher, images, add_picture);
     add_each(hasher, lights, [](Hasher& h, const PunctualLight& light) { add_light(h, light); });
     add_each(hasher, area_lights, [](Hasher& h, const AreaLight& light) { add_light(h, light); });
-    hasher.add(environment, strength, diffuse_model);
+    hasher.add(environment, strength, turn_deg, diffuse_model);
     add_medium(hasher, around);
     hasher.add_array(std::vector<char>(picture.begin(), picture.end()));
     add_camera(hasher, cameras[camera]);

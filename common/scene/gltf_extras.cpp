@@ -145,6 +145,10 @@ void read_world_extras(const GltfDocument& document, RawScene& scene)
         scene.world_picture = file_beside(scene.path, "scene, custom property 'hipmap'", *picture);
         scene.world_strength = strength;
     }
+    const std::optional<double> turn = extras.within("world_turn_deg", 360);
+    if (turn && !picture)
+        extras.fail("world_turn_deg", "has no meaning without 'world_hdri'");
+    scene.world_turn_deg = turn.value_or(0.0);
     if (std::optional<HipmapExtras> keys = extras.object("medium"))
         read_medium(*keys, scene.path, "scene, custom property 'hipmap'", scene.around);
     extras.finish("");

@@ -78,6 +78,7 @@ struct RawScene {
     glm::dvec3 world{0.0};               ///< radiance of the sky, W/(m2 sr)
     std::filesystem::path world_picture; ///< empty: none
     double world_strength = 1.0;
+    double world_turn_deg = 0.0;
     Medium around; ///< per metre
     DiffuseModel diffuse_model = DiffuseModel::lambert;
     std::optional<SceneSweep> sweep; ///< of the animation of which this is one moment

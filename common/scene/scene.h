@@ -142,6 +142,7 @@ struct Scene {
     Rgb environment{0.0f};             ///< radiance of a uniform sky, W/(m2 sr)
     std::string environment_picture;   ///< path of an HDR picture of the sky; empty: none
     float environment_strength = 1.0f; ///< its factor
+    float environment_turn_deg = 0.0f; ///< its turn about +y, counter-clockwise from above
     Medium around;                     ///< what is in no closed mesh, docs/media.md
     std::vector<Camera> cameras;       ///< at least one
     std::size_t camera = 0;            ///< the one to render from

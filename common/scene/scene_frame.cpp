@@ -277,6 +277,7 @@ Scene to_scene_units(RawScene& raw, LightUnits units)
     scene.around = convert.around(raw.around);
     scene.environment_picture = raw.world_picture.string();
     scene.environment_strength = static_cast<float>(raw.world_strength);
+    scene.environment_turn_deg = static_cast<float>(raw.world_turn_deg);
     scene.diffuse_model = raw.diffuse_model;
     for (const RawCamera& camera : raw.cameras)
         scene.cameras.push_back(convert.camera(camera));

@@ -145,6 +145,11 @@ TEST_CASE("extras that make no sense are refused with their place and key",
     GltfFile file = furnished();
     file.root["scenes"][0]["extras"]["hipmap"] = {{"world_hdri", "../sky.hdr"}};
     CHECK_THROWS_WITH(load(file), Catch::Contains("'../sky.hdr'"));
+    file.root["scenes"][0]["extras"]["hipmap"] = {{"world_turn_deg", 90}};
+    CHECK_THROWS_WITH(load(file), Catch::Contains("'world_turn_deg'"));
+    file.root["scenes"][0]["extras"]["hipmap"] = {{"world_turn_deg", 361},
+                                                  {"world_hdri", "sky.hdr"}};
+    CHECK_THROWS_WITH(load(file), Catch::Contains("'world_turn_deg'"));
     file = furnished();
     const auto check_medium_refused = [](const json& medium, const char* what) {
         GltfFile with = furnished();
