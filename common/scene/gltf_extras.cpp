@@ -140,12 +140,12 @@ void read_world_extras(const GltfDocument& document, RawScene& scene)
     const double strength = extras.positive("world_strength").value_or(1.0);
     if (colour)
         scene.world = *colour * strength;
+    const std::optional<double> turn = extras.within("world_turn_deg", 360);
     const std::optional<std::string> picture = extras.text("world_hdri");
     if (picture) {
         scene.world_picture = file_beside(scene.path, "scene, custom property 'hipmap'", *picture);
         scene.world_strength = strength;
     }
-    const std::optional<double> turn = extras.within("world_turn_deg", 360);
     if (turn && !picture)
         extras.fail("world_turn_deg", "has no meaning without 'world_hdri'");
     scene.world_turn_deg = turn.value_or(0.0);
