@@ -46,19 +46,33 @@ FacetShares facet_shares(const Interaction& at, Lobes lobes, float cosine)
     return out;
 }
 
+/// The facet that reflects one direction into the other.
+struct MirrorFacet {
+    glm::vec3 half{0.0f};
+    float toward =
+        0.0f; ///< its cosine with both, by the length of their sum: where they are nearly
+              ///<   opposite, the dot product may come out below zero
+};
+
+MirrorFacet facet_between(const glm::vec3& in, const glm::vec3& back)
+{
+    const glm::vec3 sum = in + back;
+    const float length = glm::length(sum);
+    return {sum / length, length / 2};
+}
+
 /// Light that facets reflect into the side it came from.
 Scattered reflected(const Interaction& at, const glm::vec3& in, Lobes lobes)
 {
-    const glm::vec3 half = glm::normalize(in + at.back);
+    const auto [half, toward] = facet_between(in, at.back);
     const float cosine = glm::dot(in, at.shading_normal);
-    const float toward = glm::dot(at.back, half);
     const FacetShares shares = facet_shares(at, lobes, toward);
     const float spread = facet_spread(at.bsdf, at.shading_normal, in, at.back, half) * cosine;
     Scattered out;
     out.value = shares.reflect *
                 (spread * through_layers(at.bsdf, incidence(at.bsdf, in, cosine), at.seen()));
-    out.density = shares.reflect_chance() *
-                  visible_density(at.bsdf, at.shading_normal, at.back, half) / (4 * toward);
+    out.density =
+        shares.reflect_chance() * reflected_density(at.bsdf, at.shading_normal, at.back, half);
     return out;
 }
 
@@ -66,15 +80,14 @@ Scattered reflected(const Interaction& at, const glm::vec3& in, Lobes lobes)
 Scattered passed(const Interaction& at, const glm::vec3& in)
 {
     const glm::vec3 image = mirrored(in, at.shading_normal);
-    const glm::vec3 half = glm::normalize(image + at.back);
+    const auto [half, toward] = facet_between(image, at.back);
     const float cosine = glm::dot(image, at.shading_normal);
-    const float toward = glm::dot(at.back, half);
     const FacetShares shares = facet_shares(at, Lobes::followed, toward);
     const float spread = facet_spread(at.bsdf, at.shading_normal, image, at.back, half) * cosine;
     Scattered out;
     out.value = shares.transmit * spread;
     out.density = (1 - shares.reflect_chance()) *
-                  visible_density(at.bsdf, at.shading_normal, at.back, half) / (4 * toward);
+                  reflected_density(at.bsdf, at.shading_normal, at.back, half);
     return out;
 }
 

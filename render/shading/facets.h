@@ -45,6 +45,16 @@ inline float visible_density(const Bsdf& bsdf, const glm::vec3& normal, const gl
     return facet_density(normal, out, half, bsdf.alpha);
 }
 
+/// Chance per solid angle that a facet drawn reflects `out` into the direction whose half vector
+/// with it is `half`.
+inline float reflected_density(const Bsdf& bsdf, const glm::vec3& normal, const glm::vec3& out,
+                               const glm::vec3& half)
+{
+    if (bsdf.is_stretched()) [[unlikely]]
+        return stretched_facets(bsdf, normal).reflected_density(out, half);
+    return reflected_density(normal, out, half, bsdf.alpha);
+}
+
 /// Normal of a facet, as those visible from `out` are distributed.  u: [0, 1)^2.
 inline glm::vec3 draw_facet(const Bsdf& bsdf, const glm::vec3& normal, const glm::vec3& out,
                             const glm::vec2& u)

@@ -79,7 +79,7 @@ float modelled_density(const Bsdf& bsdf, const glm::vec3& normal, const glm::vec
     const float even = shares_of(bsdf).even;
     const glm::vec3 half = glm::normalize(in + out);
     return even * glm::dot(in, normal) / kPi +
-           (1 - even) * facet_density(normal, out, half, bsdf.alpha) / (4 * glm::dot(half, out));
+           (1 - even) * reflected_density(normal, out, half, bsdf.alpha);
 }
 
 glm::vec3 draw_modelled(const Bsdf& bsdf, const glm::vec3& normal, const glm::vec3& out,

@@ -38,11 +38,15 @@ float StretchedFacets::shadowing(const glm::vec3& in, float cos_in, const glm::v
     return cos_in * (cos_out + slope_out) / (cos_out * slope(in) + cos_in * slope_out);
 }
 
+float StretchedFacets::reflected_density(const glm::vec3& out, const glm::vec3& half) const
+{
+    return 0.5f * distribution(half) / (glm::dot(out, normal) + slope(out));
+}
+
 float StretchedFacets::density(const glm::vec3& out, const glm::vec3& half) const
 {
     const float visible = glm::dot(out, half);
-    return visible > 0 ? 2 * distribution(half) * visible / (glm::dot(out, normal) + slope(out))
-                       : 0;
+    return visible > 0 ? 4 * visible * reflected_density(out, half) : 0;
 }
 
 glm::vec3 StretchedFacets::sample(const glm::vec3& out, const glm::vec2& u) const

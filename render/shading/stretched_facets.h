@@ -31,6 +31,9 @@ struct StretchedFacets {
     /// G2 / G1(out), in [0, 1].
     float shadowing(const glm::vec3& in, float cos_in, const glm::vec3& out, float cos_out) const;
 
+    /// As that of ggx.h.
+    float reflected_density(const glm::vec3& out, const glm::vec3& half) const;
+
     /// Chance per solid angle of `half` that `sample` draws it; 0 for facets turned away.
     float density(const glm::vec3& out, const glm::vec3& half) const;
 

@@ -197,3 +197,24 @@ TEST_CASE("coat normal: a mirror below a tilted coat loses as much both ways", "
     CHECK(sent.x == Approx((1 - clearcoat_albedo(there.bsdf, there.seen().coat)) *
                            (1 - clearcoat_albedo(back.bsdf, back.seen().coat))));
 }
+
+TEST_CASE("coat normal: nothing that is drawn weighs more than all, however grazing", "[shading]")
+{
+    const Material lacquer = tiny::lacquered(tiny::matt(Rgb(0.5f)), 1, 0.03f);
+    for (std::uint64_t i = 0; i < 200000; ++i) {
+        RandomSequence random(11, RandomStream::pictures, 0, i);
+        glm::vec3 back = sample_sphere(random.next2());
+        back.z = std::abs(back.z);
+        Interaction at = tiny::lit_surface(lacquer, back);
+        // Tilted until it is all but seen from its edge.
+        const glm::vec3 across = glm::normalize(glm::cross(at.back, sample_sphere(random.next2())));
+        const float cosine = std::pow(10.0f, -2 - 4 * random.next());
+        at.bsdf.coat_normal = glm::normalize(across + cosine * at.back);
+        at.bsdf.coat_agreement = std::min(0.999f, std::abs(at.bsdf.coat_normal.z));
+        const ScatterSample sample = sample_scatter(at, Lobes::followed, random);
+        INFO(i << ": " << sample.density);
+        REQUIRE(max_channel(sample.weight) < 1.01f);
+        REQUIRE(max_channel(scattered(at, sample.direction, Lobes::followed).value) <=
+                1.01f * sample.density);
+    }
+}
