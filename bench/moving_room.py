@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Writes a room of many faces in which one ball of few moves, for bench/frames.py.
+"""Writes a room of many faces in which one ball of few moves, or the camera, for bench/frames.py.
 
-    bench/moving_room.py FILE.glb [STATUES]
+    bench/moving_room.py FILE.glb [STATUES [ball|camera]]
 
 Each statue has 40,000 faces; there are 9 unless another number is asked for.
 """
@@ -27,7 +27,7 @@ def statue():
     return bumped, normals, uvs, faces
 
 
-def main(path, statues="9"):
+def main(path, statues="9", mover="ball"):
     glb = Glb()
     wall = glb.material("Plaster", (0.7, 0.7, 0.7))
     half = SIDE / 2
@@ -51,10 +51,11 @@ def main(path, statues="9"):
     for i in range(1, count):
         glb.node(f"Statue {i + 1}", mesh=mesh, translation=[place[i], 0.65, depth[i]])
     glb.mesh("Ball", glb.material("Rubber", (0.8, 0.2, 0.2)), sphere((0, 0, 0), 0.25))
-    glb.animate("Ball", translation=("LINEAR", (0, 1), ((-4.4, 2, 4.4), (4.4, 0.25, 4.4))))
     camera = {"type": "perspective", "perspective": {"yfov": 0.8, "aspectRatio": 1.5, "znear": 0.1}}
     glb.root["cameras"] = [camera]
     glb.node("Camera", camera=0, translation=[0, 2.2, 9])
+    ways = {"ball": ((-4.4, 2, 4.4), (4.4, 0.25, 4.4)), "camera": ((0, 2.2, 9), (2, 1.5, 7))}
+    glb.animate(mover.capitalize(), translation=("LINEAR", (0, 1), ways[mover]))
     glb.write(path)
 
 

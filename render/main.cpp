@@ -5,7 +5,9 @@
 #include "common/scene/print_audit.h"
 #include "common/stopwatch.h"
 #include "render/effects/drop_effects.h"
+#include "render/former_frame.h"
 #include "render/integrator/moving_source.h"
+#include "render/load_frame.h"
 #include "render/load_sky.h"
 #include "render/merge.h"
 #include "render/outputs.h"
@@ -37,37 +39,6 @@ void check_outputs(const RenderArguments& arguments)
          {arguments.error_image, arguments.statistics, arguments.state})
         if (!file.empty())
             check_writable(file);
-}
-
-void choose_reflections(const RenderArguments& arguments, LoadedScene& loaded)
-{
-    if (arguments.diffuse)
-        loaded.scene.diffuse_model = *arguments.diffuse;
-    else if (loaded.scene.diffuse_model == DiffuseModel::burley)
-        loaded.audit.assumed.push_back(
-            "matt surfaces reflect as in the Blender that wrote the file (Burley's diffuse; "
-            "--diffuse lambert is glTF's own)");
-    for (Material& material : loaded.scene.materials)
-        material.energy_compensation = arguments.energy_compensation;
-}
-
-void choose_sky_picture(const RenderArguments& arguments, LoadedScene& loaded)
-{
-    if (!arguments.sky.picture.empty()) {
-        loaded.scene.environment = Rgb(0);
-        loaded.scene.environment_picture = arguments.sky.picture;
-        loaded.scene.environment_strength = 1;
-        loaded.scene.environment_turn_deg = 0;
-    }
-    if (!loaded.scene.environment_picture.empty())
-        loaded.audit.found.push_back("a picture of the sky, " + loaded.scene.environment_picture);
-}
-
-Partition load_partition(const RenderArguments& arguments, const Scene& scene)
-{
-    Partition partition = read_partition(arguments.partition);
-    check_partition_of(partition, scene, arguments.partition);
-    return partition;
 }
 
 /// The state in the file, if there is one; refuses another render's.
@@ -131,32 +102,13 @@ RunResult render_with_progress(const RenderArguments& arguments, const PassSourc
     return out;
 }
 
-LoadedScene load_at(const RenderArguments& arguments, SceneSource& source,
-                    std::optional<double> time)
-{
-    LoadedScene loaded = source.at(time, !arguments.frames.asked());
-    choose_reflections(arguments, loaded);
-    choose_sky_picture(arguments, loaded);
-    return loaded;
-}
-
-/// Loads the scene and completes the options by it.
-LoadedScene load(RenderArguments& arguments, SceneSource& source)
-{
-    LoadedScene loaded = load_at(arguments, source, arguments.scene_options.time);
-    const Scene& scene = loaded.scene;
-    const PictureSize size = complete_size(arguments.size, scene.cameras[scene.camera].aspect);
-    arguments.render.width = size.width;
-    arguments.render.height = size.height;
-    return loaded;
-}
-
 /// Passes of the scene as it is, or of its moments while the shutter is open.
 PassSource make_source(const RenderArguments& arguments, const RenderScene& scene,
-                       const EffectPlan& effects, SceneSource& source, RenderStatistics& statistics)
+                       const EffectPlan& effects, SceneSource& source, RenderStatistics& statistics,
+                       PhotonCache* cache)
 {
     if (!effects.has(Effect::motion_blur))
-        return make_pass_source(scene, arguments.render, statistics);
+        return make_pass_source(scene, arguments.render, statistics, cache);
     const auto at = [&, shutter = shutter_time(arguments)](double share) {
         Scene now = load_at(arguments, source, shutter.at(share)).scene;
         drop_effects(now, effects);
@@ -165,63 +117,117 @@ PassSource make_source(const RenderArguments& arguments, const RenderScene& scen
     return make_moving_source({scene, at}, arguments.render, statistics);
 }
 
-int render(RenderArguments& arguments, SceneSource& source)
+/// What is rendered, and how long it took to come to it.
+struct Job {
+    const LoadedScene& loaded;
+    const Partition& partition;
+    SkyPicture sky;
+    std::vector<std::string> settings;
+    std::optional<RenderState> found; ///< to go on with
+};
+
+/// Renders a frame.  former: may be null.
+RenderedFrame render_job(const RenderArguments& arguments, Job job, SceneSource& source,
+                         FormerFrame* former, RunStatistics& run, Report& report)
+{
+    PhotonCache* cache = nullptr;
+    if (former != nullptr && !run.effects.has(Effect::motion_blur))
+        cache = &cache_for(*former, job.loaded.scene, job.partition, job.sky,
+                           arguments.photon_cache_mib);
+    const Stopwatch building;
+    const RenderScene scene(job.loaded.scene, job.partition, std::move(job.sky));
+    run.seconds_rays = building.seconds();
+    RenderedFrame out;
+    const PassSource passes =
+        make_source(arguments, scene, run.effects, source, out.statistics, cache);
+    out.state = begin_or_go_on(arguments, passes, job.settings, job.found, report);
+    out.result = render_with_progress(arguments, passes, out.state, report);
+    if (cache != nullptr && cache->served > 0)
+        report.line("photons of " + std::to_string(cache->served) +
+                    " passes are those of the frame before: only the camera has moved");
+    return out;
+}
+
+/// The same, or the frame before if it shows the same.
+RenderedFrame render_or_take(const RenderArguments& arguments, Job job, SceneSource& source,
+                             FormerFrame* former, RunStatistics& run, Report& report)
+{
+    if (former == nullptr)
+        return render_job(arguments, std::move(job), source, former, run, report);
+    if (former->rendered && former->settings == job.settings && !job.found) {
+        report.line("nothing has moved since the frame before: its image serves");
+        if (!arguments.state.empty())
+            write_state(arguments.state, former->rendered->state);
+        return *former->rendered;
+    }
+    std::vector<std::string> settings = job.settings;
+    const bool anew = !job.found;
+    RenderedFrame out = render_job(arguments, std::move(job), source, former, run, report);
+    former->settings = std::move(settings);
+    former->rendered.reset();
+    if (anew && out.result.reason != StopReason::caller)
+        former->rendered = out;
+    return out;
+}
+
+/// Writes what was asked for.
+void write_results(const RenderArguments& arguments, const Scene& scene, const Partition& partition,
+                   const RenderedFrame& frame, RunStatistics& run, Report& report)
+{
+    print_statistics(arguments, frame.statistics, frame.state.film, report);
+    print_error(arguments, frame.state, report);
+    const Stopwatch writing;
+    run.exposure_ev = write_images(arguments.images, frame.result.image, frame.state.film,
+                                   frame.state.checks, arguments.exposure_ev, report);
+    if (!arguments.error_image.empty())
+        run.error_image =
+            write_error_image(arguments.error_image, frame.state.film, frame.state.checks, report);
+    run.seconds_write = writing.seconds();
+    run.warnings = report.warnings();
+    run.ended_by = frame.result.reason;
+    if (arguments.statistics.empty())
+        return;
+    write_file(arguments.statistics,
+               statistics_json(arguments, scene, partition, frame.statistics, frame.state, run));
+    report.line("wrote " + arguments.statistics.string());
+}
+
+/// former: of the frame before, and then of this one; null: there is one frame alone.
+int render(RenderArguments& arguments, SceneSource& source, FormerFrame* former)
 {
     Report report;
     RunStatistics run;
     const ThreadLimit threads(arguments.threads);
 
     const Stopwatch reading;
-    LoadedScene loaded = load(arguments, source);
-    const Partition partition = load_partition(arguments, loaded.scene);
-    const ShutterMotion motion =
-        find_motion(loaded.scene, shutter_time(arguments),
-                    [&](double time) { return load_at(arguments, source, time).scene; });
-    run.effects = plan_run(arguments, loaded.scene, partition, motion.names);
+    const FrameScene frame = load_frame(arguments, source);
+    run.effects = frame.effects;
     if (arguments.explain) {
-        print_audit(report, loaded.audit);
+        print_audit(report, frame.loaded.audit);
         explain(run.effects, report);
         return kExitDone;
     }
-    SkyPicture sky = load_sky(loaded.scene, arguments.sky.turn_deg);
-    std::vector<std::string> settings = settings_of(arguments.render, loaded.scene, partition, sky);
+    SkyPicture sky = load_sky(frame.loaded.scene, arguments.sky.turn_deg);
+    std::vector<std::string> settings =
+        settings_of(arguments.render, frame.loaded.scene, frame.partition, sky);
     if (run.effects.has(Effect::motion_blur))
-        settings.push_back(motion.setting);
-    const std::optional<RenderState> found = find_state(arguments, settings);
+        settings.push_back(frame.motion.setting);
+    std::optional<RenderState> found = find_state(arguments, settings);
     if (arguments.frames.asked())
         report.line("frame " + std::to_string(arguments.frames.first));
-    print_audit(report, loaded.audit);
+    print_audit(report, frame.loaded.audit);
     report.line("effects: " + list_effects(run.effects) + " (--explain says why)");
     run.seconds_scene = reading.seconds();
+    run.audit = frame.loaded.audit;
 
-    const Stopwatch building;
-    const RenderScene render_scene(loaded.scene, partition, std::move(sky));
-    run.seconds_rays = building.seconds();
-
-    RenderStatistics statistics;
-    const PassSource passes = make_source(arguments, render_scene, run.effects, source, statistics);
-    RenderState state = begin_or_go_on(arguments, passes, settings, found, report);
-    const RunResult rendered = render_with_progress(arguments, passes, state, report);
-    print_statistics(arguments, statistics, state.film, report);
-    print_error(arguments, state, report);
-
-    const Stopwatch writing;
-    run.exposure_ev = write_images(arguments.images, rendered.image, state.film, state.checks,
-                                   arguments.exposure_ev, report);
-    if (!arguments.error_image.empty())
-        run.error_image =
-            write_error_image(arguments.error_image, state.film, state.checks, report);
-    run.seconds_write = writing.seconds();
-    run.warnings = report.warnings();
-    run.audit = loaded.audit;
-    run.ended_by = rendered.reason;
-    if (!arguments.statistics.empty()) {
-        write_file(arguments.statistics,
-                   statistics_json(arguments, loaded.scene, partition, statistics, state, run));
-        report.line("wrote " + arguments.statistics.string());
-    }
-    if (rendered.reason == StopReason::caller) {
-        report.line("stopped by a signal after " + std::to_string(count(state.film.passes)) +
+    const RenderedFrame rendered = render_or_take(
+        arguments,
+        {frame.loaded, frame.partition, std::move(sky), std::move(settings), std::move(found)},
+        source, former, run, report);
+    write_results(arguments, frame.loaded.scene, frame.partition, rendered, run, report);
+    if (rendered.result.reason == StopReason::caller) {
+        report.line("stopped by a signal after " +
+                    std::to_string(count(rendered.state.film.passes)) +
                     " passes; the image holds what was done");
         return kExitStopped;
     }
@@ -243,7 +249,11 @@ int render_frames(const RenderArguments& arguments)
         Report().line("assumed: each frame is exposed by itself, so brightness may jump "
                       "(--exposure EV holds it)");
     SceneSource source(arguments.scene, arguments.scene_options);
-    return for_each_frame_of(arguments, [&](RenderArguments one) { return render(one, source); });
+    FormerFrame former;
+    const bool further = arguments.frames.last > arguments.frames.first;
+    return for_each_frame_of(arguments, [&](RenderArguments one) {
+        return render(one, source, further ? &former : nullptr);
+    });
 }
 
 } // namespace

@@ -244,6 +244,8 @@ void add_render_arguments(CLI::App& app, RenderArguments& arguments)
     add_picture(app, arguments);
     add_scene_arguments(app, arguments.scene_options, arguments.sky);
     add_frame_arguments(app, arguments.frames);
+    add_count(app, "--photon-cache", arguments.photon_cache_mib, 0, 1e9,
+              "MiB for photon maps that further frames use while only the camera moves [1024]");
     app.add_option("--shutter", arguments.shutter,
                    "Motion blur: frames that the shutter is open, half of them before the frame's "
                    "moment; Blender's is 0.5 [0]")

@@ -27,6 +27,7 @@ struct RenderArguments {
     SceneOptions scene_options;
     SkyOptions sky;
     FrameOptions frames;
+    double photon_cache_mib = 1024;      ///< for maps that further frames may use
     double shutter = 0;                  ///< frames that the shutter is open; 0: no time
     RenderOptions render;                ///< its size is still to be completed
     std::optional<DiffuseModel> diffuse; ///< none: the scene's own

@@ -162,16 +162,8 @@ void add_each(Hasher& hasher, const std::vector<T>& values, const Add& add)
         add(hasher, value);
 }
 
-} // namespace
-
-Fingerprint fingerprint(const Scene& scene)
-{
-    Hasher hasher;
-    add_geometry(hasher, scene);
-    return hasher.digest();
-}
-
-Fingerprint content_fingerprint(const Scene& scene)
+/// Everything but the camera.
+Hasher hash_still(const Scene& scene)
 {
     const auto& [frame, mesh, materials, images, lights, area_lights, environment, picture,
                  strength, turn_deg, around, cameras, camera, diffuse_model, nested] = scene;
@@ -185,7 +177,27 @@ Fingerprint content_fingerprint(const Scene& scene)
     hasher.add(environment, strength, turn_deg, diffuse_model);
     add_medium(hasher, around);
     hasher.add_array(std::vector<char>(picture.begin(), picture.end()));
-    add_camera(hasher, cameras[camera]);
+    return hasher;
+}
+
+} // namespace
+
+Fingerprint fingerprint(const Scene& scene)
+{
+    Hasher hasher;
+    add_geometry(hasher, scene);
+    return hasher.digest();
+}
+
+Fingerprint still_fingerprint(const Scene& scene)
+{
+    return hash_still(scene).digest();
+}
+
+Fingerprint content_fingerprint(const Scene& scene)
+{
+    Hasher hasher = hash_still(scene);
+    add_camera(hasher, scene.cameras[scene.camera]);
     return hasher.digest();
 }
 

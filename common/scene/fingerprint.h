@@ -17,6 +17,9 @@ struct Fingerprint {
 /// lights or cameras.  Cost: linear in the mesh.
 Fingerprint fingerprint(const Scene& scene);
 
+/// Of all that light depends on: as `content_fingerprint`, without the camera.
+Fingerprint still_fingerprint(const Scene& scene);
+
 /// Of all that a picture depends on: as `fingerprint`, and normals, textures, materials, lights,
 /// the sky and the camera rendered from.  Not of names.  Cost: linear in mesh and pictures.
 Fingerprint content_fingerprint(const Scene& scene);

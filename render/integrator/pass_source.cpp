@@ -96,10 +96,10 @@ PassControl after(const PassControl& control, double begun)
 }
 
 PassSource make_pass_source(const RenderScene& scene, const RenderOptions& options,
-                            RenderStatistics& statistics)
+                            RenderStatistics& statistics, PhotonCache* cache)
 {
     if (options.integrator == Integrator::progressive)
-        return make_progressive_source(scene, options, statistics);
+        return make_progressive_source(scene, options, statistics, cache);
     const auto surfaces = std::make_shared<MapSurfaces>(scene.mesh(), scene.partition);
     PassSource source;
     source.width = options.width;

@@ -50,9 +50,12 @@ PassControl after(const PassControl& control, double begun);
 /// Mean of the channels; zero of no pixel.
 double mean_of(const Image& image);
 
-/// The integrator that the options name.  Adds what passes do to `statistics`.  Everything is
+struct PhotonCache;
+
+/// The integrator that the options name.  Adds what passes do to `statistics`.  cache: of former
+/// images of the scene, used and filled by integrator progressive; may be null.  Everything is
 /// borrowed, and must outlive the source.  Renders the pilot.
 PassSource make_pass_source(const RenderScene& scene, const RenderOptions& options,
-                            RenderStatistics& statistics);
+                            RenderStatistics& statistics, PhotonCache* cache = nullptr);
 
 } // namespace hipmap

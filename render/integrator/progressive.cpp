@@ -3,6 +3,7 @@
 #include "render/integrator/gather_path.h"
 #include "render/integrator/light_allotment.h"
 #include "render/integrator/pass_photons.h"
+#include "render/integrator/photon_cache.h"
 #include "render/integrator/picture_tiles.h"
 
 #include <tbb/parallel_invoke.h>
@@ -24,16 +25,9 @@ struct MappedScene {
 
 /// What all passes share.
 struct Progressive {
-    FirstRadii first;
-    VolumeRadii first_volume;
+    std::shared_ptr<const ProgressiveRadii> first;
     SampleAllotment allotment;
-};
-
-/// The maps of one pass.
-struct PassMapsByKind {
-    PhotonMaps caustic, global, indirect;
-    std::optional<PhotonIrradiance> irradiance; ///< of `global`
-    std::optional<VolumeMap> volume;            ///< if the scene has media
+    PhotonCache* cache = nullptr;
 };
 
 /// It is Lambert's alone.
@@ -52,7 +46,8 @@ TracedPhotons trace_linked(const RenderScene& scene, const RenderOptions& option
 }
 
 /// By photons of their own, as many as a pass has.
-void find_first_radii(const RenderScene& scene, const RenderOptions& options, Progressive& shared)
+std::shared_ptr<const ProgressiveRadii> find_first_radii(const RenderScene& scene,
+                                                         const RenderOptions& options)
 {
     RenderStatistics ignored;
     const TracedPhotons traced = trace_linked(scene, options, kPilotPass, ignored);
@@ -64,9 +59,10 @@ void find_first_radii(const RenderScene& scene, const RenderOptions& options, Pr
         return build_radius_field(
             build_photon_maps(photons, scene.mesh(), scene.partition, options.maps));
     };
-    shared.first = {field(traced.caustic), field(traced.global), field(indirect),
-                    static_cast<float>(options.samples)};
-    shared.first_volume = volume_radii(scene, traced, options);
+    return std::make_shared<ProgressiveRadii>(FirstRadii{field(traced.caustic),
+                                                         field(traced.global), field(indirect),
+                                                         static_cast<float>(options.samples)},
+                                              volume_radii(scene, traced, options));
 }
 
 void count_searches(const GatherScratch& scratch, RenderStatistics& statistics)
@@ -76,30 +72,29 @@ void count_searches(const GatherScratch& scratch, RenderStatistics& statistics)
     statistics.indirect.searches += scratch.indirect.search.statistics;
 }
 
-PassMapsByKind make_maps(const MappedScene& mapped, const Progressive& shared,
-                         const RenderOptions& options, std::uint64_t pass, double shrink,
-                         RenderStatistics& statistics)
+ProgressiveMaps make_maps(const MappedScene& mapped, const ProgressiveRadii& first,
+                          const RenderOptions& options, std::uint64_t pass, double shrink,
+                          RenderStatistics& statistics)
 {
     const RenderScene& scene = mapped.scene;
     const TracedPhotons traced = trace_linked(scene, options, pass, statistics);
     const Stopwatch watch;
-    PassMapsByKind maps;
+    ProgressiveMaps maps;
     const auto build = [&](PhotonMaps& to, const std::vector<Photon>& photons,
                            KindStatistics& kind) {
         to = build_maps(scene, photons, options.maps, kind);
     };
     // At the same time: where one map has most photons, threads would wait at its root.
-    tbb::parallel_invoke([&] { build(maps.caustic, traced.caustic, statistics.caustic); },
-                         [&] { build(maps.global, traced.global, statistics.global); },
-                         [&] {
-                             build(maps.indirect,
-                                   weigh_bounces(traced, shared.first, mapped.surfaces),
-                                   statistics.indirect);
-                         },
-                         [&] {
-                             maps.volume = build_volume(scene, traced, shared.first_volume,
-                                                        static_cast<float>(shrink));
-                         });
+    tbb::parallel_invoke(
+        [&] { build(maps.caustic, traced.caustic, statistics.caustic); },
+        [&] { build(maps.global, traced.global, statistics.global); },
+        [&] {
+            build(maps.indirect, weigh_bounces(traced, first.surfaces, mapped.surfaces),
+                  statistics.indirect);
+        },
+        [&] {
+            maps.volume = build_volume(scene, traced, first.volume, static_cast<float>(shrink));
+        });
     if (precomputes(scene, options))
         maps.irradiance = estimate_at_photons(maps.global, mapped.surfaces, {});
     count_maps(maps.volume, watch, statistics);
@@ -108,7 +103,7 @@ PassMapsByKind make_maps(const MappedScene& mapped, const Progressive& shared,
 
 /// shrink: radius over the first radius.
 RenderedPass gather_pass(const MappedScene& mapped, const Progressive& shared,
-                         const PassMapsByKind& photons, const PictureJob& job, double shrink,
+                         const ProgressiveMaps& photons, const PictureJob& job, double shrink,
                          const PassControl& control, RenderStatistics& statistics)
 {
     const GatherMaps maps{mapped.scene,
@@ -116,7 +111,7 @@ RenderedPass gather_pass(const MappedScene& mapped, const Progressive& shared,
                           photons.caustic,
                           photons.global,
                           photons.indirect,
-                          shared.first,
+                          shared.first->surfaces,
                           static_cast<float>(shrink),
                           job.options.light.indirect,
                           photons.irradiance ? &*photons.irradiance : nullptr,
@@ -134,8 +129,10 @@ RenderedPass render_pass(const MappedScene& mapped, const Progressive& shared,
                          const PassControl& control, RenderStatistics& statistics)
 {
     const double shrink = radius_of_pass(pass, options.alpha);
-    const PassMapsByKind photons = make_maps(mapped, shared, options, pass, shrink, statistics);
-    return gather_pass(mapped, shared, photons, {mapped.scene, options, pass, shared.allotment},
+    const auto photons = maps_of_pass(shared.cache, pass, statistics, [&](RenderStatistics& made) {
+        return make_maps(mapped, *shared.first, options, pass, shrink, made);
+    });
+    return gather_pass(mapped, shared, *photons, {mapped.scene, options, pass, shared.allotment},
                        shrink, control, statistics);
 }
 
@@ -147,10 +144,13 @@ double render_pilot(const MappedScene& mapped, const RenderOptions& options, Pro
     RenderOptions small = pilot_options(options);
     small.width = (options.width + 1) / 2;
     small.height = (options.height + 1) / 2;
-    const PassMapsByKind photons = make_maps(mapped, shared, small, kPilotPass, 1, ignored);
+    const auto photons =
+        maps_of_pass(shared.cache, kPilotPass, ignored, [&](RenderStatistics& made) {
+            return make_maps(mapped, *shared.first, small, kPilotPass, 1, made);
+        });
     const SampleAllotment evenly{{}, allot_light_samples(scene, small)};
     const auto image_of = [&](std::uint64_t pass) {
-        return gather_pass(mapped, shared, photons, {scene, small, pass, evenly}, 1.0, {}, ignored)
+        return gather_pass(mapped, shared, *photons, {scene, small, pass, evenly}, 1.0, {}, ignored)
             .images.radiance;
     };
     const Image first = image_of(kPilotPass), second = image_of(kPilotPass - 1);
@@ -162,11 +162,15 @@ double render_pilot(const MappedScene& mapped, const RenderOptions& options, Pro
 } // namespace
 
 PassSource make_progressive_source(const RenderScene& scene, const RenderOptions& options,
-                                   RenderStatistics& statistics)
+                                   RenderStatistics& statistics, PhotonCache* cache)
 {
     const auto surfaces = std::make_shared<const MapSurfaces>(scene.mesh(), scene.partition);
     const auto shared = std::make_shared<Progressive>();
-    find_first_radii(scene, options, *shared);
+    shared->cache = cache;
+    shared->first =
+        cache != nullptr && cache->radii ? cache->radii : find_first_radii(scene, options);
+    if (cache != nullptr)
+        cache->radii = shared->first;
     PassSource source;
     source.width = options.width;
     source.height = options.height;
@@ -181,7 +185,8 @@ PassSource make_progressive_source(const RenderScene& scene, const RenderOptions
     source.render_in = [&options, &statistics, shared](const RenderScene& now, std::uint64_t pass,
                                                        const PassControl& control) {
         const MapSurfaces surfaces_now(now.mesh(), now.partition);
-        return render_pass({now, surfaces_now}, *shared, options, pass, control, statistics);
+        const Progressive anew{shared->first, shared->allotment};
+        return render_pass({now, surfaces_now}, anew, options, pass, control, statistics);
     };
     return source;
 }

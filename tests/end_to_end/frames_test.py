@@ -3,6 +3,7 @@
     frames_test.py FOLDER_OF_TOOLS SCENE
 """
 
+import os
 import sys
 
 import tools
@@ -44,6 +45,37 @@ class Frames(ToolsTestCase):
             self.preprocess("--frames", frame, output="one.hpm")
             self.assertEqual(self.content(f"one.{frame:04}.hpm"),
                              self.content(f"scene.{frame:04}.hpm"))
+
+    def test_an_image_serves_until_something_moves(self):
+        self.preprocess("--frames", "24:26")
+        said = self.render("row.pfm", "--frames", "24:26")
+        self.assertEqual(said.count("nothing has moved since the frame before: its image serves"), 2)
+        self.render("one.pfm", "--frames", "26")
+        self.assertEqual(self.content("one.0026.pfm"), self.content("row.0026.pfm"))
+
+    def test_photons_serve_as_long_as_only_the_camera_moves(self):
+        sys.path.append(os.path.dirname(os.path.dirname(os.path.abspath(Tools.scene))))
+        import effects
+        glb = effects.stage()
+        glb.animate("Camera", translation=("LINEAR", (0, 1), [(0, 0.95, 3), (0.5, 0.95, 3)]))
+        scene, partition = self.path("flight.glb"), self.path("flight.hpm")
+        glb.write(scene)
+        self.succeed("preprocess", scene, "-o", partition, "--frames", "3:5")
+
+        def fly(image, *options):
+            return self.succeed("render", scene, partition, "-o", self.path(image), *SMALL,
+                                "--passes", 2, *options)
+
+        said = fly("row.pfm", "--frames", "3:5")
+        self.assertEqual(said.count("photons of 2 passes are those of the frame before"), 2)
+        said = fly("anew.pfm", "--frames", "3:5", "--photon-cache", "0")
+        self.assertNotIn("of the frame before", said)
+        fly("one.pfm", "--frames", "5")
+        for frame in (4, 5):
+            self.assertEqual(self.content(f"row.{frame:04}.pfm"),
+                             self.content(f"anew.{frame:04}.pfm"))
+        self.assertEqual(self.content("row.0005.pfm"), self.content("one.0005.pfm"))
+        self.assertNotEqual(self.content("row.0004.pfm"), self.content("row.0005.pfm"))
 
     def test_fps_says_when_a_frame_is(self):
         self.preprocess("--frames", "6")

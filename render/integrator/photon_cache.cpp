@@ -1,0 +1,72 @@
+#include "render/integrator/photon_cache.h"
+
+namespace hipmap {
+
+namespace {
+
+void add(const KindStatistics& made, KindStatistics& sum)
+{
+    const std::uint64_t stored = sum.stored + made.stored;
+    const SearchStatistics searches = sum.searches;
+    sum = made;
+    sum.stored = stored;
+    sum.searches = searches;
+}
+
+void add_photons(const RenderStatistics& made, RenderStatistics& sum)
+{
+    sum.emitted += made.emitted;
+    sum.aimed += made.aimed;
+    sum.dropped_photons += made.dropped_photons;
+    sum.cut_paths += made.cut_paths;
+    sum.volume_photons += made.volume_photons;
+    sum.power = made.power;
+    add(made.caustic, sum.caustic);
+    add(made.global, sum.global);
+    add(made.indirect, sum.indirect);
+}
+
+void add_seconds(const RenderStatistics& made, RenderStatistics& sum)
+{
+    sum.seconds_photons += made.seconds_photons;
+    sum.seconds_maps += made.seconds_maps;
+    sum.processor_maps += made.processor_maps;
+}
+
+} // namespace
+
+std::size_t ProgressiveMaps::bytes() const
+{
+    std::size_t out = caustic.bytes() + global.bytes() + indirect.bytes();
+    if (irradiance)
+        for (const PhotonIrradiance::Map& map : irradiance->maps)
+            out += map.tree.bytes() + map.irradiance.size() * (sizeof(Rgb) + sizeof(glm::vec3));
+    if (volume)
+        out += volume->photons.size() * (sizeof(VolumePhoton) + sizeof(float) + sizeof(glm::vec3)) +
+               volume->nodes.size() * sizeof(VolumeMap::Node);
+    return out;
+}
+
+std::shared_ptr<const ProgressiveMaps>
+maps_of_pass(PhotonCache* cache, std::uint64_t pass, RenderStatistics& statistics,
+             const std::function<ProgressiveMaps(RenderStatistics&)>& make)
+{
+    if (cache != nullptr)
+        if (const auto found = cache->passes.find(pass); found != cache->passes.end()) {
+            cache->served += pass == kPilotPass ? 0 : 1;
+            add_photons(found->second.made, statistics);
+            return found->second.maps;
+        }
+    PhotonCache::Pass made;
+    made.maps = std::make_shared<const ProgressiveMaps>(make(made.made));
+    add_photons(made.made, statistics);
+    add_seconds(made.made, statistics);
+    const std::size_t bytes = made.maps->bytes();
+    if (cache != nullptr && cache->bytes + bytes <= cache->most) {
+        cache->bytes += bytes;
+        cache->passes[pass] = made;
+    }
+    return made.maps;
+}
+
+} // namespace hipmap

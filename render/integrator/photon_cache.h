@@ -1,0 +1,48 @@
+#pragma once
+
+#include "render/integrator/gather_path.h"
+#include "render/integrator/pass_source.h"
+
+#include <map>
+#include <memory>
+
+namespace hipmap {
+
+/// The maps of one pass of integrator progressive.
+struct ProgressiveMaps {
+    PhotonMaps caustic, global, indirect;
+    std::optional<PhotonIrradiance> irradiance; ///< of `global`
+    std::optional<VolumeMap> volume;            ///< if the scene has media
+
+    /// Of the large arrays.
+    std::size_t bytes() const;
+};
+
+/// The radii of its first pass, by photons of a pilot.
+struct ProgressiveRadii {
+    FirstRadii surfaces;
+    VolumeRadii volume;
+};
+
+/// What integrator progressive makes of photons for images of one scene from several cameras: the
+/// same for all of them.  Of one scene and one set of options but for camera and size of the image.
+struct PhotonCache {
+    struct Pass {
+        std::shared_ptr<const ProgressiveMaps> maps;
+        RenderStatistics made; ///< what it took
+    };
+
+    std::size_t most = 0; ///< bytes; passes that do not fit are made anew for each image
+    std::size_t bytes = 0;
+    std::uint64_t served = 0; ///< passes that were there, the pilot's apart
+    std::shared_ptr<const ProgressiveRadii> radii;
+    std::map<std::uint64_t, Pass> passes; ///< by number
+};
+
+/// The maps of a pass from the cache, or made by `make(statistics)` and kept there if they fit.
+/// Adds what they took to `statistics`, but no time for those that were there.  cache: may be null.
+std::shared_ptr<const ProgressiveMaps>
+maps_of_pass(PhotonCache* cache, std::uint64_t pass, RenderStatistics& statistics,
+             const std::function<ProgressiveMaps(RenderStatistics&)>& make);
+
+} // namespace hipmap

@@ -1,0 +1,61 @@
+#include "render/load_frame.h"
+
+#include "common/partition/partition_file.h"
+#include "render/run_plan.h"
+
+namespace hipmap {
+
+namespace {
+
+void choose_reflections(const RenderArguments& arguments, LoadedScene& loaded)
+{
+    if (arguments.diffuse)
+        loaded.scene.diffuse_model = *arguments.diffuse;
+    else if (loaded.scene.diffuse_model == DiffuseModel::burley)
+        loaded.audit.assumed.push_back(
+            "matt surfaces reflect as in the Blender that wrote the file (Burley's diffuse; "
+            "--diffuse lambert is glTF's own)");
+    for (Material& material : loaded.scene.materials)
+        material.energy_compensation = arguments.energy_compensation;
+}
+
+void choose_sky_picture(const RenderArguments& arguments, LoadedScene& loaded)
+{
+    if (!arguments.sky.picture.empty()) {
+        loaded.scene.environment = Rgb(0);
+        loaded.scene.environment_picture = arguments.sky.picture;
+        loaded.scene.environment_strength = 1;
+        loaded.scene.environment_turn_deg = 0;
+    }
+    if (!loaded.scene.environment_picture.empty())
+        loaded.audit.found.push_back("a picture of the sky, " + loaded.scene.environment_picture);
+}
+
+} // namespace
+
+LoadedScene load_at(const RenderArguments& arguments, SceneSource& source,
+                    std::optional<double> time)
+{
+    LoadedScene loaded = source.at(time, !arguments.frames.asked());
+    choose_reflections(arguments, loaded);
+    choose_sky_picture(arguments, loaded);
+    return loaded;
+}
+
+FrameScene load_frame(RenderArguments& arguments, SceneSource& source)
+{
+    FrameScene out;
+    out.loaded = load_at(arguments, source, arguments.scene_options.time);
+    Scene& scene = out.loaded.scene;
+    const PictureSize size = complete_size(arguments.size, scene.cameras[scene.camera].aspect);
+    arguments.render.width = size.width;
+    arguments.render.height = size.height;
+    out.partition = read_partition(arguments.partition);
+    check_partition_of(out.partition, scene, arguments.partition);
+    out.motion = find_motion(scene, shutter_time(arguments),
+                             [&](double time) { return load_at(arguments, source, time).scene; });
+    out.effects = plan_run(arguments, scene, out.partition, out.motion.names);
+    return out;
+}
+
+} // namespace hipmap

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "common/partition/partition.h"
+#include "common/scene/load_scene.h"
+#include "render/options.h"
+#include "render/shutter.h"
+
+namespace hipmap {
+
+/// The scene of a frame, ready to be rendered by its plan.
+struct FrameScene {
+    LoadedScene loaded; ///< without what the plan leaves out
+    Partition partition;
+    ShutterMotion motion;
+    EffectPlan effects;
+};
+
+/// The scene at a time of its animation, with what the options say of it.  Throws as
+/// SceneSource::at.
+LoadedScene load_at(const RenderArguments& arguments, SceneSource& source,
+                    std::optional<double> time);
+
+/// The scene of the frame that the options name, which it completes: the size of the picture, and
+/// the light that is followed.  Throws as load_at, read_partition and check_partition_of.
+FrameScene load_frame(RenderArguments& arguments, SceneSource& source);
+
+} // namespace hipmap
