@@ -47,9 +47,9 @@ void stretch(const RenderScene& scene, const RayHit& hit, Interaction& at)
     at.bsdf.isotropy = 1;
 }
 
-/// What differs from point to point.
-void add_details(const RenderScene& scene, const RayHit& hit, MaterialId material, float sign,
-                 Interaction& at)
+/// What differs from point to point.  A function of its own, to spare others its registers.
+[[gnu::noinline]] void add_details(const RenderScene& scene, const RayHit& hit, MaterialId material,
+                                   float sign, Interaction& at)
 {
     if (scene.varying[material] != 0)
         at.bsdf = make_bsdf(scene.scene.materials[material],
@@ -85,7 +85,7 @@ Interaction interact(const RenderScene& scene, const Ray& ray, const RayHit& hit
         out.shading_normal = out.normal;
         out.cosine = std::max(0.0f, glm::dot(out.back, out.normal));
     }
-    if (!scene.is_plain(material))
+    if (!scene.is_plain(material)) [[unlikely]]
         add_details(scene, hit, material, sign, out);
     out.solid = scene.partition.closed[hit.face] != 0;
     const bool flipped = scene.partition.flipped[hit.face] != 0;

@@ -49,8 +49,6 @@ float kept_apart(float ratio)
     return ratio < 1 ? std::min(ratio, 1 / kLeastRoughIndex) : std::max(ratio, kLeastRoughIndex);
 }
 
-} // namespace
-
 void find_nested_index(const RenderScene& scene, Interaction& at, float& nanometres, Rgb& carried,
                        RandomSequence& random)
 {
@@ -59,6 +57,17 @@ void find_nested_index(const RenderScene& scene, Interaction& at, float& nanomet
         choose_wavelength(nanometres, carried, random);
     const float ratio = sides.behind.index(nanometres) / sides.front.index(nanometres);
     at.bsdf.ior = at.bsdf.alpha > 0 ? kept_apart(ratio) : ratio;
+}
+
+} // namespace
+
+void find_index_here(const RenderScene& scene, Interaction& at, float& nanometres, Rgb& carried,
+                     RandomSequence& random)
+{
+    if (at.solid && at.bsdf.glass > 0 && scene.has_nested())
+        find_nested_index(scene, at, nanometres, carried, random);
+    else
+        disperse(at, nanometres, carried, random);
 }
 
 } // namespace hipmap

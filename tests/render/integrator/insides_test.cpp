@@ -94,7 +94,7 @@ TEST_CASE("nested dielectrics: light through overlapping slabs, either of which 
         for (const bool lamp_above : {false, true}) {
             const auto ready = tiny::ready(slabs(above, lamp_above));
             for (const Integrator integrator : kAll) {
-                const RunningMean found = means_of(*ready, small_picture(integrator), 64);
+                const RunningMean found = means_of(*ready, small_picture(integrator), 24);
                 INFO(found.mean() << " +- " << found.standard_error() << ", priority " << above);
                 CHECK(std::abs(found.mean() - all.through) <
                       kMostZ * found.standard_error() + 1e-5);
@@ -110,7 +110,7 @@ TEST_CASE("nested dielectrics: clear ones are not seen under an even sky", "[int
         scene.environment = Rgb(1);
         const auto ready = tiny::ready(scene);
         for (const Integrator integrator : {Integrator::path, Integrator::progressive}) {
-            const RunningMean found = means_of(*ready, small_picture(integrator), 64);
+            const RunningMean found = means_of(*ready, small_picture(integrator), 24);
             INFO(found.mean() << " +- " << found.standard_error() << ", roughness " << roughness);
             // Facets that hide one another lose a little.
             const double kept = roughness > 0 ? 0.97 : 1 - 1e-4;
