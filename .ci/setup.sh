@@ -65,7 +65,7 @@ build() {
         werror=ON
     fi
     cd "$root"
-    cmake --preset "$preset" -DHIPMAP_WERROR=$werror --log-level=NOTICE
+    cmake --preset "$preset" -DHIPMAP_WERROR=$werror --log-level=WARNING
     cmake --build "build/$preset" --parallel "$(nproc)" --target "$@"
 }
 
