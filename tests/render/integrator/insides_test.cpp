@@ -136,7 +136,7 @@ TEST_CASE("nested dielectrics: photons and paths agree", "[integrator][media]")
     scene.nested_dielectrics = true;
     ImageOptions options = small_picture(Integrator::path);
     options.photons = 10000;
-    check_agreement(*tiny::ready(scene), options, 24, 400, {.most_noise = 0.02});
+    check_agreement(*tiny::ready(scene), options, 16, 200, {.most_noise = 0.02});
 }
 
 TEST_CASE("subsurface: photons and paths agree on wax", "[integrator][media]")
@@ -152,5 +152,5 @@ TEST_CASE("subsurface: photons and paths agree on wax", "[integrator][media]")
     tiny::add(scene, tiny::floor_at(0.45f, -0.4f), tiny::lamp(Rgb(6)));
     ImageOptions options = small_picture(Integrator::path);
     options.photons = 10000;
-    check_agreement(*tiny::ready(scene), options, 24, 200, {.most_noise = 0.02});
+    check_agreement(*tiny::ready(scene), options, 16, 100, {.most_noise = 0.02});
 }
