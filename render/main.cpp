@@ -1,7 +1,6 @@
 #include "common/file/output_file.h"
 #include "common/image/image_format.h"
 #include "common/input_error.h"
-#include "common/partition/partition_file.h"
 #include "common/scene/print_audit.h"
 #include "common/stopwatch.h"
 #include "render/effects/drop_effects.h"

@@ -2,15 +2,11 @@
 
 #include "common/scene/scene_names.h"
 #include "render/effects/effect_findings.h"
+#include "render/media/material_insides.h"
 
 namespace hipmap {
 
 namespace {
-
-bool lets_light_in(const Material& material)
-{
-    return material.transmission > 0 || material.diffuse_transmission > 0;
-}
 
 /// Light is scattered beneath its surface.
 bool scatters_inside(const Material& material, bool solid)

@@ -1,6 +1,7 @@
 #include "render/media/media_set.h"
 
 #include "common/math/bounds.h"
+#include "render/media/material_insides.h"
 
 #include <algorithm>
 
@@ -32,13 +33,6 @@ void find_spaces(MediaSet& media)
     }
     media.low = with_inside.empty() ? glm::vec3(1) : with_inside.low;
     media.high = with_inside.empty() ? glm::vec3(-1) : with_inside.high;
-}
-
-/// Paper and leaves that hold nothing are thin, closed or not.
-bool lets_light_in(const Material& material)
-{
-    return material.transmission > 0 || !material.boundary ||
-           (material.diffuse_transmission > 0 && !material.inside().is_clear());
 }
 
 /// Its inside is not that of clear glass, whose rays know by themselves what it absorbs.
@@ -73,7 +67,7 @@ std::optional<MediaSet> collect_media(const Scene& scene, const Partition& parti
         out.insides.push_back(material.inside());
         out.has_inside.push_back(lets_light_in(material) && closed[m] != 0);
         out.has_surface.push_back(material.boundary);
-        out.bends.push_back(material.boundary && material.transmission > 0);
+        out.bends.push_back(is_dielectric(material));
         out.priority.push_back(material.priority);
         wanted = wanted || (out.has_inside.back() != 0 && needs_media(material)) ||
                  (worn[m] != 0 && !material.boundary);

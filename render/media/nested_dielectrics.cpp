@@ -3,11 +3,12 @@
 #include "common/math/bounds.h"
 #include "common/rays/embree_scene.h"
 #include "common/rays/surface_point.h"
+#include "render/media/material_insides.h"
 
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <array>
+#include <utility>
 
 namespace hipmap {
 
@@ -26,7 +27,7 @@ Boundaries collect(const Scene& scene, const Partition& partition)
     Boundaries out;
     for (FaceId face = 0; face < scene.mesh.face_count(); ++face) {
         const Material& material = scene.materials[scene.mesh.material_of_face[face]];
-        if (partition.closed[face] == 0 || !material.boundary || !(material.transmission > 0) ||
+        if (partition.closed[face] == 0 || !is_dielectric(material) ||
             !(face_area(scene.mesh, face) > 0))
             continue;
         out.faces.push_back(face);
