@@ -63,8 +63,9 @@ bool sees_all(const FoundPhotons& found, const VisibleDisc& disc)
 Rgb estimate_visible(const PhotonMaps& maps, const MapSurfaces& surfaces, PhotonQuery query,
                      float radius, EstimateScratch& scratch)
 {
-    query.radius = radius;
-    look_around(surfaces, query, radius, scratch);
+    query.radius = look_around(surfaces, query, radius, scratch);
+    if (!(query.radius > 0))
+        return Rgb(0);
     const auto seen = [&](const PhotonMap& map, std::uint32_t slot) {
         return scratch.disc.sees(map.tree.position(slot));
     };
@@ -76,8 +77,8 @@ Rgb estimate_visible(const PhotonMaps& maps, const MapSurfaces& surfaces, Photon
     if (found.slots.size() == maps.options.neighbours)
         return projected_density(from, all_but_last(found), scratch.disc.area(farthest(found)));
     if (scratch.segments.empty())
-        return density(from, found.slots, disc_area(radius));
-    return projected_density(from, found.slots, scratch.disc.area(radius));
+        return density(from, found.slots, disc_area(query.radius));
+    return projected_density(from, found.slots, scratch.disc.area(query.radius));
 }
 
 /// docs/photon_maps.md (3): too few photons for (2).
@@ -110,8 +111,7 @@ std::optional<Rgb> estimate_from_sums(const PhotonMaps& maps, const MapSurfaces&
         return per_area(maps.power_scale, sum, found.map->area);
     if (!(radius > 0))
         return Rgb(0);
-    look_around(surfaces, query, radius, scratch);
-    if (scratch.segments.empty())
+    if (look_around(surfaces, query, radius, scratch) == radius && scratch.segments.empty())
         return per_area(maps.power_scale, sum, disc_area(radius));
     scratch.search.statistics = before; // the search for a list counts
     return {};
@@ -171,11 +171,11 @@ Rgb estimate_irradiance(const PhotonMaps& maps, const MapSurfaces& surfaces,
         return density(from, all_but_last(found), disc_area(radius));
     if (!(radius > 0))
         return Rgb(0);
-    look_around(surfaces, query, radius, scratch);
+    const bool to_the_end = look_around(surfaces, query, radius, scratch) == radius;
     scratch.near_boundary = !scratch.segments.empty();
-    if (scratch.segments.empty())
+    if (to_the_end && scratch.segments.empty())
         return density(from, all_but_last(found), disc_area(radius));
-    if (sees_all(found, scratch.disc))
+    if (to_the_end && sees_all(found, scratch.disc))
         return projected_density(from, all_but_last(found), scratch.disc.area(radius));
     return estimate_visible(maps, surfaces, query, std::min(kWiden * radius, query.radius),
                             scratch);

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "render/maps/boundary_outline.h"
 #include "render/maps/find_photons.h"
-#include "render/maps/map_boundaries.h"
 #include "render/maps/visible_disc.h"
 
 namespace hipmap {
@@ -9,7 +9,8 @@ namespace hipmap {
 /// What the estimates of one thread need besides the maps.
 struct EstimateScratch {
     SearchScratch search;
-    std::vector<BoundarySegment> segments;
+    OutlineScratch outline;
+    std::vector<BoundarySegment> segments; ///< that `disc` is looked at past
     VisibleDisc disc;
     bool near_boundary = false; ///< the last estimate was, so that the next may need a list
 };

@@ -2,6 +2,7 @@
 
 #include "render/maps/gather.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -26,19 +27,14 @@ RadiusEstimates estimate_from_sums(const PhotonMaps& maps, const PhotonMap& map,
     return out;
 }
 
-/// For a query with a map, and a first radius above zero.
-RadiusEstimates estimate_in_map(const PhotonMaps& maps, const PhotonMap& map,
-                                const MapSurfaces& surfaces, const PhotonQuery& query,
-                                const std::array<float, 3>& radii, EstimateScratch& scratch)
+/// Adds up photon by photon those that count.  radii[0] > 0.  bounded: scratch.disc looks past
+/// boundaries.
+RadiusEstimates estimate_from_list(const PhotonMaps& maps, const MapSurfaces& surfaces,
+                                   const PhotonQuery& query, const std::array<float, 3>& radii,
+                                   bool bounded, EstimateScratch& scratch)
 {
     const bool facing_only = maps.options.estimate == EstimateForm::thesis; // (7)
-    const bool bounded = !facing_only && maps.options.mode != MapMode::global;
-    if (bounded)
-        look_around(surfaces, query, radii[0], scratch);
-    const bool tilted = bounded && !scratch.segments.empty(); // (4)
-    if (!tilted && counts_whole(maps, query))
-        return estimate_from_sums(maps, map, query, radii, scratch);
-
+    const bool tilted = bounded && !scratch.segments.empty();               // (4)
     PhotonQuery within = query;
     within.radius = radii[0];
     constexpr std::size_t kAll = std::numeric_limits<std::uint32_t>::max();
@@ -60,12 +56,41 @@ RadiusEstimates estimate_in_map(const PhotonMaps& maps, const PhotonMap& map,
                 sums[r] += power;
         ++out.photons;
     }
-    for (std::size_t r = 0; r < radii.size(); ++r) {
+    for (std::size_t r = 0; r < radii.size() && out.photons > 0; ++r) {
         const bool cut = bounded && radii[r] > 0;
         out.irradiance[r] = per_area(maps.power_scale, sums[r],
                                      cut ? scratch.disc.area(radii[r]) : disc_area(radii[r]));
     }
     return out;
+}
+
+/// For a query with a map, and a first radius above zero.
+RadiusEstimates estimate_in_map(const PhotonMaps& maps, const PhotonMap& map,
+                                const MapSurfaces& surfaces, const PhotonQuery& query,
+                                const std::array<float, 3>& radii, EstimateScratch& scratch)
+{
+    const bool whole = counts_whole(maps, query);
+    RadiusEstimates from_sums;
+    if (whole) {
+        from_sums = estimate_from_sums(maps, map, query, radii, scratch);
+        if (from_sums.photons == 0) // no boundary needs to be looked at
+            return from_sums;
+    }
+    if (maps.options.estimate == EstimateForm::thesis || maps.options.mode == MapMode::global)
+        return estimate_from_list(maps, surfaces, query, radii, false, scratch);
+    const float seen = look_around(surfaces, query, radii[0], scratch);
+    if (!(seen > 0))
+        return {};
+    if (seen == radii[0]) {
+        if (whole && scratch.segments.empty())
+            return from_sums;
+        return estimate_from_list(maps, surfaces, query, radii, true, scratch);
+    }
+    // In proportion, so that what the estimates differ by still tells the bias of the first.
+    const float shrink = seen / radii[0];
+    return estimate_from_list(maps, surfaces, query,
+                              {seen, std::min(seen, shrink * radii[1]), shrink * radii[2]}, true,
+                              scratch);
 }
 
 } // namespace

@@ -46,15 +46,19 @@ double disc_area(float radius)
     return std::numbers::pi * (double{radius} * radius);
 }
 
-void look_around(const MapSurfaces& surfaces, const PhotonQuery& query, float radius,
-                 EstimateScratch& scratch)
+float look_around(const MapSurfaces& surfaces, const PhotonQuery& query, float radius,
+                  EstimateScratch& scratch)
 {
-    scratch.segments.clear();
-    surfaces.boundaries.near(surfaces.partition.map_of_face[query.face], query.position, radius,
-                             scratch.segments);
+    const MapId map = surfaces.partition.map_of_face[query.face];
+    const float seen = outline_boundary(surfaces.boundaries,
+                                        {map, query.position, surfaces.normals[query.face], radius},
+                                        scratch.outline, scratch.segments);
+    if (!(seen > 0))
+        return 0;
     const glm::uvec3 c = surfaces.mesh.corners[query.face];
     const std::vector<glm::vec3>& p = surfaces.mesh.positions;
-    scratch.disc.look({{p[c.x], p[c.y], p[c.z]}, query.position, radius}, scratch.segments);
+    scratch.disc.look({{p[c.x], p[c.y], p[c.z]}, query.position, seen}, scratch.segments);
+    return seen;
 }
 
 } // namespace hipmap

@@ -40,8 +40,9 @@ Rgb per_area(const PowerScale& scale, const glm::dvec3& sum, double area);
 double disc_area(float radius);
 
 /// Points scratch.disc past the boundaries of the query's map within the radius (> 0, finite);
-/// without any near, scratch.segments is left empty.
-void look_around(const MapSurfaces& surfaces, const PhotonQuery& query, float radius,
-                 EstimateScratch& scratch);
+/// without any near, scratch.segments is left empty.  Returns the radius out to which the disc may
+/// be used: the given one, or less where the boundary is too dense for it; 0: none.
+float look_around(const MapSurfaces& surfaces, const PhotonQuery& query, float radius,
+                  EstimateScratch& scratch);
 
 } // namespace hipmap

@@ -1,6 +1,7 @@
 #include "render/maps/map_boundaries.h"
 
 #include "common/math/bounds.h"
+#include "render/maps/straight_chains.h"
 
 #include <algorithm>
 #include <array>
@@ -11,9 +12,6 @@
 namespace hipmap {
 
 namespace {
-
-/// Ranges up to this long are looped over.
-constexpr std::uint32_t kLeafSize = 16;
 
 bool is_boundary(EdgeClass edge_class)
 {
@@ -57,25 +55,6 @@ void for_each_segment(const TriangleMesh& mesh, const Partition& partition, cons
         visit(contact.map, BoundarySegment{contact.a, contact.b});
 }
 
-double distance2_to_segment(const glm::vec3& point, const BoundarySegment& segment)
-{
-    const glm::dvec3 a(segment.a);
-    const glm::dvec3 along = glm::dvec3(segment.b) - a;
-    const glm::dvec3 to_point = glm::dvec3(point) - a;
-    const double length2 = glm::dot(along, along);
-    const double t = length2 > 0 ? glm::dot(to_point, along) / length2 : 0.0;
-    const glm::dvec3 off = to_point - std::clamp(t, 0.0, 1.0) * along;
-    return glm::dot(off, off);
-}
-
-double distance2_to_box(const glm::vec3& point, const glm::vec3& low, const glm::vec3& high)
-{
-    const glm::dvec3 p(point);
-    const glm::dvec3 off =
-        glm::max(glm::max(glm::dvec3(low) - p, p - glm::dvec3(high)), glm::dvec3(0.0));
-    return glm::dot(off, off);
-}
-
 int longest_axis(const glm::vec3& extent)
 {
     if (extent.x >= extent.y && extent.x >= extent.z)
@@ -98,6 +77,14 @@ struct ByMiddle {
 
 } // namespace
 
+double distance2_to_box(const glm::vec3& point, const glm::vec3& low, const glm::vec3& high)
+{
+    const glm::dvec3 p(point);
+    const glm::dvec3 off =
+        glm::max(glm::max(glm::dvec3(low) - p, p - glm::dvec3(high)), glm::dvec3(0.0));
+    return glm::dot(off, off);
+}
+
 MapBoundaries::MapBoundaries(const TriangleMesh& mesh, const Partition& partition)
     : ranges_(partition.map_count + std::size_t{1})
 {
@@ -105,20 +92,26 @@ MapBoundaries::MapBoundaries(const TriangleMesh& mesh, const Partition& partitio
     std::vector<std::uint32_t> next(partition.map_count + std::size_t{1}, 0);
     for_each_segment(mesh, partition, [&](MapId map, const BoundarySegment&) { ++next[map]; });
     std::uint32_t total = 0;
-    for (std::size_t map = 0; map < next.size(); ++map) {
-        ranges_[map].segment = total;
-        total += std::exchange(next[map], total);
-    }
+    for (std::uint32_t& first : next)
+        total += std::exchange(first, total);
     segments_.resize(total);
     for_each_segment(mesh, partition, [&](MapId map, const BoundarySegment& segment) {
-        segments_[next[map]++] = segment;
+        segments_[next[map]++] = segment; // so that it ends where the next map begins
     });
 
+    std::uint32_t kept = 0;
     for (std::size_t map = 0; map < partition.map_count; ++map) {
-        const std::uint32_t begin = ranges_[map].segment;
-        const std::uint32_t end = ranges_[map + 1].segment;
-        ranges_[map].node = end - begin > kLeafSize ? build_tree(begin, end) : 0;
+        const std::uint32_t from = map == 0 ? 0 : next[map - 1];
+        const auto chains = join_straight_chains(
+            std::span(segments_).subspan(from, next[map] - from), partition.position_error);
+        const std::uint32_t begin = kept;
+        for (const BoundarySegment& segment : chains)
+            segments_[kept++] = segment;
+        ranges_[map] = {begin, kept - begin > kLeafSize ? build_tree(begin, kept) : 0};
     }
+    ranges_.back().segment = kept;
+    segments_.resize(kept);
+    segments_.shrink_to_fit();
     nodes_.shrink_to_fit();
 }
 
@@ -160,23 +153,25 @@ void MapBoundaries::append_near(std::uint32_t begin, std::uint32_t end, const gl
             out.push_back(segments_[i]);
 }
 
-void MapBoundaries::near(MapId map, const glm::vec3& point, float radius,
-                         std::vector<BoundarySegment>& out) const
+bool MapBoundaries::near(MapId map, const glm::vec3& point, float radius,
+                         std::vector<BoundarySegment>& out, std::size_t most) const
 {
     assert(map + std::size_t{1} < ranges_.size());
     struct Visit {
         std::uint32_t node, begin, end;
     };
     const double radius2 = double(radius) * radius;
+    const std::size_t begun = out.size();
     const std::uint32_t first = ranges_[map].segment;
     const std::uint32_t last = ranges_[map + 1].segment;
-    if (last - first <= kLeafSize)
-        return append_near(first, last, point, radius2, out);
-
+    if (last - first <= kLeafSize) {
+        append_near(first, last, point, radius2, out);
+        return out.size() - begun <= most;
+    }
     std::array<Visit, 40> stack; // halving 2^32 segments goes 32 deep
     std::size_t depth = 0;
     stack[depth++] = {ranges_[map].node, first, last};
-    while (depth > 0) {
+    while (depth > 0 && out.size() - begun <= most) {
         const Visit visit = stack[--depth];
         const Node& node = nodes_[visit.node];
         if (distance2_to_box(point, node.low, node.high) > radius2)
@@ -189,6 +184,7 @@ void MapBoundaries::near(MapId map, const glm::vec3& point, float radius,
         stack[depth++] = {node.right, middle, visit.end};
         stack[depth++] = {visit.node + 1, visit.begin, middle};
     }
+    return out.size() - begun <= most;
 }
 
 } // namespace hipmap

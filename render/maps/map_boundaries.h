@@ -2,20 +2,19 @@
 
 #include "common/partition/partition.h"
 #include "common/scene/mesh.h"
+#include "render/maps/boundary_segment.h"
 
 #include <glm/glm.hpp>
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
 namespace hipmap {
 
-/// A piece of the boundary of a map, scene units.
-struct BoundarySegment {
-    glm::vec3 a, b;
-    bool operator==(const BoundarySegment&) const = default;
-};
+/// Square distance to an axis-aligned box, square scene units; 0 within it.
+double distance2_to_box(const glm::vec3& point, const glm::vec3& low, const glm::vec3& high);
 
 /// Where the shared maps end: the edges across which no photon is gathered, by map.
 ///
@@ -24,6 +23,8 @@ struct BoundarySegment {
 /// surface is creased there, or something stands on it.  Edges of faces without area are not: such
 /// a face has no map, and what lies beyond it is not known.  Where a surface stands on another or
 /// cuts through it, the partition's contacts are boundaries too; its bridged edges are none.
+/// Chains that are straight within the rounding of their points are one segment each, so that
+/// subdividing a face adds none.
 ///
 /// Read-only once built: any number of threads may query it.
 class MapBoundaries {
@@ -36,17 +37,25 @@ class MapBoundaries {
     std::span<const BoundarySegment> of(MapId map) const;
 
     /// Appends the segments of `map` that come within `radius` of `point` to `out`, in a fixed
-    /// order.  radius: scene units, >= 0, may be infinite.
+    /// order.  radius: scene units, >= 0, may be infinite.  False: there are more than `most`, and
+    /// `out` holds some of them.
     /// Cost: a loop for a map of few segments, else logarithmic plus the segments found.
-    void near(MapId map, const glm::vec3& point, float radius,
-              std::vector<BoundarySegment>& out) const;
+    bool near(MapId map, const glm::vec3& point, float radius, std::vector<BoundarySegment>& out,
+              std::size_t most = std::numeric_limits<std::size_t>::max()) const;
 
-  private:
-    /// Of a balanced tree in preorder: the left child follows, and the children halve the range.
+    /// Node of a balanced tree in preorder: the left child follows its parent, and the children
+    /// halve the parent's range of segments.  A range of kLeafSize segments or fewer has none.
     struct Node {
         glm::vec3 low, high;
         std::uint32_t right;
     };
+    static constexpr std::uint32_t kLeafSize = 4;
+
+    /// Root of a map's tree: only for maps of more than kLeafSize segments.
+    std::uint32_t root(MapId map) const { return ranges_[map].node; }
+    const Node& node(std::uint32_t index) const { return nodes_[index]; }
+
+  private:
     struct MapRange {
         std::uint32_t segment; ///< first of the map
         std::uint32_t node;    ///< root, if the map has a tree

@@ -106,17 +106,28 @@ void VisibleDisc::look_past(const DiscQuery& query, std::span<const BoundarySegm
 
 /// A1: p = (s a + t b) / (a x b) lies beyond the wall if s, t >= 0 and s + t > a x b.  Both ends
 /// belong to the wall, so that nothing passes between two walls that share one.
+bool VisibleDisc::hides(const Wall& wall, const glm::dvec2& p)
+{
+    const double s = cross(p, wall.b);
+    const double t = cross(wall.a, p);
+    return s >= 0 && t >= 0 && s + t > wall.cross;
+}
+
+/// What any wall hides, the nearest in that direction hides too.  Where keys are rounded, that may
+/// be a neighbour of the piece they name.
 bool VisibleDisc::sees_past_walls(const glm::vec3& photon) const
 {
     const glm::dvec2 p = project(photon);
-    if (glm::dot(p, p) <= nearest2_)
+    if (glm::dot(p, p) <= nearest2_ || envelope_.empty())
         return true;
-    for (const Wall& wall : walls_) {
-        const double s = cross(p, wall.b);
-        const double t = cross(wall.a, p);
-        if (s >= 0 && t >= 0 && s + t > wall.cross)
+    const auto after =
+        std::upper_bound(envelope_.begin(), envelope_.end(), direction_key(p),
+                         [](double key, const Piece& piece) { return key < piece.from.key; });
+    const std::size_t count = envelope_.size();
+    const auto next = static_cast<std::size_t>(after - envelope_.begin()) + count;
+    for (const std::size_t i : {next - 1, next - 2, next})
+        if (hides(walls_[envelope_[i % count].wall], p))
             return false;
-    }
     return true;
 }
 

@@ -41,7 +41,7 @@ class VisibleDisc {
     bool whole() const { return walls_.empty(); }
 
     /// Whether the straight segment from the query to `photon` crosses no boundary (A1).
-    /// photon: within the radius.  Cost: linear in the segments.
+    /// photon: within the radius.  Cost: logarithmic in the segments.
     bool sees(const glm::vec3& photon) const { return whole() || sees_past_walls(photon); }
 
     /// Area of the visible part of the disc of radius r, square scene units (A4).
@@ -84,6 +84,7 @@ class VisibleDisc {
     void emit(const Piece& piece);
     Mark mark_towards(const Piece& piece, const Mark& direction) const;
     bool clip(const Piece& piece, double r2, Chord& chord) const;
+    static bool hides(const Wall& wall, const glm::dvec2& p);
     bool sees_past_walls(const glm::vec3& photon) const;
     double area_within_walls(float r) const;
 

@@ -55,7 +55,7 @@ Square random_triangles(std::uint32_t count, std::uint32_t map_count, std::uint6
     out.partition.map_count = map_count;
     for (std::uint32_t face = 0; face < count; ++face) {
         const glm::vec3 centre = next3();
-        const float size = std::pow(random.next(), 4.0f);
+        const float size = 1e-3f + std::pow(random.next(), 4.0f);
         for (int corner = 0; corner < 3; ++corner)
             out.mesh.positions.push_back(centre + size * next3());
         out.mesh.corners.push_back(glm::uvec3(0, 1, 2) + 3 * face);

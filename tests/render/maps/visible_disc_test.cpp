@@ -244,7 +244,7 @@ TEST_CASE("visible disc: on an L-shaped floor, what is seen round the corner is 
 {
     const LFloor floor;
     const MapBoundaries boundaries(floor.mesh, floor.partition);
-    REQUIRE(boundaries.of(0).size() == 8);
+    REQUIRE(boundaries.of(0).size() == 6);
     Random random(47);
     for (int trial = 0; trial < 200; ++trial) {
         const FaceId face = trial % 6;

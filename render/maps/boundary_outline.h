@@ -1,0 +1,47 @@
+#pragma once
+
+#include "render/maps/map_boundaries.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace hipmap {
+
+/// Where a boundary is looked at from.
+struct OutlineQuery {
+    MapId map;
+    glm::vec3 point;  ///< scene units
+    glm::vec3 normal; ///< unit, of the plane that the boundary is projected into
+    float radius;     ///< > 0, finite
+};
+
+/// Memory of one thread.
+struct OutlineScratch {
+    /// A part of the tree that is still to be looked at, or one segment of it.
+    struct Part {
+        double distance2; ///< from the point, in space
+        std::uint32_t begin, end;
+        std::uint32_t node; ///< kNone: the segments alone
+    };
+    std::vector<Part> open;         ///< a heap, the nearest on top
+    std::array<double, 64> hidden2; ///< by sector: beyond this square distance all is hidden
+};
+
+/// Work of one outline at most, whatever the radius and the boundary.
+inline constexpr std::size_t kExactSegments = 16; ///< up to so many are looked past as they are
+inline constexpr std::size_t kMostSegments = 40;
+inline constexpr std::size_t kMostParts = 128; ///< of the tree, taken from the heap
+
+/// Writes to `out` at most kMostSegments segments such that what is seen from the point past them
+/// is seen past the whole boundary too, and returns the radius within which that holds: the
+/// query's, or less where the boundary is too dense for it, and then the distance of the nearest
+/// part that was not looked at (zero in a point where very many segments meet).  Up to
+/// kExactSegments within the radius are written as they are.  Where there are more, those that
+/// others hide are left out, and distant ones are replaced by a segment in front of their bounding
+/// box, so that somewhat less is seen.  docs/visible_area.md, Bounded work. Thread-safe with a
+/// scratch for each thread.  Cost: bounded by the constants above.
+float outline_boundary(const MapBoundaries& boundaries, const OutlineQuery& query,
+                       OutlineScratch& scratch, std::vector<BoundarySegment>& out);
+
+} // namespace hipmap
