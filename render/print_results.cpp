@@ -32,7 +32,7 @@ void print_tiers(const RenderStatistics& statistics, Report& report)
 {
     for (const auto& [name, kind] :
          {std::pair("global", &statistics.global), std::pair("caustic", &statistics.caustic)})
-        if (kind->stored > 0)
+        if (kind->local_plan.asking > 0) // planned
             report.line(std::string(name) + " photons: local maps " +
                         describe_plan(kind->local_plan) + "; group maps " +
                         describe_plan(kind->group_plan));
@@ -56,9 +56,7 @@ void print_statistics(const RenderArguments& arguments, const RenderStatistics& 
 {
     if (arguments.render.integrator != Integrator::path) {
         print_photons(statistics, report);
-        if (arguments.render.maps.mode == MapMode::hierarchical &&
-            arguments.render.maps.tree == TreeKind::wide)
-            print_tiers(statistics, report);
+        print_tiers(statistics, report);
     }
     warn_of_dropped(statistics, film, report);
 }

@@ -44,8 +44,7 @@ Json kind_json(const KindStatistics& kind, const MapOptions& maps)
                  {"largest_map", kind.largest_map},
                  {"queries", kind.searches.queries},
                  {"photons_found", kind.searches.photons_found}};
-    const bool planned = maps.mode == MapMode::hierarchical && maps.tree == TreeKind::wide;
-    if (planned) {
+    if (kind.local_plan.asking > 0) { // planned
         json["local"] = tier_json(kind.local_plan, kind.searches.local);
         json["group"] = tier_json(kind.group_plan, kind.searches.group);
     } else if (maps.mode == MapMode::thesis || maps.mode == MapMode::hierarchical) {

@@ -54,7 +54,7 @@ struct BranchStack {
     query = beyond(query);
     query.radius = PhotonQuery{}.radius;
     Rgb light = estimate_irradiance(maps.global, maps.surfaces, query, scratch.global);
-    query.radius = even_radius(maps.caustic, maps.scene.partition, query);
+    query.radius = even_radius(maps.caustic, maps.surfaces, query);
     light += estimate_irradiance(maps.caustic, maps.surfaces, query, scratch.caustic);
     return maps.scene.directional ? light : lobes.beyond() * light;
 }
@@ -67,7 +67,7 @@ Rgb photon_light(const PassMaps& maps, const Interaction& at, EyeScratch& scratc
     if (maps.scene.directional)
         query.lobes = &lobes;
     Rgb light = estimate_irradiance(maps.global, maps.surfaces, query, scratch.global);
-    query.radius = even_radius(maps.caustic, maps.scene.partition, query);
+    query.radius = even_radius(maps.caustic, maps.surfaces, query);
     light += estimate_irradiance(maps.caustic, maps.surfaces, query, scratch.caustic);
     light = maps.scene.directional ? light : lobes.base() * light;
     return at.bsdf.passes_diffusely() ? light + light_from_beyond(maps, lobes, query, scratch)

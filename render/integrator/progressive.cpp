@@ -45,10 +45,20 @@ TracedPhotons trace_linked(const RenderScene& scene, const RenderOptions& option
     return trace_pass(scene, photons, statistics);
 }
 
+/// Searches within a radius read the shared maps alone: levels below them are not planned.
+MapOptions maps_read(const RenderOptions& options)
+{
+    MapOptions out = options.maps;
+    if (out.mode == MapMode::hierarchical)
+        out.mode = MapMode::shared;
+    return out;
+}
+
 /// By photons of their own, as many as a pass has.
-std::shared_ptr<const ProgressiveRadii> find_first_radii(const RenderScene& scene,
+std::shared_ptr<const ProgressiveRadii> find_first_radii(const MappedScene& mapped,
                                                          const RenderOptions& options)
 {
+    const RenderScene& scene = mapped.scene;
     RenderStatistics ignored;
     const TracedPhotons traced = trace_linked(scene, options, kPilotPass, ignored);
     std::vector<Photon> indirect;
@@ -57,7 +67,8 @@ std::shared_ptr<const ProgressiveRadii> find_first_radii(const RenderScene& scen
         indirect.push_back(bounced.photon);
     const auto field = [&](const std::vector<Photon>& photons) {
         return build_radius_field(
-            build_photon_maps(photons, scene.mesh(), scene.partition, options.maps));
+            build_photon_maps(photons, scene.mesh(), scene.partition, maps_read(options)),
+            mapped.surfaces);
     };
     return std::make_shared<ProgressiveRadii>(FirstRadii{field(traced.caustic),
                                                          field(traced.global), field(indirect),
@@ -82,7 +93,7 @@ ProgressiveMaps make_maps(const MappedScene& mapped, const ProgressiveRadii& fir
     ProgressiveMaps maps;
     const auto build = [&](PhotonMaps& to, const std::vector<Photon>& photons,
                            KindStatistics& kind) {
-        to = build_maps(scene, photons, options.maps, kind);
+        to = build_maps(scene, photons, maps_read(options), kind);
     };
     // At the same time: where one map has most photons, threads would wait at its root.
     tbb::parallel_invoke(
@@ -167,8 +178,9 @@ PassSource make_progressive_source(const RenderScene& scene, const RenderOptions
     const auto surfaces = std::make_shared<const MapSurfaces>(scene.mesh(), scene.partition);
     const auto shared = std::make_shared<Progressive>();
     shared->cache = cache;
-    shared->first =
-        cache != nullptr && cache->radii ? cache->radii : find_first_radii(scene, options);
+    shared->first = cache != nullptr && cache->radii
+                        ? cache->radii
+                        : find_first_radii({scene, *surfaces}, options);
     if (cache != nullptr)
         cache->radii = shared->first;
     PassSource source;

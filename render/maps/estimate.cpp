@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 
 namespace hipmap {
@@ -92,7 +93,7 @@ Rgb estimate_sparse(const Gathering& from, const FoundPhotons& found, EstimateSc
     }
     if (one_map)
         return density(from, all_but_last(found), disc_area(farthest(found)));
-    return density(from, found.slots, from.map.area);
+    return density(from, found.slots, from.surfaces.area_read(from.maps, from.query.face));
 }
 
 /// (2) and (3) where no boundary is near, from sums alone; nothing where one is.
@@ -108,7 +109,7 @@ std::optional<Rgb> estimate_from_sums(const PhotonMaps& maps, const MapSurfaces&
     const bool sparse = found.nearest.photons < maps.options.neighbours;
     const float radius = sparse ? query.radius : std::sqrt(found.nearest.farthest2);
     if (!std::isfinite(radius))
-        return per_area(maps.power_scale, sum, found.map->area);
+        return per_area(maps.power_scale, sum, surfaces.area_read(maps, query.face));
     if (!(radius > 0))
         return Rgb(0);
     if (look_around(surfaces, query, radius, scratch) == radius && scratch.segments.empty())
@@ -147,6 +148,18 @@ MapSurfaces::MapSurfaces(const TriangleMesh& of_mesh, const Partition& of_partit
             area[partition.map_of_face[face]] += length / 2;
     }
     map_area.assign(area.begin(), area.end());
+    total_area = static_cast<float>(std::accumulate(area.begin(), area.end(), 0.0));
+}
+
+float even_radius(const PhotonMaps& maps, const MapSurfaces& surfaces, const PhotonQuery& query)
+{
+    if (surfaces.partition.map_of_face[query.face] == kNone)
+        return std::numeric_limits<float>::infinity();
+    const PhotonMap* map = map_of_query(maps, surfaces.partition, query);
+    if (map == nullptr)
+        return std::numeric_limits<float>::infinity();
+    return filter_radius(surfaces.area_read(maps, query.face), maps.options.neighbours,
+                         map->tree.size);
 }
 
 Rgb estimate_irradiance(const PhotonMaps& maps, const MapSurfaces& surfaces,

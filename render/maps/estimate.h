@@ -23,9 +23,21 @@ struct MapSurfaces {
     MapBoundaries boundaries;
     std::vector<glm::vec3> normals; ///< [F] unit, towards side 0; zero for a face without area
     std::vector<float> map_area;    ///< [shared maps] square scene units
+    float total_area = 0;           ///< of all maps
 
     MapSurfaces(const TriangleMesh& of_mesh, const Partition& of_partition);
+
+    /// Area of the map that a query on `face` reads; the face must have one.
+    float area_read(const PhotonMaps& maps, FaceId face) const
+    {
+        return maps.options.mode == MapMode::global ? total_area
+                                                    : map_area[partition.map_of_face[face]];
+    }
 };
+
+/// The radius within which k photons would lie were those of the query's map spread evenly over it,
+/// docs/photon_maps.md (5); infinite for an empty map or a face without one.
+float even_radius(const PhotonMaps& maps, const MapSurfaces& surfaces, const PhotonQuery& query);
 
 /// Density of photon power at a point, W/m2 (power and area are both in scene units): the
 /// irradiance, with what depends on the direction of arrival already in the photons' power.

@@ -211,15 +211,6 @@ const PhotonMap* map_of_query(const PhotonMaps& maps, const Partition& partition
     return id == kNone ? nullptr : maps.map_at(id, query.side);
 }
 
-float even_radius(const PhotonMaps& maps, const Partition& partition, const PhotonQuery& query)
-{
-    const PhotonMap* map =
-        partition.map_of_face[query.face] == kNone ? nullptr : map_of_query(maps, partition, query);
-    if (map == nullptr)
-        return std::numeric_limits<float>::infinity();
-    return filter_radius(map->area, maps.options.neighbours, map->tree.size);
-}
-
 FoundPhotons find_photons(const PhotonMaps& maps, const TriangleMesh& mesh,
                           const Partition& partition, const PhotonQuery& query,
                           SearchScratch& scratch)

@@ -90,10 +90,6 @@ inline bool passes_over(const PhotonMaps& maps)
 const PhotonMap* map_of_query(const PhotonMaps& maps, const Partition& partition,
                               const PhotonQuery& query);
 
-/// The radius within which k photons would lie were those of the query's map spread evenly over it,
-/// docs/photon_maps.md (5); infinite for an empty map or a face without one.
-float even_radius(const PhotonMaps& maps, const Partition& partition, const PhotonQuery& query);
-
 /// The k nearest photons of the query's map, fewer if there are no more within the radius; of
 /// equally near ones those with the lower slot.  A face without a map has none.
 /// Mode thesis looks in the face's local map first; what it returns is what the shared map would,

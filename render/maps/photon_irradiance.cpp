@@ -30,7 +30,7 @@ PhotonQuery query_at(const PhotonMaps& maps, const PhotonMap& map, std::uint32_t
     PhotonQuery query{map.tree.position(slot), normal_of(maps, map, slot, surfaces),
                       map.faces[slot], map.side};
     if (bounded)
-        query.radius = even_radius(maps, surfaces.partition, query);
+        query.radius = even_radius(maps, surfaces, query);
     return query;
 }
 

@@ -44,20 +44,6 @@ Groups group_by_key(const std::vector<Photon>& photons, std::size_t key_count, c
     return groups;
 }
 
-std::vector<float> areas_of_maps(const PhotonMaps& maps, const TriangleMesh& mesh,
-                                 const Partition& partition, std::size_t map_count)
-{
-    std::vector<double> area(map_count, 0.0);
-    for (FaceId face = 0; face < mesh.face_count(); ++face) {
-        if (partition.map_of_face[face] == kNone)
-            continue;
-        const MapId map = partition.map_of_face[face];
-        area[maps.map_index(map, 0)] += face_area(mesh, face);
-        area[maps.map_index(map, 1)] = area[maps.map_index(map, 0)];
-    }
-    return {area.begin(), area.end()};
-}
-
 /// For a map's own photons; `wide` then has their positions, whatever is searched.
 void build_tree(TreeKind kind, std::span<TreePoint> points, WideTree& wide, KdTree& kd)
 {
@@ -89,7 +75,7 @@ PhotonMap build_map(const PhotonMaps& maps, const std::vector<Photon>& photons,
 
 /// Returns the photons' numbers in the order of the trees.
 Groups build_shared_maps(PhotonMaps& maps, const std::vector<Photon>& photons,
-                         const TriangleMesh& mesh, const Partition& partition)
+                         const Partition& partition)
 {
     const bool one_map = maps.options.mode == MapMode::global;
     const std::size_t keys = one_map ? 1 : std::size_t{maps.sides()} * partition.map_count;
@@ -108,9 +94,6 @@ Groups build_shared_maps(PhotonMaps& maps, const std::vector<Photon>& photons,
     tbb::parallel_for(std::size_t{0}, maps.maps.size(), [&](std::size_t m) {
         maps.maps[m] = build_map(maps, photons, groups.of(key_of_map[m]));
     });
-    const std::vector<float> areas = areas_of_maps(maps, mesh, partition, keys);
-    for (std::size_t m = 0; m < maps.maps.size(); ++m)
-        maps.maps[m].area = areas[key_of_map[m]];
     return groups;
 }
 
@@ -232,7 +215,7 @@ PhotonMaps build_photon_maps(const std::vector<Photon>& photons, const TriangleM
     if (photons.empty())
         return maps;
     maps.power_scale = power_scale(photons);
-    const Groups groups = build_shared_maps(maps, photons, mesh, partition);
+    const Groups groups = build_shared_maps(maps, photons, partition);
     const bool tiers = options.mode == MapMode::hierarchical;
     if (options.mode == MapMode::thesis || (tiers && options.tree != TreeKind::wide))
         build_copied_tiers(maps, photons, groups, mesh, partition);

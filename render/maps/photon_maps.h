@@ -55,7 +55,6 @@ struct PhotonMap {
     PhotonPowers powers;
     std::vector<FaceId> faces;               ///< [n] by slot
     std::vector<PackedDirection> directions; ///< [n] by slot; empty if nobody asks for them
-    float area = 0.0f;                       ///< of the map's faces, square scene units
     std::uint8_t side = 0;
 
     /// Unit, towards where the photon came from.  Only if directions are kept.

@@ -15,10 +15,10 @@ namespace {
 /// One photon of so many gets a radius: those between share most of their k neighbours with it.
 constexpr std::uint32_t kPhotonsEach = 4;
 
-RadiusField::Map build_map(const PhotonMap& photons, std::uint32_t neighbours)
+RadiusField::Map build_map(const PhotonMap& photons, std::uint32_t neighbours, float area)
 {
     RadiusField::Map out;
-    out.even_radius = filter_radius(photons.area, neighbours, photons.tree.size);
+    out.even_radius = filter_radius(area, neighbours, photons.tree.size);
     std::vector<TreePoint> points = every_nth_photon(photons.tree, kPhotonsEach);
     out.tree = build_wide_tree(points);
     out.radius.resize(points.size());
@@ -38,13 +38,14 @@ RadiusField::Map build_map(const PhotonMap& photons, std::uint32_t neighbours)
 
 } // namespace
 
-RadiusField build_radius_field(const PhotonMaps& photons)
+RadiusField build_radius_field(const PhotonMaps& photons, const MapSurfaces& surfaces)
 {
     RadiusField out;
     out.index.options = photons.options;
     out.index.map_of = photons.map_of;
     for (const PhotonMap& map : photons.maps)
-        out.maps.push_back(build_map(map, photons.options.neighbours));
+        out.maps.push_back(
+            build_map(map, photons.options.neighbours, surfaces.area_read(photons, map.faces[0])));
     return out;
 }
 

@@ -22,7 +22,7 @@ struct RadiusField {
 
 /// In parallel.  Same maps, same field, at any thread count.  No photons: a field without maps.
 /// Cost: a search for every fourth photon.
-RadiusField build_radius_field(const PhotonMaps& photons);
+RadiusField build_radius_field(const PhotonMaps& photons, const MapSurfaces& surfaces);
 
 /// The radius at a point, scene units: at most that within which k photons would lie were those of
 /// the map spread evenly over it; where the map has no photon, that of one photon.  A function of

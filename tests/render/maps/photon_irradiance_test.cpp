@@ -75,7 +75,7 @@ TEST_CASE("photon irradiance: at the photons the estimate, elsewhere that of the
                                             : map.side == 1;
                     query.normal *= behind ? -1.0f : 1.0f;
                     if (options.bounded)
-                        query.radius = even_radius(maps, partition, query);
+                        query.radius = even_radius(maps, surfaces, query);
                     CHECK(nearest_irradiance(cache, maps, partition, query, scratch) ==
                           estimate_irradiance(maps, surfaces, query, estimates));
                     query.position += glm::vec3(0.03f, -0.02f, 0.01f);

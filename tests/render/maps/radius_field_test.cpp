@@ -35,7 +35,8 @@ struct Field {
 
     explicit Field(const std::vector<Photon>& photons)
         : field(build_radius_field(build_photon_maps(photons, ready->scene.mesh, ready->partition,
-                                                     {MapMode::shared, kNeighbours})))
+                                                     {MapMode::shared, kNeighbours}),
+                                   surfaces))
     {
     }
 
