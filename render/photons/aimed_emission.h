@@ -1,6 +1,5 @@
 #pragma once
 
-#include "render/photons/specular_targets.h"
 #include "render/shading/emission.h"
 
 namespace hipmap {

@@ -100,11 +100,9 @@ TracedPhotons trace_without_aim(const RenderScene& scene, const PhotonOptions& o
 
 TracedPhotons trace_photons(const RenderScene& scene, const PhotonOptions& options)
 {
-    std::vector<TargetSphere> targets;
-    if (options.light.caustic && options.caustic_paths > 0)
-        targets = find_specular_targets(scene);
+    const std::vector<TargetSphere>& targets = scene.specular_targets;
     TracedPhotons out = trace_without_aim(scene, options);
-    if (targets.empty())
+    if (!options.light.caustic || options.caustic_paths == 0 || targets.empty())
         return out;
     Wanted wanted{false, true, false, options.link_bounces};
     wanted.volume = options.media;

@@ -12,7 +12,9 @@ RenderScene::RenderScene(const Scene& from_scene, const Partition& from_partitio
     : scene(from_scene), partition(from_partition), coverage(coverage_of(from_scene)),
       rays(from_scene.mesh, coverage),
       bsdfs(make_bsdfs(from_scene.materials, from_scene.diffuse_model)),
-      varying(varying_materials(from_scene)), lights(collect_lights(from_scene, bsdfs)),
+      varying(varying_materials(from_scene)),
+      specular_targets(find_specular_targets(from_scene, bsdfs)),
+      lights(collect_lights(from_scene, bsdfs)),
       media(collect_media(from_scene, from_partition, rays))
 {
     lights.sky = std::move(sky);

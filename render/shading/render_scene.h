@@ -6,6 +6,7 @@
 #include "render/media/media_set.h"
 #include "render/shading/bsdf.h"
 #include "render/shading/lights.h"
+#include "render/shading/specular_targets.h"
 
 #include <vector>
 
@@ -24,6 +25,7 @@ struct RenderScene {
     std::vector<std::uint8_t> bumpy; ///< [M] 1: a texture tilts a shading normal
     std::vector<std::uint8_t> plain; ///< [M] 1: neither, unstretched, and faces stop all light
     bool all_plain = false;          ///< all materials are
+    std::vector<TargetSphere> specular_targets; ///< that light is aimed at to make caustics
     LightSet lights;
     std::optional<MediaSet> media; ///< none: nothing but surfaces and glass that absorbs
     bool lit_by_faces = false;     ///< there are no lamps and no picture of the sky

@@ -158,7 +158,7 @@ TEST_CASE("lamps: plain and aimed light paths bring the same power to a ball", "
     tiny::move(ball, {-0.1f, 0.05f, 0});
     tiny::add(scene, ball, tiny::mirror(Rgb(1)));
     const auto ready = tiny::ready(scene);
-    const std::vector<TargetSphere> targets = find_specular_targets(*ready->render);
+    const std::vector<TargetSphere> targets = ready->render->specular_targets;
     const auto power_of = [&](bool aimed) {
         RunningMean power;
         const EmissionPlan plan = plan_emission(ready->render->lights, 40'000);

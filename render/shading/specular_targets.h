@@ -1,7 +1,8 @@
 #pragma once
 
 #include "common/math/random.h"
-#include "render/shading/render_scene.h"
+#include "common/scene/scene.h"
+#include "render/shading/bsdf.h"
 
 #include <vector>
 
@@ -15,8 +16,8 @@ struct TargetSphere {
 
 /// Spheres that together hold every face with a specular lobe: where light must go first if it is
 /// to make a caustic (Jensen 1996, projection maps).  Empty: the scene has no such face.
-/// At most 32, however many faces there are.  Cost: linear in faces.
-std::vector<TargetSphere> find_specular_targets(const RenderScene& scene);
+/// At most 32, however many faces there are.  bsdfs: of the materials.  Cost: linear in faces.
+std::vector<TargetSphere> find_specular_targets(const Scene& scene, const std::vector<Bsdf>& bsdfs);
 
 /// A ray towards some sphere.
 struct AimedRay {

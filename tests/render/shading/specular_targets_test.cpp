@@ -1,5 +1,5 @@
 #include "common/math/sampling.h"
-#include "render/photons/specular_targets.h"
+#include "render/shading/specular_targets.h"
 #include "tests/support/statistics.h"
 #include "tests/support/tiny_rooms.h"
 
@@ -37,7 +37,7 @@ TEST_CASE("specular targets hold every face with a specular lobe, and no scene w
 {
     const auto ready = tiny::ready(tiny::room());
     const TriangleMesh& mesh = ready->scene.mesh;
-    const std::vector<TargetSphere> targets = find_specular_targets(*ready->render);
+    const std::vector<TargetSphere> targets = ready->render->specular_targets;
     CHECK(targets.size() == 2); // the balls
     for (FaceId face = 0; face < mesh.face_count(); ++face) {
         const Bsdf& bsdf = ready->render->bsdfs[mesh.material_of_face[face]];
@@ -47,7 +47,7 @@ TEST_CASE("specular targets hold every face with a specular lobe, and no scene w
         });
         CHECK((!specular || held));
     }
-    CHECK(find_specular_targets(*tiny::ready(tiny::furnace())->render).empty());
+    CHECK(tiny::ready(tiny::furnace())->render->specular_targets.empty());
 }
 
 TEST_CASE("specular targets: aimed directions measure solid angles, from outside and inside",

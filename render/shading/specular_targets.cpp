@@ -1,4 +1,4 @@
-#include "render/photons/specular_targets.h"
+#include "render/shading/specular_targets.h"
 
 #include "common/math/bounds.h"
 #include "common/math/frame.h"
@@ -118,13 +118,13 @@ bool survives(int count, RandomSequence& random)
 
 } // namespace
 
-std::vector<TargetSphere> find_specular_targets(const RenderScene& scene)
+std::vector<TargetSphere> find_specular_targets(const Scene& scene, const std::vector<Bsdf>& bsdfs)
 {
-    const TriangleMesh& mesh = scene.mesh();
+    const TriangleMesh& mesh = scene.mesh;
     std::vector<FaceId> faces;
     for (FaceId face = 0; face < mesh.face_count(); ++face) {
         const MaterialId material = mesh.material_of_face[face];
-        if (may_be_specular(scene.scene.materials[material], scene.bsdfs[material]))
+        if (may_be_specular(scene.materials[material], bsdfs[material]))
             faces.push_back(face);
     }
     std::vector<TargetSphere> out;
