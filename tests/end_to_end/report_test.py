@@ -93,6 +93,13 @@ class Report(ToolsTestCase):
             text = file.read()
         self.assertNotRegex(text, r"(?i)https?:|@import|url\(|fetch\(|XMLHttpRequest")
 
+    def test_it_tells_which_levels_of_maps_pay(self):
+        self.make_results("--integrator", "direct", "--passes", 1)
+        text = self.page().text()
+        stats = self.change_statistics(lambda stats: None)
+        for kind in ("global", "caustic"):
+            self.assertIn(stats["photons"][kind]["local"]["decision"], text)
+
     def test_it_tells_what_it_was_given_and_needs_no_other_file(self):
         self.make_results("--error", "90%")
         page = self.page()
@@ -102,8 +109,6 @@ class Report(ToolsTestCase):
         stats = self.change_statistics(lambda stats: None)
         for sentence in stats["audit"]["found"] + stats["audit"]["assumed"]:
             self.assertIn(sentence, text)
-        for kind in ("global", "caustic"):
-            self.assertIn(stats["photons"][kind]["local"]["decision"], text)
         for title in ("Accuracy and its price", "Time by stage", "Photons and their maps",
                       "Partition", "Options", "To make it again", "asked for: 90 %"):
             self.assertIn(title, text)
