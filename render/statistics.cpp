@@ -217,7 +217,8 @@ std::string statistics_json(const RenderArguments& arguments, const Scene& scene
     json["error"] = error_json(state, arguments.stops.error);
     json["saturated"] = state.film.saturated;
     json["seconds"] = seconds_json(render, run);
-    json["processor_seconds"] = {{"maps", render.processor_maps},
+    json["processor_seconds"] = {{"photons", render.processor_photons},
+                                 {"maps", render.processor_maps},
                                  {"image", render.processor_image}};
     json["photons"] = photons_json(render, options);
     json["power_W"] = {{"emitted", rgb_json(render.power.emitted * unit2)},

@@ -54,6 +54,7 @@ TracedPhotons trace_pass(const RenderScene& scene, const PhotonOptions& options,
     statistics.cut_paths += traced.cut;
     statistics.power = traced.power;
     statistics.seconds_photons += watch.seconds();
+    statistics.processor_photons += watch.processor_seconds();
     return traced;
 }
 

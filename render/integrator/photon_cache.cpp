@@ -30,6 +30,7 @@ void add_seconds(const RenderStatistics& made, RenderStatistics& sum)
 {
     sum.seconds_photons += made.seconds_photons;
     sum.seconds_maps += made.seconds_maps;
+    sum.processor_photons += made.processor_photons;
     sum.processor_maps += made.processor_maps;
 }
 

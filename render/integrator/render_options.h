@@ -62,7 +62,8 @@ struct RenderStatistics {
     double seconds_photons = 0;
     double seconds_maps = 0;
     double seconds_image = 0;
-    double processor_maps = 0; ///< seconds of the processor, of all threads together
+    double processor_photons = 0; ///< seconds of the processor, of all threads together
+    double processor_maps = 0;
     double processor_image = 0;
 };
 
