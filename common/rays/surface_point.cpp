@@ -77,4 +77,9 @@ Ray ray_between(const SurfacePoint& from, const glm::vec3& to)
     return ray;
 }
 
+Ray ray_between(const SurfacePoint& from, const SurfacePoint& to)
+{
+    return ray_between(from, offset_origin(to, from.position - to.position));
+}
+
 } // namespace hipmap

@@ -25,4 +25,8 @@ glm::vec3 offset_origin(const SurfacePoint& point, const glm::vec3& direction);
 /// A ray from one point towards another that stops short of it.
 Ray ray_between(const SurfacePoint& from, const glm::vec3& to);
 
+/// A ray from one surface point to another that does not meet the faces of either: it ends off the
+/// second face by that position's own rounding bound.
+Ray ray_between(const SurfacePoint& from, const SurfacePoint& to);
+
 } // namespace hipmap

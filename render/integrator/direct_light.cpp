@@ -207,7 +207,7 @@ Rgb emissive_light(const RenderScene& scene, const Interaction& at, const LobeRa
         sample_emissive_point(scene.lights, scene.mesh(), receiver(at), random);
     if (!(light.density > 0))
         return Rgb(0);
-    const Ray shadow = ray_between(at.point, light.surface.position);
+    const Ray shadow = ray_between(at.point, light.surface);
     const float distance = glm::length(light.surface.position - at.point.position);
     const float density = per_solid_angle(light.density, light.surface, shadow.direction, distance);
     if (!(density > 0))

@@ -52,3 +52,23 @@ TEST_CASE("surface point: a ray between two points ends short of the second", "[
         CHECK(scene.occluded({ray.origin, ray.direction, 0.0f, 10.0f}));
     }
 }
+
+TEST_CASE("surface point: a ray to a point of a face does not meet that face", "[rays]")
+{
+    // Slanted, so that a point of the face is rounded to either side of it; far from the origin by
+    // more than a share of the way could make up for.
+    for (const float far : {0.0f, 1.0f, 1000.0f}) {
+        TriangleMesh mesh = tiny::quad();
+        for (glm::vec3& p : mesh.positions)
+            p = glm::vec3(far) + glm::vec3(p.x, p.y, 0.3f * p.x + 0.7f * p.y);
+        const EmbreeScene scene(mesh);
+        for (std::uint64_t i = 0; i < 5000; ++i) {
+            RandomSequence random(1, RandomStream::pictures, 0, i);
+            const SurfacePoint to = surface_point(mesh, i % 2, sample_triangle(random.next2()));
+            SurfacePoint from;
+            from.position = to.position + 0.1f * sample_sphere(random.next2());
+            if (std::abs(glm::dot(from.position - to.position, to.geometric_normal)) > 0.01f)
+                CHECK_FALSE(scene.occluded(ray_between(from, to)));
+        }
+    }
+}
