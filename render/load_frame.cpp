@@ -1,7 +1,9 @@
 #include "render/load_frame.h"
 
 #include "common/partition/partition_file.h"
+#include "render/effects/drop_effects.h"
 #include "render/run_plan.h"
+#include "render/shading/part_touching_faces.h"
 
 namespace hipmap {
 
@@ -42,6 +44,15 @@ LoadedScene load_at(const RenderArguments& arguments, SceneSource& source,
     return loaded;
 }
 
+Scene load_moment(const RenderArguments& arguments, SceneSource& source, double time,
+                  const Partition& partition, const EffectPlan& effects)
+{
+    Scene now = load_at(arguments, source, time).scene;
+    part_touching_faces(now, partition);
+    drop_effects(now, effects);
+    return now;
+}
+
 FrameScene load_frame(RenderArguments& arguments, SceneSource& source)
 {
     FrameScene out;
@@ -54,6 +65,7 @@ FrameScene load_frame(RenderArguments& arguments, SceneSource& source)
     check_partition_of(out.partition, scene, arguments.partition);
     out.motion = find_motion(scene, shutter_time(arguments),
                              [&](double time) { return load_at(arguments, source, time).scene; });
+    part_touching_faces(scene, out.partition);
     out.effects = plan_run(arguments, scene, out.partition, out.motion.names);
     return out;
 }

@@ -20,6 +20,11 @@ struct FrameScene {
 LoadedScene load_at(const RenderArguments& arguments, SceneSource& source,
                     std::optional<double> time);
 
+/// The scene at another moment of a frame, with the partition and the plan of that frame.  Throws
+/// as load_at.
+Scene load_moment(const RenderArguments& arguments, SceneSource& source, double time,
+                  const Partition& partition, const EffectPlan& effects);
+
 /// The scene of the frame that the options name, which it completes: the size of the picture, and
 /// the light that is followed.  Throws as load_at, read_partition and check_partition_of.
 FrameScene load_frame(RenderArguments& arguments, SceneSource& source);

@@ -3,7 +3,6 @@
 #include "common/input_error.h"
 #include "common/scene/print_audit.h"
 #include "common/stopwatch.h"
-#include "render/effects/drop_effects.h"
 #include "render/former_frame.h"
 #include "render/integrator/moving_source.h"
 #include "render/load_frame.h"
@@ -109,9 +108,7 @@ PassSource make_source(const RenderArguments& arguments, const RenderScene& scen
     if (!effects.has(Effect::motion_blur))
         return make_pass_source(scene, arguments.render, statistics, cache);
     const auto at = [&, shutter = shutter_time(arguments)](double share) {
-        Scene now = load_at(arguments, source, shutter.at(share)).scene;
-        drop_effects(now, effects);
-        return now;
+        return load_moment(arguments, source, shutter.at(share), scene.partition, effects);
     };
     return make_moving_source({scene, at}, arguments.render, statistics);
 }

@@ -132,6 +132,12 @@ struct ClosestQuery {
     glm::vec3 closest{0.0f};
 };
 
+bool pass_on(RTCPointQueryFunctionArguments* args)
+{
+    (*static_cast<const std::function<void(FaceId)>*>(args->userPtr))(args->primID);
+    return false;
+}
+
 /// Looks at one face; true: the radius has shrunk.
 bool look_at_face(RTCPointQueryFunctionArguments* args)
 {
@@ -266,6 +272,18 @@ std::optional<glm::vec3> EmbreeScene::closest_point(const glm::vec3& point, floa
     rtcInitPointQueryContext(&context);
     rtcPointQuery(handles_->scene, &query, &context, look_at_face, &found);
     return found.face == kNone ? std::nullopt : std::optional(found.closest);
+}
+
+void EmbreeScene::visit_near(const glm::vec3& point, float radius,
+                             const std::function<void(FaceId)>& visit) const
+{
+    if (handles_->geometry == nullptr || !can_cast({point, {0, 0, 1}, 0.0f, radius}))
+        return;
+    RTCPointQuery query{point.x, point.y, point.z, 0, radius};
+    RTCPointQueryContext context;
+    rtcInitPointQueryContext(&context);
+    std::function<void(FaceId)> called = visit;
+    rtcPointQuery(handles_->scene, &query, &context, pass_on, &called);
 }
 
 } // namespace hipmap

@@ -56,6 +56,11 @@ class EmbreeScene {
     /// nothing.
     std::optional<glm::vec3> closest_point(const glm::vec3& point, float radius) const;
 
+    /// Calls `visit` for the faces of which the box comes within the radius of the point, in any
+    /// order.  A number that is not finite finds nothing.
+    void visit_near(const glm::vec3& point, float radius,
+                    const std::function<void(FaceId)>& visit) const;
+
   private:
     struct Handles;
     std::optional<RayHit> find_nearest(const Ray& ray, bool that_stops) const;
