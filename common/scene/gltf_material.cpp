@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace hipmap {
 
@@ -74,6 +75,10 @@ void read_emission(const json& material, FactorReader& read, Material& out)
     const glm::dvec3 emission = read.colour(material, "emissiveFactor", 0.0) * strength;
     if (!(emission.x >= 0 && emission.y >= 0 && emission.z >= 0))
         read.fail("its emission must not be negative");
+    const double most = std::max({emission.x, emission.y, emission.z});
+    using Limits = std::numeric_limits<float>;
+    if ((most > 0 && most < Limits::min()) || most > Limits::max())
+        read.fail("its emission must be 0 or from 1.2e-38 to 3.4e38 W/(m2 sr)");
     out.emission = Rgb(emission);
 }
 

@@ -188,6 +188,16 @@ TEST_CASE("negative emission, a too small index of refraction and a huge number 
                       Catch::Contains("material 'm'"));
 }
 
+TEST_CASE("emission that a float cannot hold is refused rather than taken for none",
+          "[scene][gltf]")
+{
+    for (const double radiance : {1e-45, 1e-39, 1e39})
+        CHECK_THROWS_WITH(load_material({{"name", "m"}, {"emissiveFactor", {0, radiance, 0}}}),
+                          Catch::Contains("material 'm'"));
+    CHECK(load_material({{"emissiveFactor", {0, 1e-37, 0}}}).scene.materials.at(0).emission.g > 0);
+    CHECK(is_black(load_material({{"emissiveFactor", {0, 0, 0}}}).scene.materials.at(0).emission));
+}
+
 TEST_CASE("an unlit material glows in its base colour and reflects nothing", "[scene][gltf]")
 {
     const LoadedScene loaded =
