@@ -13,8 +13,7 @@ namespace hipmap {
 
 namespace {
 
-/// Russian roulette ends paths long before this; between perfect mirrors nothing else would.
-constexpr int kMostBounces = 512;
+constexpr int kMostBounces = 1 << 14; // Russian roulette ends paths long before
 enum class Event { absorb, diffuse, gathered, followed, mirror, transmit, sheen, beyond };
 constexpr int kLobes = 7;
 using Shares = std::array<Rgb, kLobes>; ///< of the light, in the order of the events
@@ -214,7 +213,7 @@ void follow_specular(const Interaction& at, Event event, const LobeSamples& lobe
     return goes_on;
 }
 
-/// Brings the path to the next surface, where there are no media; none: it has left the scene.
+/// Brings the path to the next surface, without media; none: it has left the scene.
 std::optional<RayHit> fly(const RenderScene& scene, LightPath& path, TracedPhotons& out)
 {
     const std::optional<RayHit> hit = scene.rays.nearest_face(path.ray);
@@ -228,8 +227,7 @@ std::optional<RayHit> fly(const RenderScene& scene, LightPath& path, TracedPhoto
     return hit;
 }
 
-/// At a face that lets a part of the light pass: true: the path goes on, as if the face were not
-/// there.  It leaves a photon all the same, docs/light_transport.md (22).
+/// True: the path goes on through the face, but leaves a photon, docs/light_transport.md (22).
 [[gnu::noinline]] bool pass_face(const RenderScene& scene, const Interaction& at,
                                  const Wanted& wanted, RandomSequence& random, LightPath& path,
                                  TracedPhotons& out)
@@ -251,6 +249,8 @@ void trace(const RenderScene& scene, const Wanted& wanted, RandomSequence& rando
            TracedPhotons& out)
 {
     for (int bounce = 0; bounce < kMostBounces; ++bounce) {
+        if (bounce >= kEndlessBounces && !survives(path, random))
+            return;
         std::optional<RayHit> hit;
         if constexpr (media)
             hit = fly_through_media(*scene.media, wanted, random, path, out);

@@ -78,6 +78,23 @@ TEST_CASE("trace photons: emitted power is absorbed or escapes", "[photons]")
     }
 }
 
+TEST_CASE("trace photons: light that glass of a high index catches comes out again", "[photons]")
+{
+    Scene scene = open_room();
+    scene.materials[1] = tiny::glass(10); // which does not absorb
+    const auto ready = tiny::ready(std::move(scene));
+    RunningMean lost;
+    double emitted = 0;
+    for (std::uint64_t pass = 0; pass < 64; ++pass) {
+        const TracedPhotons traced = trace_photons(*ready->render, {4096, 1, pass, true});
+        emitted = traced.power.emitted.g;
+        lost.add(traced.power.absorbed.g + traced.power.escaped.g);
+        CHECK(traced.cut == 0);
+    }
+    CHECK(std::abs(lost.z_score(emitted)) < kMostZ);
+    CHECK(lost.standard_error() < 0.01 * emitted);
+}
+
 TEST_CASE("trace photons: 1, 2 and 7 threads trace the same photons", "[photons]")
 {
     const auto ready = tiny::ready(open_room());
