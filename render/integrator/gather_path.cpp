@@ -5,6 +5,8 @@
 #include "render/integrator/media_beams.h"
 #include "render/shading/interface_index.h"
 
+#include <cmath>
+
 namespace hipmap {
 
 namespace {
@@ -116,8 +118,7 @@ class GatherTracer {
         }
         if (!maps_.indirect.maps.empty()) {
             branch.indirect_radius = radius_at(maps_.first.indirect, maps_.surfaces, query);
-            add_within(branch.weight * factor, maps_.indirect, query,
-                       maps_.shrink * branch.indirect_radius, scratch_.indirect);
+            add_indirect(branch.weight * factor, query, branch.indirect_radius);
         }
         return false;
     }
@@ -142,8 +143,7 @@ class GatherTracer {
             } else if (!branch.gathers && !maps_.indirect.maps.empty()) {
                 const float first = radius_at(maps_.first.indirect, maps_.surfaces, query);
                 (other ? branch.beyond_radius : branch.indirect_radius) = first;
-                add_within(branch.weight * factor, maps_.indirect, query, maps_.shrink * first,
-                           scratch_.indirect);
+                add_indirect(branch.weight * factor, query, first);
             }
         }
         return branch.gathers;
@@ -163,6 +163,13 @@ class GatherTracer {
         const float share = branch.gathers ? weight_of(branch, first) : 1.0f;
         add_within(branch.weight * factor * share, maps_.caustic, query, maps_.shrink * first,
                    scratch_.caustic);
+    }
+
+    /// first: the first radius; infinite where gather rays alone find the light.
+    void add_indirect(const Rgb& factor, const PhotonQuery& query, float first)
+    {
+        if (std::isfinite(first))
+            add_within(factor, maps_.indirect, query, maps_.shrink * first, scratch_.indirect);
     }
 
     /// False: nothing is.

@@ -65,15 +65,16 @@ std::shared_ptr<const ProgressiveRadii> find_first_radii(const MappedScene& mapp
     indirect.reserve(traced.bounces.size());
     for (const BouncedPhoton& bounced : traced.bounces)
         indirect.push_back(bounced.photon);
-    const auto field = [&](const std::vector<Photon>& photons) {
+    using Sparse = RadiusField::Sparse;
+    const auto field = [&](const std::vector<Photon>& photons, Sparse sparse = Sparse::even) {
         return build_radius_field(
             build_photon_maps(photons, scene.mesh(), scene.partition, maps_read(options)),
-            mapped.surfaces);
+            mapped.surfaces, sparse);
     };
-    return std::make_shared<ProgressiveRadii>(FirstRadii{field(traced.caustic),
-                                                         field(traced.global), field(indirect),
-                                                         static_cast<float>(options.samples)},
-                                              volume_radii(scene, traced, options));
+    return std::make_shared<ProgressiveRadii>(
+        FirstRadii{field(traced.caustic), field(traced.global), field(indirect, Sparse::infinite),
+                   static_cast<float>(options.samples)},
+        volume_radii(scene, traced, options));
 }
 
 void count_searches(const GatherScratch& scratch, RenderStatistics& statistics)

@@ -20,6 +20,7 @@ RadiusField::Map build_map(const PhotonMap& photons, std::uint32_t neighbours, f
     RadiusField::Map out;
     out.even_radius = filter_radius(area, neighbours, photons.tree.size);
     std::vector<TreePoint> points = every_nth_photon(photons.tree, kPhotonsEach);
+    out.sparse = photons.tree.size < neighbours;
     out.tree = build_wide_tree(points);
     out.radius.resize(points.size());
     using Range = tbb::blocked_range<std::size_t>;
@@ -38,9 +39,11 @@ RadiusField::Map build_map(const PhotonMap& photons, std::uint32_t neighbours, f
 
 } // namespace
 
-RadiusField build_radius_field(const PhotonMaps& photons, const MapSurfaces& surfaces)
+RadiusField build_radius_field(const PhotonMaps& photons, const MapSurfaces& surfaces,
+                               RadiusField::Sparse sparse)
 {
     RadiusField out;
+    out.sparse = sparse;
     out.index.options = photons.options;
     out.index.map_of = photons.map_of;
     for (const PhotonMap& map : photons.maps)
@@ -55,6 +58,9 @@ float radius_at(const RadiusField& field, const MapSurfaces& surfaces, const Pho
     if (id == kNone)
         return std::numeric_limits<float>::infinity();
     const std::uint32_t place = field.index.place(id, query.side);
+    if (field.sparse == RadiusField::Sparse::infinite &&
+        (place == kNone || field.maps[place].sparse))
+        return std::numeric_limits<float>::infinity();
     if (place == kNone) // as if there were one photon
         return filter_radius(surfaces.map_area[id], field.index.options.neighbours, 1);
     const RadiusField::Map& map = field.maps[place];

@@ -15,19 +15,27 @@ struct RadiusField {
         WideTree tree;             ///< of some of its photons
         std::vector<float> radius; ///< [n] by slot: where the k-th photon from there is
         float even_radius = 0.0f;  ///< docs/photon_maps.md (5), of all its photons
+        bool sparse = false;       ///< it has fewer than k photons
+    };
+    /// What is asked for where a map has fewer than k photons.
+    enum class Sparse : std::uint8_t {
+        even,    ///< the even radius: an estimate over much of the map
+        infinite ///< no estimate: the light is found in another way
     };
     PhotonMaps index; ///< of the photons, without them
     std::vector<Map> maps;
+    Sparse sparse = Sparse::even;
 };
 
 /// In parallel.  Same maps, same field, at any thread count.  No photons: a field without maps.
 /// Cost: a search for every fourth photon.
-RadiusField build_radius_field(const PhotonMaps& photons, const MapSurfaces& surfaces);
+RadiusField build_radius_field(const PhotonMaps& photons, const MapSurfaces& surfaces,
+                               RadiusField::Sparse sparse = RadiusField::Sparse::even);
 
 /// The radius at a point, scene units: at most that within which k photons would lie were those of
-/// the map spread evenly over it; where the map has no photon, that of one photon.  A function of
-/// the point alone.  Thread-safe.  Infinite for a face without a map.  query.radius and query.lobes
-/// do not count.
+/// the map spread evenly over it; where the map has no photon, that of one photon.  Infinite where
+/// the map has fewer than k photons, if the field says so, and for a face without a map.  A
+/// function of the point alone.  Thread-safe.  query.radius and query.lobes do not count.
 float radius_at(const RadiusField& field, const MapSurfaces& surfaces, const PhotonQuery& query);
 
 } // namespace hipmap
