@@ -2,8 +2,12 @@
 
 import dataclasses
 import pathlib
+import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+sys.path.append(str(ROOT / "experiments"))
+import furnished
+
 COMMON = ("--diffuse", "lambert", "--threads", 1)
 PHOTONS = 50_000
 DEFAULT_PHOTONS = 200_000
@@ -22,6 +26,8 @@ class Scene:
 
     @property
     def path(self):
+        if self.name in furnished.NAMES:
+            return furnished.path_of(self.name)
         return ROOT / "assets" / f"{self.name}.glb"
 
     @property
@@ -31,7 +37,8 @@ class Scene:
 
 SCENES = {scene.name: scene for scene in (
     Scene("cornell", True), Scene("cornell_diffuse", False, 5e-5),
-    Scene("cornell_spheres", True, 2e-4), Scene("glass_globe", True, 6e-4))}
+    Scene("cornell_spheres", True, 2e-4), Scene("glass_globe", True, 6e-4),
+    *(Scene(name, True) for name in furnished.NAMES))}
 
 
 @dataclasses.dataclass(frozen=True)

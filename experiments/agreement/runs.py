@@ -11,10 +11,12 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 sys.path += [str(ROOT / "experiments"), str(ROOT / "experiments/accuracy")]
 import arithmetic
+import furnished
 import programs
 
-SCENES = {path.stem: path for folder in ("assets/effects", "assets", "experiments/scenes")
-          for path in sorted((ROOT / folder).glob("*.glb"))}
+SCENES = furnished.Scenes({
+    path.stem: path for folder in ("assets/effects", "assets", "experiments/scenes")
+    for path in sorted((ROOT / folder).glob("*.glb"))})
 BLOCKS = 4  # regions of an image, across and down
 # Paths whose stated error is larger cannot be compared with: there is light that they hardly find.
 MOST_ERROR = 0.3

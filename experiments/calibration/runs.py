@@ -12,9 +12,10 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 sys.path.append(str(ROOT / "experiments"))
+import furnished
 import programs
-SCENES = {path.stem: path for folder in ("assets", "experiments/scenes")
-          for path in sorted((ROOT / folder).glob("*.glb"))}
+SCENES = furnished.Scenes({path.stem: path for folder in ("assets", "experiments/scenes")
+                           for path in sorted((ROOT / folder).glob("*.glb"))})
 # Where all light comes through glass, so that paths hardly ever find it.
 LIT_THROUGH_GLASS = {"glass_globe"}
 REFERENCE_SEED = 1_000_000

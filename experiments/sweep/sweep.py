@@ -1,0 +1,76 @@
+#!/usr/bin/env python3
+"""Renders rooms with one nasty thing each by photons and by paths, and compares the images' means.
+
+    experiments/sweep/sweep.py                                     # all rooms; prints a table
+    experiments/sweep/sweep.py --rooms slab_on_floor --seconds 30  # one of them, more precisely
+    experiments/sweep/sweep.py --to docs/sweep.md                  # writes the table as a page
+
+Needs preprocess and render in build/release/bin.  Exit code 1 if a room differs or is black.
+"""
+
+import argparse
+import datetime
+import pathlib
+import sys
+import tempfile
+import time
+
+import measure
+import verdicts
+from rooms import ROOMS
+import rooms_of_glass  # adds to ROOMS
+import rooms_of_light  # adds to ROOMS
+
+
+def parse_options():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
+    parser.add_argument("--rooms", nargs="+", metavar="NAME", choices=list(ROOMS),
+                        help="rooms to render [all]")
+    parser.add_argument("--list", action="store_true", help="print the names of the rooms and exit")
+    parser.add_argument("--bin", type=pathlib.Path, default=measure.ROOT / "build/release/bin",
+                        help="folder of the programs [build/release/bin]")
+    parser.add_argument("--seconds", type=float, default=10,
+                        help="time for each room and integrator [10]")
+    parser.add_argument("--seeds", type=int, default=6, help="images by each integrator [6]")
+    parser.add_argument("--size", type=int, default=32,
+                        help="pixels across an image, a multiple of 4 [32]")
+    parser.add_argument("--threads", type=int, default=0, help="threads of render; 0: all [0]")
+    parser.add_argument("--keep", type=pathlib.Path,
+                        help="folder that keeps the scenes and partitions [none]")
+    parser.add_argument("--to", type=pathlib.Path, help="Markdown file to write")
+    return parser.parse_args()
+
+
+def sweep(options, folder):
+    """[(name, what is nasty, case)] of each room, printed as they come."""
+    found = []
+    lab = measure.Lab(options.bin, folder, options.size, options.threads, options.seeds,
+                      options.seconds)
+    print(verdicts.header(), flush=True)
+    for name in options.rooms or ROOMS:
+        case = measure.compare(lab, name, ROOMS[name]())
+        found.append((name, ROOMS[name].__doc__, case))
+        print(verdicts.line(name, case), flush=True)
+    return found
+
+
+def main():
+    options = parse_options()
+    if options.list:
+        print("\n".join(ROOMS))
+        return 0
+    start = time.monotonic()
+    with tempfile.TemporaryDirectory() as temporary:
+        folder = options.keep or pathlib.Path(temporary)
+        folder.mkdir(parents=True, exist_ok=True)
+        found = sweep(options, folder)
+    if options.to:
+        minutes = (time.monotonic() - start) / 60
+        options.to.write_text(verdicts.page(found, datetime.date.today().isoformat(), minutes,
+                                            options), encoding="utf-8")
+        print(f"wrote {options.to}", file=sys.stderr)
+    return 1 if any(verdicts.verdict(case) in verdicts.WRONG for _, _, case in found) else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
