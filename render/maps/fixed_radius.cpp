@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace hipmap {
 
@@ -70,10 +71,13 @@ RadiusEstimates estimate_in_map(const PhotonMaps& maps, const PhotonMap& map,
                                 const std::array<float, 3>& radii, EstimateScratch& scratch)
 {
     const bool whole = counts_whole(maps, query);
+    // No boundary needs to be looked at where there is no photon.  Beside a boundary a list will be
+    // needed anyhow.
+    const bool sums_first = whole && !std::exchange(scratch.near_boundary, false);
     RadiusEstimates from_sums;
-    if (whole) {
+    if (sums_first) {
         from_sums = estimate_from_sums(maps, map, query, radii, scratch);
-        if (from_sums.photons == 0) // no boundary needs to be looked at
+        if (from_sums.photons == 0)
             return from_sums;
     }
     if (maps.options.estimate == EstimateForm::thesis || maps.options.mode == MapMode::global)
@@ -81,16 +85,15 @@ RadiusEstimates estimate_in_map(const PhotonMaps& maps, const PhotonMap& map,
     const float seen = look_around(surfaces, query, radii[0], scratch);
     if (!(seen > 0))
         return {};
-    if (seen == radii[0]) {
-        if (whole && scratch.segments.empty())
-            return from_sums;
-        return estimate_from_list(maps, surfaces, query, radii, true, scratch);
-    }
+    if (seen == radii[0] && whole && scratch.segments.empty())
+        return sums_first ? from_sums : estimate_from_sums(maps, map, query, radii, scratch);
     // In proportion, so that what the estimates differ by still tells the bias of the first.
     const float shrink = seen / radii[0];
-    return estimate_from_list(maps, surfaces, query,
-                              {seen, std::min(seen, shrink * radii[1]), shrink * radii[2]}, true,
-                              scratch);
+    const std::array<float, 3> used{seen, std::min(seen, shrink * radii[1]), shrink * radii[2]};
+    const RadiusEstimates out =
+        estimate_from_list(maps, surfaces, query, seen == radii[0] ? radii : used, true, scratch);
+    scratch.near_boundary = !scratch.segments.empty() && out.photons > 0;
+    return out;
 }
 
 } // namespace
