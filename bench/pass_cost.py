@@ -38,13 +38,15 @@ def run(tool, scene, folder, options, passes):
 
 
 def cost_of_pass(tool, scene, options, passes):
-    """Seconds of a pass as a whole, by runs of different length, and by stage where it is told."""
+    """Seconds of a pass as a whole and by stage; where a stage is not told, as a whole alone, by runs
+    of different length."""
     with tempfile.TemporaryDirectory() as folder:
-        short, _ = run(tool, scene, folder, options, 1)
         long, stats = run(tool, scene, folder, options, 1 + passes)
-    told = stats["processor_seconds"]
-    return (long - short) / passes, [told[stage] / (1 + passes) if stage in told else None
-                                     for stage in STAGES]
+        told = [stats["processor_seconds"].get(stage) for stage in STAGES]
+        if None not in told:
+            return sum(told) / (1 + passes), [seconds / (1 + passes) for seconds in told]
+        short, _ = run(tool, scene, folder, options, 1)
+    return (long - short) / passes, [None] * len(STAGES)
 
 
 def row(scene, photons, tools, options):

@@ -31,7 +31,7 @@ struct OutlineScratch {
 /// Work of one outline at most, whatever the radius and the boundary.
 inline constexpr std::size_t kExactSegments = 16; ///< up to so many are looked past as they are
 inline constexpr std::size_t kMostSegments = 40;
-inline constexpr std::size_t kMostParts = 128; ///< of the tree, taken from the heap
+inline constexpr std::size_t kMostParts = 128; ///< of the tree, but for boxes that hold the point
 
 /// Writes to `out` at most kMostSegments segments such that what is seen from the point past them
 /// is seen past the whole boundary too, and returns the radius within which that holds: the
