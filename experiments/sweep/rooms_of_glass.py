@@ -255,7 +255,7 @@ def light_in_glass():
 
 @nasty
 def glowing_glass():
-    """a glass box whose faces glow"""
+    """a glass box whose faces emit"""
     room = Room(light=None)
     glow = room.material("Glow", (1, 1, 1), base={"roughnessFactor": 0}, emissiveFactor=[1, 1, 1],
                          extensions={"KHR_materials_transmission": {"transmissionFactor": 1},

@@ -97,7 +97,7 @@ def light_of_slivers():
 
 @nasty
 def huge_lights():
-    """all walls but the floor glow, and reflect too"""
+    """all walls but the floor emit, and reflect too"""
     room = Room(without=[name for name in WALLS if name != "floor"], light=None)
     glow = room.material("Wall", GREY, emissiveFactor=[1, 1, 1])
     for name, corners in WALLS.items():
@@ -122,7 +122,7 @@ def light_behind_hole():
 
 @nasty
 def light_of_two_sides():
-    """a light that glows to both sides, standing on the floor"""
+    """a light that emits to both sides, standing on the floor"""
     room = Room(light=None)
     room.add("Light", room.glowing(5, doubleSided=True),
              triangles_of(quad((-0.5, 0, -0.3), (1, 0, 0), (0, 0.8, 0))))
