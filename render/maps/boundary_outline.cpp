@@ -1,6 +1,7 @@
 #include "render/maps/boundary_outline.h"
 
 #include "common/math/frame.h"
+#include "render/maps/plane_directions.h"
 
 #include <algorithm>
 #include <cassert>
@@ -19,17 +20,10 @@ constexpr double kCoarseWidth = 0.1, kCoarseGrowth = 0.01;
 
 constexpr int kSectors = 64;
 
-double cross(const glm::dvec2& u, const glm::dvec2& v)
-{
-    return u.x * v.y - u.y * v.x;
-}
-
 /// Direction as a number of sectors from +x counter-clockwise, from 0 to kSectors.
 double sector_of(const glm::dvec2& p)
 {
-    const double t = p.y / (std::abs(p.x) + std::abs(p.y));
-    const double quarters = p.x < 0 ? 2 - t : p.y < 0 ? 4 + t : t;
-    return quarters * (kSectors / 4);
+    return direction_key(p) * (kSectors / 4);
 }
 
 /// A direction on the border between sectors.
@@ -186,13 +180,9 @@ class Outliner {
         glm::dvec2 a = project(segment.a), b = project(segment.b);
         if (cross(a, b) < 0)
             std::swap(a, b);
-        const glm::dvec2 along = b - a;
-        const double length2 = glm::dot(along, along);
-        const double t = length2 > 0 ? std::clamp(-glm::dot(a, along) / length2, 0.0, 1.0) : 0.0;
-        const glm::dvec2 nearest = a + t * along;
         if (cross(a, b) > 0) {
             const SectorRange range(a, b);
-            if (is_hidden(range, glm::dot(nearest, nearest)))
+            if (is_hidden(range, distance2(a, b)))
                 return;
             hide_beyond(a, b, range);
         }
@@ -216,15 +206,15 @@ class Outliner {
     void hide_beyond(const glm::dvec2& a, const glm::dvec2& b, const SectorRange& range)
     {
         const double turn = cross(a, b);
-        const auto distance2 = [&](int border) {
+        const auto border_distance2 = [&](int border) {
             const glm::dvec2 direction = border_direction(border);
             const double t = turn / cross(direction, b - a);
             return t * t * glm::dot(direction, direction);
         };
         int sector = static_cast<int>(std::ceil(range.from));
-        double from = sector + 1 <= range.to ? distance2(sector) : 0.0;
+        double from = sector + 1 <= range.to ? border_distance2(sector) : 0.0;
         for (; sector + 1 <= range.to; ++sector) {
-            const double to = distance2(sector + 1);
+            const double to = border_distance2(sector + 1);
             double& hidden2 = scratch_.hidden2[static_cast<std::size_t>(sector % kSectors)];
             hidden2 = std::min(hidden2, std::max(from, to));
             from = to;

@@ -1,5 +1,7 @@
 #include "render/maps/visible_disc.h"
 
+#include "render/maps/plane_directions.h"
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -11,29 +13,6 @@ namespace {
 /// Least barycentric weight of the point looked from: far above the rounding of doubles, about that
 /// of the floats the corners are given in.
 constexpr double kInside = 0x1p-22;
-
-double cross(const glm::dvec2& u, const glm::dvec2& v)
-{
-    return u.x * v.y - u.y * v.x;
-}
-
-/// From 0 to 4, growing with the direction of p from +x counter-clockwise; opposites are 2 apart.
-double direction_key(const glm::dvec2& p)
-{
-    const double t = p.y / (std::abs(p.x) + std::abs(p.y));
-    if (p.x < 0)
-        return 2 - t;
-    return p.y < 0 ? 4 + t : t;
-}
-
-/// Squared distance from the origin to the segment.
-double distance2(const glm::dvec2& a, const glm::dvec2& b)
-{
-    const glm::dvec2 along = b - a;
-    const double t = std::clamp(-glm::dot(a, along) / glm::dot(along, along), 0.0, 1.0);
-    const glm::dvec2 nearest = a + t * along;
-    return glm::dot(nearest, nearest);
-}
 
 /// Angle from u counter-clockwise to v, whose keys are `turn` apart (0 to 4).  The keys settle what
 /// the arctangent leaves open or rounds away: no turn or a whole one, in particular.
