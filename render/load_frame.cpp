@@ -33,6 +33,15 @@ void choose_sky_picture(const RenderArguments& arguments, LoadedScene& loaded)
         loaded.audit.found.push_back("a picture of the sky, " + loaded.scene.environment_picture);
 }
 
+/// As many as a pass has samples: then photons cost a small part of it wherever rays cost more, and
+/// are about as dense as what looks at them.  Within bounds: few are of no use, and maps of many
+/// would fill the memory.
+std::uint64_t default_photons(const PictureSize& size, int samples)
+{
+    const std::uint64_t pixels = static_cast<std::uint64_t>(size.width) * size.height;
+    return std::clamp<std::uint64_t>(pixels * samples, 200'000, 2'000'000);
+}
+
 } // namespace
 
 LoadedScene load_at(const RenderArguments& arguments, SceneSource& source,
@@ -61,6 +70,8 @@ FrameScene load_frame(RenderArguments& arguments, SceneSource& source)
     const PictureSize size = complete_size(arguments.size, scene.cameras[scene.camera].aspect);
     arguments.render.width = size.width;
     arguments.render.height = size.height;
+    arguments.render.photons =
+        arguments.photons.value_or(default_photons(size, arguments.render.samples));
     out.partition = read_partition(arguments.partition);
     check_partition_of(out.partition, scene, arguments.partition);
     out.motion = find_motion(scene, shutter_time(arguments),

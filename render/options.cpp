@@ -137,7 +137,6 @@ void add_method(CLI::App& app, RenderArguments& arguments)
 {
     RenderOptions& render = arguments.render;
     render.maps.mode = MapMode::hierarchical;
-    render.photons = 200'000;
     render.samples = 4;
     add_choice(
         app, "--maps", render.maps.mode, kMapModes,
@@ -172,8 +171,9 @@ void add_method(CLI::App& app, RenderArguments& arguments)
     app.add_flag("--energy-compensation", arguments.energy_compensation,
                  "Give rough metal back the light that its facets pass to one another, which "
                  "glTF's own reflection loses; rough glass still loses it");
-    add_count(app, "--photons", render.photons, 0, kMostPhotons,
-              "Light paths to emit in each pass [200000]");
+    add_count(app, "--photons", arguments.photons, 0, kMostPhotons,
+              "Light paths to emit in each pass [as many as it has samples, within 200000 and "
+              "2000000]");
     add_count(app, "--neighbours", render.maps.neighbours, 2, kMostNeighbours,
               "Photons in an estimate, k [50]");
     add_count(app, "--local-min", render.maps.local_min, 1, kMostPhotons,

@@ -27,11 +27,12 @@ struct RenderArguments {
     SceneOptions scene_options;
     SkyOptions sky;
     FrameOptions frames;
-    double photon_cache_mib = 1024;      ///< for maps that further frames may use
-    double shutter = 0;                  ///< frames that the shutter is open; 0: no time
-    RenderOptions render;                ///< its size is still to be completed
-    std::optional<DiffuseModel> diffuse; ///< none: the scene's own
-    bool energy_compensation = false;    ///< of all metal
+    double photon_cache_mib = 1024;       ///< for maps that further frames may use
+    double shutter = 0;                   ///< frames that the shutter is open; 0: no time
+    RenderOptions render;                 ///< its size is still to be completed
+    std::optional<DiffuseModel> diffuse;  ///< none: the scene's own
+    bool energy_compensation = false;     ///< of all metal
+    std::optional<std::uint64_t> photons; ///< of a pass; none: as the size of the picture asks
     PictureSize size{512, 0};
     std::optional<float> exposure_ev; ///< none: auto
     unsigned threads = 0;             ///< 0: all cores
