@@ -2,6 +2,7 @@
 
 #include "render/integrator/direct_light.h"
 #include "render/integrator/media_beams.h"
+#include "render/paths/roulette.h"
 #include "render/shading/interface_index.h"
 #include "render/shading/scatter.h"
 
@@ -15,18 +16,12 @@ namespace {
 /// keeps glass free of noise; beyond it one of them is picked.
 constexpr int kSplitDepth = 3;
 
-/// From here on Russian roulette ends faint paths.
-constexpr int kRouletteDepth = 6;
-
-/// From here on also bright ones; between perfect mirrors nothing else would end them.
-constexpr int kEndlessDepth = 64;
-constexpr float kMostChance = 0.98f;
-
 /// A part of an eye path still to be followed.
 struct Branch {
     Ray ray;
     Rgb weight{1.0f};
     Rgb absorption{0.0f}; ///< of what the ray travels in
+    float index2 = 1.0f;  ///< square of the index of what the ray travels in
     RaySource source;
     float nanometres = 0; ///< of the light followed; 0: all
     int depth = 0;        ///< surfaces behind it
@@ -95,18 +90,15 @@ Rgb scattered_light(const PassMaps& maps, const Interaction& at, RandomSequence&
 /// False: Russian roulette ended the branch.
 bool survives(Branch& branch, RandomSequence& random)
 {
-    if (branch.depth < kRouletteDepth)
-        return true;
-    const float most = branch.depth < kEndlessDepth ? 1.0f : kMostChance;
-    const float chance = std::min(most, max_channel(branch.weight));
-    if (!(random.next() < chance))
-        return false;
-    branch.weight /= chance;
-    return true;
+    const float carried = branch.index2 * max_channel(branch.weight);
+    return survives(survival_chance(branch.depth, carried), random, branch.weight);
 }
 
-void go_beyond(const RenderScene& scene, const Interaction& at, Branch& branch)
+/// Radiance scales with the square of the index, docs/light_transport.md (4).
+void go_beyond(const RenderScene& scene, const Interaction& at, float eta, Branch& branch)
 {
+    branch.weight /= eta * eta;
+    branch.index2 *= eta * eta;
     branch.absorption = absorption_beyond(at);
     if (scene.has_media())
         cross(*scene.media, at.point.face, at.front, branch.inside);
@@ -132,15 +124,15 @@ void follow_specular(const RenderScene& scene, const Interaction& at, const Bran
     next.source = {};
     if (transmit_chance > 0 && transmit > 0) {
         next.ray = transmitted_ray(at, lobes.eta);
-        go_beyond(scene, at, next);
-        // Radiance scales with the square of the index, docs/light_transport.md (4).
-        next.weight = from.weight * lobes.transmit / (transmit_chance * lobes.eta * lobes.eta);
+        next.weight = from.weight * lobes.transmit / transmit_chance;
+        go_beyond(scene, at, lobes.eta, next);
         if (survives(next, random))
             stack.push(next);
     }
     if (mirror_chance > 0 && mirror > 0) {
         next.ray = mirror_ray(at);
         next.absorption = from.absorption;
+        next.index2 = from.index2;
         next.inside = from.inside;
         next.weight = from.weight * lobes.mirror / mirror_chance;
         if (survives(next, random))
@@ -213,12 +205,12 @@ void follow_glossy(const RenderScene& scene, const Interaction& at, const Branch
     const ScatterSample sample = sample_scatter(at, Lobes::followed, random);
     Branch next = from;
     next.depth = from.depth + 1;
-    next.weight *= sample.weight / (sample.eta * sample.eta);
+    next.weight *= sample.weight;
     next.source = source_at(at, sample.density);
     next.clear = false;
     next.ray = scattered_ray(at, sample);
     if (sample.transmitted)
-        go_beyond(scene, at, next);
+        go_beyond(scene, at, sample.eta, next);
     if (max_channel(next.weight) > 0 && survives(next, random))
         stack.push(next);
 }

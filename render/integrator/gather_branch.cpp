@@ -1,17 +1,10 @@
 #include "render/integrator/gather_branch.h"
 
-#include <algorithm>
+#include "render/paths/roulette.h"
 
 namespace hipmap {
 
 namespace {
-
-/// A ray that weighs less is followed with a chance in proportion.
-constexpr float kFullWeight = 0.1f;
-
-/// From here on also heavier ones; between perfect mirrors nothing else would end them.
-constexpr int kRouletteDepth = 8;
-constexpr float kMostChance = 0.98f;
 
 GatherBranch after(const GatherBranch& from)
 {
@@ -86,13 +79,7 @@ void pick_one(Departures& out, RandomSequence& random)
 
 bool survives(GatherBranch& branch, RandomSequence& random)
 {
-    const float chance = branch.depth < kRouletteDepth
-                             ? std::min(1.0f, importance(branch) / kFullWeight)
-                             : std::min(kMostChance, importance(branch));
-    if (!(random.next() < chance))
-        return false;
-    branch.weight /= chance;
-    return true;
+    return survives(survival_chance(branch.depth, importance(branch)), random, branch.weight);
 }
 
 } // namespace hipmap

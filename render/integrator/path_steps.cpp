@@ -1,21 +1,11 @@
 #include "render/integrator/path_steps.h"
 
+#include "render/paths/roulette.h"
 #include "render/shading/scatter.h"
-
-#include <algorithm>
 
 namespace hipmap {
 
 namespace {
-
-/// From here on Russian roulette ends faint paths.
-constexpr int kRouletteDepth = 4;
-
-/// From here on also bright ones; between perfect mirrors nothing else would end them.  Not before:
-/// light caught in a ball of glass leaves it after hundreds of reflections, and what the few that
-/// are not ended stand for would hardly ever be seen.
-constexpr int kEndlessDepth = 1024;
-constexpr float kMostChance = 0.98f;
 
 /// Chances of the lobes of a surface; they add up to one, or are all zero if it is black.
 struct LobeChances {
@@ -127,14 +117,8 @@ bool leave_matt(const RenderScene& scene, const Interaction& at, const LightClas
 
 bool survives(int depth, Path& path, RandomSequence& random)
 {
-    if (depth < kRouletteDepth)
-        return true;
-    const float most = depth < kEndlessDepth ? 1.0f : kMostChance;
-    const float chance = std::min(most, path.index2 * max_channel(path.weight));
-    if (!(random.next() < chance))
-        return false;
-    path.weight /= chance;
-    return true;
+    return survives(survival_chance(depth, path.index2 * max_channel(path.weight)), random,
+                    path.weight);
 }
 
 bool pass_surface(const RenderScene& scene, const Interaction& at, float distance,

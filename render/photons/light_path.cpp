@@ -2,6 +2,7 @@
 
 #include "common/math/frame.h"
 #include "common/math/sampling.h"
+#include "render/paths/roulette.h"
 #include "render/photons/media_flight.h"
 #include "render/shading/interface_index.h"
 #include "render/shading/scatter.h"
@@ -249,7 +250,7 @@ void trace(const RenderScene& scene, const Wanted& wanted, RandomSequence& rando
            TracedPhotons& out)
 {
     for (int bounce = 0; bounce < kMostBounces; ++bounce) {
-        if (bounce >= kEndlessBounces && !survives(path, random))
+        if (bounce >= kEndlessDepth && !survives(kEndlessChance, random, path.power))
             return;
         std::optional<RayHit> hit;
         if constexpr (media)

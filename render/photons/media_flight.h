@@ -39,19 +39,6 @@ inline bool is_done(const LightPath& path, const Wanted& wanted)
     return !wanted.indirect && path.diffuse > (bounces ? 1 : 0);
 }
 
-/// From here on Russian roulette ends bright paths too; between perfect mirrors nothing else would.
-/// Late and seldom: of the light that glass of a high index catches, a reflection lets out less
-/// than a hundredth, and what the paths that are not ended stand for must not outgrow that.
-constexpr int kEndlessBounces = 512;
-constexpr float kMostChance = 0.999f;
-
-/// False: Russian roulette has ended it.
-inline bool survives(LightPath& path, RandomSequence& random)
-{
-    path.power /= kMostChance;
-    return random.next() < kMostChance;
-}
-
 /// Brings the path to the next surface, whatever that lets pass, through the media of a scene, and
 /// keeps the photons that are wanted of it on the way; none: it has ended, or left the scene.
 /// docs/media.md (7).
