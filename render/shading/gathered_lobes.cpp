@@ -44,7 +44,8 @@ Rgb GatheredLobes::facets(const Bsdf& bsdf, const glm::vec3& normal, const glm::
     Rgb value(0.0f);
     if (above > 0)
         value = reflected_by_facets(bsdf, normal, in, out_) * (above / cosine);
-    if (normal != geometric_) {
+    // A photon of a face beside may come from below this one: nothing is folded to there.
+    if (normal != geometric_ && glm::dot(geometric_, in) > 0) {
         const glm::vec3 below = mirrored(in, geometric_);
         const float folded = glm::dot(normal, below);
         if (folded > 0)

@@ -1,3 +1,4 @@
+#include "render/shading/gathered_lobes.h"
 #include "render/shading/glossy_albedo.h"
 #include "tests/support/drawn_directions.h"
 #include "tests/support/lit_surface.h"
@@ -206,5 +207,22 @@ TEST_CASE("glossy albedo: the table is the integral, its average that of the tab
         for (int i = 0; i < kPoints; ++i) // cosine-weighted: the square of the cosine is uniform
             mean += glossy_albedo(std::sqrt((i + 0.5f) / kPoints), alpha).f90 / kPoints;
         CHECK(average_glossy_albedo(alpha).f90 == Approx(mean).epsilon(1e-4));
+    }
+}
+
+TEST_CASE("scatter: photons from below a tilted face, as faces beside have them, are not magnified",
+          "[shading]")
+{
+    Interaction at =
+        tiny::lit_surface(rough(tiny::mirror({1, 0.8f, 0.3f}), 0.45f), {0.4f, 0, 0.9f});
+    at.shading_normal = glm::normalize(glm::vec3(0.1f, 0, 1));
+    at.cosine = glm::dot(at.back, at.shading_normal);
+    const GatheredLobes lobes(at.bsdf, at.shading_normal, at.normal, at.back);
+    for (const float above : {1e-7f, 1e-5f, 1e-3f, 0.01f, 0.09f}) {
+        const float slope = std::asin(above) - std::atan(0.1f);
+        const glm::vec3 in(std::cos(slope), 0, std::sin(slope));
+        const Rgb alone = reflected_by_facets(at.bsdf, at.shading_normal, in, at.back);
+        CAPTURE(above, in.z);
+        CHECK(max_channel(lobes(in)) <= 1.001f * max_channel(alone));
     }
 }
