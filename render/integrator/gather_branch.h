@@ -1,8 +1,6 @@
 #pragma once
 
-#include "common/math/random.h"
-#include "render/integrator/direct_light.h"
-#include "render/shading/scatter.h"
+#include "render/paths/path_state.h"
 
 #include <array>
 
@@ -15,27 +13,13 @@ constexpr int kSplitDepth = 4;
 constexpr int kMostRays = 4;
 
 /// A part of an eye path still to be followed.
-struct GatherBranch {
-    Ray ray;
-    Rgb weight{1.0f};
-    Rgb absorption{0.0f}; ///< of what the ray travels in
-    float index2 = 1.0f;  ///< square of the index of what the ray travels in
-    RaySource source;
-    float nanometres = 0;      ///< of the light followed; 0: all
+struct GatherBranch : PathState {
     bool clear = true;         ///< nothing but mirrors and clear glass is behind it
     bool gathers = false;      ///< a gathered lobe is behind it
     bool straight = false;     ///< nothing else is since
     float indirect_radius = 0; ///< the first, of the indirect map where that lobe is
     float beyond_radius = 0;   ///< the same on the other side
-    int depth = 0;             ///< surfaces behind it
-    Interiors inside;          ///< what the ray travels in, where there are media
 };
-
-/// By which one is picked, or ended by chance.
-inline float importance(const GatherBranch& branch)
-{
-    return branch.index2 * max_channel(branch.weight);
-}
 
 /// The branches that leave a surface.
 struct Departures {
@@ -56,15 +40,13 @@ struct BranchStack {
 };
 
 /// One ray in a direction drawn from the lobes.
-GatherBranch scatter(const GatherBranch& from, const Interaction& at, Lobes lobes,
-                     RandomSequence& random);
+GatherBranch scatter(const RenderScene& scene, const GatherBranch& from, const Interaction& at,
+                     Lobes lobes, RandomSequence& random);
 
-void add_mirror_and_glass(const GatherBranch& from, const Interaction& at, Departures& out);
+void add_mirror_and_glass(const RenderScene& scene, const GatherBranch& from, const Interaction& at,
+                          Departures& out);
 
 /// Leaves one of the branches, picked by importance.
 void pick_one(Departures& out, RandomSequence& random);
-
-/// False: Russian roulette ended it.
-bool survives(GatherBranch& branch, RandomSequence& random);
 
 } // namespace hipmap

@@ -3,7 +3,6 @@
 #include "render/film/pass_images.h"
 #include "render/integrator/gather_branch.h"
 #include "render/integrator/media_beams.h"
-#include "render/shading/interface_index.h"
 
 #include <cmath>
 
@@ -24,11 +23,7 @@ class GatherTracer {
 
     RadianceByRadius trace(const Ray& ray)
     {
-        stack_.branches[0].ray = ray;
-        stack_.branches[0].source.eye = true;
-        if (has_media_)
-            stack_.branches[0].inside = interiors_at(*maps_.scene.media, ray.origin);
-        stack_.size = 1;
+        stack_.branches[stack_.size++] = {path_from_eye(maps_.scene, ray)};
         while (stack_.size > 0)
             follow(stack_.branches[--stack_.size]);
         return radiance_;
@@ -49,39 +44,23 @@ class GatherTracer {
             sum += radiance;
     }
 
-    /// The first surface through media; adds lamps and what the media send on the way.
-    std::optional<RayHit> see(GatherBranch& branch)
-    {
-        const MediaBeams beams{*maps_.scene.media, *maps_.volume, kScales};
-        if (sees_lights(branch))
-            add(branch.weight *
-                met_lamps_in_media(maps_.scene, branch.ray, branch.inside, branch.source));
-        return see_media(beams, branch.ray, !branch.gathers,
-                         {branch.inside, branch.weight, radiance_});
-    }
-
     void follow(GatherBranch branch)
     {
         const RenderScene& scene = maps_.scene;
-        const std::optional<RayHit> hit =
-            !has_media_ ? scene.rays.nearest(branch.ray) : see(branch);
-        if (has_sized_lamps(scene.lights) && !has_media_ && sees_lights(branch))
-            add(branch.weight *
-                met_lamps(scene, branch.ray, distance_of(hit), branch.absorption, branch.source));
-        if (!hit) {
-            if (sees_lights(branch))
-                add(branch.weight * met_sky(scene, branch.ray.direction, branch.source));
-            return;
-        }
-        absorb(branch.absorption, hit->distance, branch.weight);
-        Interaction at = interact(scene, branch.ray, *hit);
-        at.inside = has_media_ ? &branch.inside : nullptr;
-        find_index(scene, at, branch.nanometres, branch.weight, random_);
-        if (sees_lights(branch))
-            add(branch.weight * emitted_radiance(at.bsdf, at.point, at.back) *
-                hit_weight(scene, at.point, branch.ray.direction, hit->distance, branch.source));
+        const bool sees = sees_lights(branch);
+        Rgb lights(0.0f);
+        const Reached reached = reach(scene, branch, sees, lights, [&](PathState& flying) {
+            const MediaBeams beams{*scene.media, *maps_.volume, kScales};
+            return Reached{see_media(beams, flying.ray, !branch.gathers,
+                                     {flying.inside, flying.weight, radiance_})};
+        });
+        if (!reached.hit)
+            return add(lights);
+        const Interaction at = meet(scene, *reached.hit, random_, branch);
+        if (sees)
+            add(lights + met_emission(scene, at, reached.hit->distance, branch));
         GatherBranch gathering = branch;
-        const bool onward = at.bsdf.gathers() && !add_photons(gathering, at, hit->distance);
+        const bool onward = at.bsdf.gathers() && !add_photons(gathering, at, reached.hit->distance);
         if (onward)
             add(gathering.weight * sampled_light(scene, at, {.gathered = 1}, random_));
         if (onward && !maps_.bounces)
@@ -199,16 +178,13 @@ class GatherTracer {
     {
         Departures out;
         if (gathering != nullptr)
-            out.add(scatter(*gathering, at, Lobes::gathered, random_));
+            out.add(scatter(maps_.scene, *gathering, at, Lobes::gathered, random_));
         if (at.bsdf.follows())
-            out.add(scatter(from, at, Lobes::followed, random_));
+            out.add(scatter(maps_.scene, from, at, Lobes::followed, random_));
         if (!at.bsdf.is_matt())
-            add_mirror_and_glass(from, at, out);
+            add_mirror_and_glass(maps_.scene, from, at, out);
         if (out.size > 1 && (from.gathers || from.depth >= kSplitDepth))
             pick_one(out, random_);
-        for (std::size_t i = 0; i < out.size && has_media_; ++i)
-            if (glm::dot(out.branches[i].ray.direction, at.normal) < 0)
-                cross(*maps_.scene.media, at.point.face, at.front, out.branches[i].inside);
         for (std::size_t i = 0; i < out.size; ++i)
             if (survives(out.branches[i], random_))
                 stack_.branches[stack_.size++] = out.branches[i];
@@ -216,7 +192,6 @@ class GatherTracer {
 
     const GatherMaps& maps_;
     const SeenLights seen_;
-    const bool has_media_ = maps_.scene.has_media();
     RandomSequence& random_;
     GatherScratch& scratch_;
     BranchStack stack_;

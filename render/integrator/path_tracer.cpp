@@ -1,49 +1,167 @@
 #include "render/integrator/path_tracer.h"
 
-#include "render/integrator/direct_light.h"
-#include "render/integrator/media_path.h"
-#include "render/shading/interface_index.h"
+#include "render/paths/path_state.h"
 
 namespace hipmap {
 
 namespace {
 
-/// Adds the lamps between the path and what its ray has hit, and takes what glass absorbs.
-[[gnu::noinline]] void cross_air(const RenderScene& scene, const std::optional<RayHit>& hit,
-                                 const LightClasses& light, Path& path, Rgb& radiance)
-{
-    if (path.sees_lights(light))
-        radiance += path.weight *
-                    met_lamps(scene, path.ray, distance_of(hit), path.absorption, path.source);
-    if (hit)
-        absorb(path.absorption, hit->distance, path.weight);
-}
+/// docs/light_transport.md (14).
+struct Path : PathState {
+    bool gathers = false; ///< a gathered lobe or a medium is behind it
+    bool straight = true; ///< nothing else is since
+
+    /// Light that the ray runs into counts: else it is of a class left out.
+    bool sees_lights(const LightClasses& light) const
+    {
+        return light.caustic || !gathers || straight;
+    }
+};
+
+/// Chances of the lobes of a surface; they add up to one, or are all zero if it is black.
+struct LobeChances {
+    float gathered = 0.0f, followed = 0.0f, mirror = 0.0f, transmit = 0.0f;
+};
+
+/// A point at which a medium scatters light.
+struct Scattering {
+    glm::vec3 position{0.0f};
+    const Medium* medium = nullptr;
+};
+
+class PathTracer {
+  public:
+    PathTracer(const RenderScene& scene, const LightClasses& light, RandomSequence& random)
+        : scene_(scene), light_(light), random_(random)
+    {
+    }
+
+    Rgb trace(const Ray& ray)
+    {
+        path_ = {path_from_eye(scene_, ray)};
+        while (survives(path_, random_) && step())
+            ;
+        return radiance_;
+    }
+
+  private:
+    /// To the next surface or scattering, and on; no weight is left where the path ends.  False: it
+    /// has left the scene.
+    bool step()
+    {
+        const bool sees_lights = path_.sees_lights(light_);
+        const Reached reached = reach(scene_, path_, sees_lights, radiance_,
+                                      [this](PathState&) { return fly(*scene_.media); });
+        if (reached.scattered) {
+            leave_gathered(scattering_point(scattering_.position, -path_.ray.direction,
+                                            scattering_.medium->phase, path_.inside));
+            return true;
+        }
+        if (!reached.hit)
+            return false;
+        const Interaction at = meet(scene_, *reached.hit, random_, path_);
+        if (sees_lights)
+            radiance_ += met_emission(scene_, at, reached.hit->distance, path_);
+        if (!at.bsdf.is_matt())
+            leave(at);
+        else if (max_channel(path_.weight * at.bsdf.diffuse) > 0 && may_gather())
+            leave_gathered(at);
+        else
+            path_.weight = Rgb(0);
+        return true;
+    }
+
+    bool may_gather() const { return light_.indirect || !path_.gathers; }
+
+    /// Follows the ray to the next surface or scattering; adds what the media on the way glow.
+    /// docs/media.md (6).
+    Reached fly(const MediaSet& media)
+    {
+        const WalkEnd end = walk(media, path_.ray, path_.inside, [&](const Stretch& stretch) {
+            const Medium& medium = media.medium(stretch.inside);
+            const Column column = column_along(media.density(stretch.inside), stretch.ray);
+            radiance_ += path_.weight * emitted_along(medium, column.whole);
+            const Flight flight = sample_flight(medium, column.whole, path_.weight, random_);
+            path_.weight *= flight.weight;
+            const float along = distance_at(column, flight.column);
+            scattering_ = {stretch.ray.origin + along * stretch.ray.direction, &medium};
+            return !flight.scattered;
+        });
+        return {end.stopped ? std::nullopt : end.hit, end.stopped};
+    }
+
+    LobeChances chances_at(const Interaction& at, const SpecularLobes& lobes) const
+    {
+        LobeChances out;
+        if (at.bsdf.gathers() && may_gather())
+            out.gathered = max_channel(path_.weight * scattered_share(at, Lobes::gathered));
+        if (at.bsdf.follows())
+            out.followed = max_channel(path_.weight * scattered_share(at, Lobes::followed));
+        out.mirror = max_channel(path_.weight * lobes.mirror);
+        out.transmit = max_channel(path_.weight * lobes.transmit);
+        const float sum = out.gathered + out.followed + out.mirror + out.transmit;
+        if (!(sum > 0))
+            return {};
+        out.gathered /= sum;
+        out.followed /= sum;
+        out.mirror /= sum;
+        out.transmit /= sum;
+        return out;
+    }
+
+    /// Adds the light sampled at a surface, draws a set of lobes, and sends the path on by it.
+    void leave(const Interaction& at)
+    {
+        const SpecularLobes lobes = specular_lobes(at.bsdf, at.seen(), at.front, at.solid);
+        const LobeChances chances = chances_at(at, lobes);
+        const LobeRays rays{chances.gathered,
+                            light_.caustic || !path_.gathers ? chances.followed : 0};
+        if (rays.gathered + rays.followed > 0)
+            radiance_ += path_.weight * sampled_light(scene_, at, rays, random_);
+        float drawn = random_.next();
+        if (drawn < chances.gathered)
+            return follow({Lobes::gathered, chances.gathered}, at);
+        drawn -= chances.gathered;
+        if (drawn < chances.followed)
+            return follow({Lobes::followed, chances.followed}, at);
+        drawn -= chances.followed;
+        path_.straight = false;
+        if (drawn < chances.mirror)
+            go_by_mirror(scene_, at, lobes, chances.mirror, path_);
+        else if (chances.transmit > 0)
+            go_through(scene_, at, lobes, chances.transmit, path_);
+        else
+            path_.weight = Rgb(0);
+    }
+
+    /// The same where one gathered lobe is all: a diffuse surface, or a point of a medium.
+    void leave_gathered(const Interaction& at)
+    {
+        radiance_ += path_.weight * sampled_light(scene_, at, {.gathered = 1}, random_);
+        follow({Lobes::gathered}, at);
+    }
+
+    void follow(const PickedLobes& picked, const Interaction& at)
+    {
+        go_by_lobes(scene_, at, picked, random_, path_);
+        path_.straight = picked.lobes == Lobes::gathered;
+        path_.gathers = path_.gathers || path_.straight;
+    }
+
+    const RenderScene& scene_;
+    const LightClasses& light_;
+    RandomSequence& random_;
+    Path path_;
+    Scattering scattering_;
+    Rgb radiance_{0.0f};
+};
 
 } // namespace
 
 Rgb trace_path(const RenderScene& scene, const Ray& ray, RandomSequence& random,
                const LightClasses& light)
 {
-    if (scene.has_media())
-        return trace_media_path(scene, ray, random, light);
-    Rgb radiance(0.0f);
-    Path path;
-    path.ray = ray;
-    path.source.eye = true;
-    for (int depth = 0; survives(depth, path, random); ++depth) {
-        const std::optional<RayHit> hit = scene.rays.nearest(path.ray);
-        if (!scene.is_clear())
-            cross_air(scene, hit, light, path, radiance);
-        if (!hit)
-            return path.sees_lights(light)
-                       ? radiance + path.weight * met_sky(scene, path.ray.direction, path.source)
-                       : radiance;
-        Interaction at = interact(scene, path.ray, *hit);
-        find_index(scene, at, path.nanometres, path.weight, random);
-        if (!pass_surface(scene, at, hit->distance, light, random, path, radiance))
-            return radiance;
-    }
-    return radiance;
+    return PathTracer(scene, light, random).trace(ray);
 }
 
 } // namespace hipmap

@@ -1,5 +1,5 @@
 #include "common/math/sampling.h"
-#include "render/integrator/direct_light.h"
+#include "render/paths/direct_light.h"
 #include "tests/support/form_factor.h"
 #include "tests/support/statistics.h"
 #include "tests/support/tiny_rooms.h"

@@ -1,6 +1,6 @@
 #include "common/math/sampling.h"
-#include "render/integrator/direct_light.h"
 #include "render/integrator/path_tracer.h"
+#include "render/paths/direct_light.h"
 #include "render/shading/glossy_albedo.h"
 #include "render/shading/scatter.h"
 #include "tests/support/means_of_images.h"

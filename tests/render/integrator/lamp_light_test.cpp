@@ -1,7 +1,7 @@
 #include "common/math/frame.h"
 #include "common/math/sampling.h"
-#include "render/integrator/direct_light.h"
 #include "render/integrator/path_tracer.h"
+#include "render/paths/direct_light.h"
 #include "render/photons/aimed_emission.h"
 #include "render/shading/lamps.h"
 #include "render/shading/scatter.h"

@@ -1,5 +1,5 @@
 #include "common/math/sampling.h"
-#include "render/integrator/direct_light.h"
+#include "render/paths/direct_light.h"
 #include "tests/support/means_of_images.h"
 #include "tests/support/tiny_rooms.h"
 

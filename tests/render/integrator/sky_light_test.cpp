@@ -1,4 +1,4 @@
-#include "render/integrator/direct_light.h"
+#include "render/paths/direct_light.h"
 #include "tests/support/means_of_images.h"
 #include "tests/support/render_image.h"
 #include "tests/support/statistics.h"

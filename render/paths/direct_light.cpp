@@ -1,4 +1,4 @@
-#include "render/integrator/direct_light.h"
+#include "render/paths/direct_light.h"
 
 #include "render/shading/lamps.h"
 #include "render/shading/scatter.h"

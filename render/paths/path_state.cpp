@@ -1,0 +1,87 @@
+#include "render/paths/path_state.h"
+
+#include "render/paths/roulette.h"
+
+namespace hipmap {
+
+namespace {
+
+void enter(const Interaction& at, float eta, PathState& path)
+{
+    // Radiance scales with the square of the index, docs/light_transport.md (4).
+    path.weight /= eta * eta;
+    path.index2 *= eta * eta;
+    path.absorption = absorption_beyond(at);
+}
+
+/// For a ray already sent.
+void depart(const RenderScene& scene, const Interaction& at, PathState& path)
+{
+    ++path.depth;
+    if (scene.has_media() && glm::dot(path.ray.direction, at.normal) < 0)
+        cross(*scene.media, at.point.face, at.front, path.inside);
+}
+
+} // namespace
+
+PathState path_from_eye(const RenderScene& scene, const Ray& ray)
+{
+    PathState path;
+    path.ray = ray;
+    path.source.eye = true;
+    if (scene.has_media())
+        path.inside = interiors_at(*scene.media, ray.origin);
+    return path;
+}
+
+bool survives(PathState& path, RandomSequence& random)
+{
+    return survives(survival_chance(path.depth, importance(path)), random, path.weight);
+}
+
+void cross_air(const RenderScene& scene, const OnTheWay& way, PathState& path, Rgb& light)
+{
+    if (way.sees_lights)
+        light += path.weight *
+                 met_lamps(scene, path.ray, distance_of(way.hit), path.absorption, path.source);
+    if (way.hit)
+        absorb(path.absorption, way.hit->distance, path.weight);
+}
+
+void go_by_mirror(const RenderScene& scene, const Interaction& at, const SpecularLobes& lobes,
+                  float chance, PathState& path)
+{
+    path.ray = mirror_ray(at);
+    path.weight *= lobes.mirror / chance;
+    path.source = {};
+    depart(scene, at, path);
+}
+
+void go_through(const RenderScene& scene, const Interaction& at, const SpecularLobes& lobes,
+                float chance, PathState& path)
+{
+    path.ray = transmitted_ray(at, lobes.eta);
+    path.weight *= lobes.transmit / chance;
+    path.source = {};
+    enter(at, lobes.eta, path);
+    depart(scene, at, path);
+}
+
+bool go_by_lobes(const RenderScene& scene, const Interaction& at, const PickedLobes& picked,
+                 RandomSequence& random, PathState& path)
+{
+    const ScatterSample sample = sample_scatter(at, picked.lobes, random);
+    path.weight *= sample.weight / picked.chance;
+    if (is_black(sample.weight))
+        return false;
+    path.source = source_at(at, picked.chance * sample.density);
+    path.ray = scattered_ray(at, sample);
+    if (picked.lobes == Lobes::gathered)
+        path.nanometres = 0;
+    else if (sample.transmitted)
+        enter(at, sample.eta, path);
+    depart(scene, at, path);
+    return sample.transmitted;
+}
+
+} // namespace hipmap
