@@ -106,7 +106,7 @@ int main(int argc, char** argv)
         hipmap::PreprocessArguments arguments;
         CLI::App app("Decides which faces of a scene may share photons.", "preprocess");
         app.set_version_flag("--version", "preprocess " HIPMAP_VERSION);
-        hipmap::add_preprocess_arguments(app, arguments);
+        hipmap::add_arguments(app, arguments);
         if (const std::optional<int> code = hipmap::parse_arguments(app, argc, argv))
             return *code;
         arguments.command = hipmap::command_of("preprocess", argc, argv);

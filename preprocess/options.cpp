@@ -4,58 +4,78 @@
 #include "common/file/output_file.h"
 #include "common/input_error.h"
 
-#include <map>
 #include <vector>
 
 namespace hipmap {
 
 namespace {
 
-const std::map<std::string, SplitBy> kSplits{
-    {"angle", SplitBy::angle}, {"normals", SplitBy::normals}, {"both", SplitBy::both}};
+constexpr double kMostWeld = 1e9;
+
+constexpr const char* kPartitionSection = "Partition";
+
+std::vector<OptionRow> partition_rows(PreprocessArguments& arguments)
+{
+    return {{.name = "angle",
+             .section = kPartitionSection,
+             .field = number_field(arguments.angle_deg, {0, 180}, "DEG"),
+             .help = "Angle threshold in degrees: neighbouring faces whose normals differ by less "
+                     "share photons"},
+            {.name = "split",
+             .section = kPartitionSection,
+             .field = choice_field<SplitBy>(arguments.split, kSplits, "WHAT"),
+             .help = "What separates faces that share an edge: angle, normals (hard edges as "
+                     "authored: split vertex normals) or both, whichever does"},
+            {.name = "weld",
+             .section = kPartitionSection,
+             .field = number_field(arguments.weld_metres, {0, kMostWeld}, "M"),
+             .help = "Merge vertices no farther apart than this, in metres; 0: only those at the "
+                     "same position"}};
+}
+
+std::vector<OptionRow> output_rows(PreprocessArguments& arguments)
+{
+    return {{.name = "output",
+             .section = kFilesSection,
+             .field = file_field(arguments.output, "FILE.hpm"),
+             .help = "Partition file to write",
+             .flags = "-o,--output",
+             .required = true},
+            {.name = "coloured",
+             .section = kFilesSection,
+             .field = file_field(arguments.coloured, "FILE.glb"),
+             .help = "Write the scene in the colours of its shared maps, to open in Blender"},
+            {.name = "images",
+             .section = kFilesSection,
+             .field = file_field(arguments.images, "DIR"),
+             .help = "Folder for images of the partition: shared_maps.png, edges.png, "
+                     "candidates.png and groups.png; created if it is missing"},
+            {.name = "size",
+             .section = kFilesSection,
+             .field = size_field(arguments.size),
+             .help = "Size of these images in pixels; W alone takes the camera's aspect"},
+            {.name = "json",
+             .section = kFilesSection,
+             .field = file_field(arguments.json),
+             .help = "Write what was found as JSON"}};
+}
 
 } // namespace
 
-void add_preprocess_arguments(CLI::App& app, PreprocessArguments& arguments)
+std::vector<OptionRow> option_rows(PreprocessArguments& arguments)
+{
+    std::vector<OptionRow> rows = output_rows(arguments);
+    append_rows(rows, partition_rows(arguments));
+    append_rows(rows, scene_rows(arguments.scene_options, arguments.sky));
+    append_rows(rows, frame_rows(arguments.frames));
+    rows.push_back(threads_row(arguments.threads));
+    return rows;
+}
+
+void add_arguments(CLI::App& app, PreprocessArguments& arguments)
 {
     app.add_option("SCENE", arguments.scene, "Scene: .glb, .gltf or .obj")->required();
-    app.add_option("-o,--output", arguments.output, "Partition file to write")
-        ->required()
-        ->type_name("FILE.hpm");
-    app.add_option("--angle", arguments.angle_deg,
-                   "Angle threshold in degrees: neighbouring faces whose normals differ by less "
-                   "share photons [30]")
-        ->check(finite_in(0, 180))
-        ->type_name("DEG");
-    app.add_option_function<std::string>(
-           "--split", [&arguments](const std::string& name) { arguments.split = kSplits.at(name); },
-           "What parts faces that share an edge: angle, normals (the author's hard edges: split "
-           "vertex normals) or both, whichever does [angle]")
-        ->check(CLI::IsMember(kSplits))
-        ->type_name("WHAT");
-    app.add_option("--weld", arguments.weld_metres,
-                   "Take vertices no farther apart than this, in metres, for one [0: only those at "
-                   "the very same place]")
-        ->check(finite_in(0, 1e9))
-        ->type_name("M");
-    app.add_option("--coloured", arguments.coloured,
-                   "Write the faces with the colours of their shared maps as a model to turn about")
-        ->type_name("FILE.glb");
-    app.add_option("--images", arguments.images,
-                   "Folder for three pictures of the partition: shared_maps.png, edges.png, "
-                   "candidates.png; made if it is missing")
-        ->type_name("DIR");
-    app.add_option("--json", arguments.json, "Write what was found as JSON")->type_name("FILE");
-    app.add_option_function<std::string>(
-           "--size",
-           [&arguments](const std::string& text) { arguments.size = parse_picture_size(text); },
-           "Size of the pictures in pixels; W alone takes the camera's aspect [768]")
-        ->type_name("WxH");
-    app.add_option("--threads", arguments.threads, "Threads; 0: all cores [0]")
-        ->check(finite_in(0, 4096))
-        ->type_name("N");
-    add_scene_arguments(app, arguments.scene_options, arguments.sky);
-    add_frame_arguments(app, arguments.frames);
+    add_options(app, option_rows(arguments));
 }
 
 PreprocessArguments arguments_of_frame(const PreprocessArguments& all, int frame)

@@ -8,6 +8,9 @@
 
 namespace hipmap {
 
+inline constexpr Choice<SplitBy> kSplits[] = {
+    {"angle", SplitBy::angle}, {"normals", SplitBy::normals}, {"both", SplitBy::both}};
+
 /// What the user asked of `preprocess`.
 struct PreprocessArguments {
     std::vector<std::string> command; ///< as typed, of the name of the tool and its arguments
@@ -26,9 +29,11 @@ struct PreprocessArguments {
     unsigned threads = 0; ///< 0: all cores
 };
 
-/// Adds every option of `preprocess` to `app`, to be read into `arguments`, which must outlive the
-/// parsing.
-void add_preprocess_arguments(CLI::App& app, PreprocessArguments& arguments);
+/// Every option of `preprocess`, bound to `arguments`, which must outlive the rows.
+std::vector<OptionRow> option_rows(PreprocessArguments& arguments);
+
+/// The command line of `preprocess`: the scene, and the options.
+void add_arguments(CLI::App& app, PreprocessArguments& arguments);
 
 /// The arguments of one frame: its moment, and files of its own.
 PreprocessArguments arguments_of_frame(const PreprocessArguments& all, int frame);

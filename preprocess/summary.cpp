@@ -17,8 +17,6 @@ namespace {
 constexpr std::array<const char*, 5> kClassNames{"connected", "unconnected", "border",
                                                  "non_manifold", "degenerate"};
 
-constexpr std::array<const char*, 3> kSplitNames{"angle", "normals", "both"};
-
 std::string counted(std::size_t count, const std::string& noun)
 {
     return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
@@ -149,7 +147,7 @@ std::string summary_json(const PreprocessArguments& arguments, const Scene& scen
     json["scene"] = arguments.scene.string();
     json["partition"] = arguments.output.string();
     json["angle_deg"] = arguments.angle_deg;
-    json["split"] = kSplitNames[static_cast<std::size_t>(arguments.split)];
+    json["split"] = name_of<SplitBy>(kSplits, arguments.split);
     json["weld_m"] = arguments.weld_metres;
     json["faces"] = summary.faces;
     json["vertices"] = summary.vertices;

@@ -18,7 +18,7 @@ struct RenderedFrame {
 /// What a frame of an animation leaves to the next one.  All frames are rendered by the same
 /// options.
 struct FormerFrame {
-    std::vector<std::string> settings; ///< all that its image depends on; empty: there was none
+    std::vector<Setting> settings; ///< all that its image depends on; empty: there was none
     std::optional<RenderedFrame> rendered;
     std::string world; ///< all that its photons depend on
     PhotonCache photons;

@@ -68,10 +68,13 @@ FrameScene load_frame(RenderArguments& arguments, SceneSource& source)
     out.loaded = load_at(arguments, source, arguments.scene_options.time);
     Scene& scene = out.loaded.scene;
     const PictureSize size = complete_size(arguments.size, scene.cameras[scene.camera].aspect);
+    if (!arguments.photons)
+        arguments.photons = default_photons(size, arguments.render.samples);
+    arguments.size = size;
+    arguments.diffuse = scene.diffuse_model;
     arguments.render.width = size.width;
     arguments.render.height = size.height;
-    arguments.render.photons =
-        arguments.photons.value_or(default_photons(size, arguments.render.samples));
+    arguments.render.photons = *arguments.photons;
     out.partition = read_partition(arguments.partition);
     check_partition_of(out.partition, scene, arguments.partition);
     out.motion = find_motion(scene, shutter_time(arguments),

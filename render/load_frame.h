@@ -25,8 +25,9 @@ LoadedScene load_at(const RenderArguments& arguments, SceneSource& source,
 Scene load_moment(const RenderArguments& arguments, SceneSource& source, double time,
                   const Partition& partition, const EffectPlan& effects);
 
-/// The scene of the frame that the options name, which it completes: the size of the picture, and
-/// the light that is followed.  Throws as load_at, read_partition and check_partition_of.
+/// The scene of the frame that the options name.  Completes the options: image size, photons of a
+/// pass, diffuse model, and the light classes that are traced.  Throws as load_at, read_partition
+/// and check_partition_of.
 FrameScene load_frame(RenderArguments& arguments, SceneSource& source);
 
 } // namespace hipmap

@@ -41,7 +41,7 @@ void check_outputs(const RenderArguments& arguments)
 
 /// The state in the file, if there is one; refuses another render's.
 std::optional<RenderState> find_state(const RenderArguments& arguments,
-                                      const std::vector<std::string>& settings)
+                                      const std::vector<Setting>& settings)
 {
     if (!std::filesystem::exists(arguments.state))
         return std::nullopt;
@@ -51,8 +51,8 @@ std::optional<RenderState> find_state(const RenderArguments& arguments,
 }
 
 RenderState begin_or_go_on(const RenderArguments& arguments, const PassSource& source,
-                           std::vector<std::string> settings,
-                           const std::optional<RenderState>& found, Report& report)
+                           std::vector<Setting> settings, const std::optional<RenderState>& found,
+                           Report& report)
 {
     RenderState state = begin_state(source, std::move(settings));
     if (!found)
@@ -118,7 +118,7 @@ struct Job {
     const LoadedScene& loaded;
     const Partition& partition;
     SkyPicture sky;
-    std::vector<std::string> settings;
+    std::vector<Setting> settings;
     std::optional<RenderState> found; ///< to go on with
 };
 
@@ -156,7 +156,7 @@ RenderedFrame render_or_take(const RenderArguments& arguments, Job job, SceneSou
             write_state(arguments.state, former->rendered->state);
         return *former->rendered;
     }
-    std::vector<std::string> settings = job.settings;
+    std::vector<Setting> settings = job.settings;
     const bool anew = !job.found;
     RenderedFrame out = render_job(arguments, std::move(job), source, former, run, report);
     former->settings = std::move(settings);
@@ -204,8 +204,8 @@ int render(RenderArguments& arguments, SceneSource& source, FormerFrame* former)
         return kExitDone;
     }
     SkyPicture sky = load_sky(frame.loaded.scene, arguments.sky.turn_deg);
-    std::vector<std::string> settings =
-        settings_of(arguments.render, frame.loaded.scene, frame.partition, sky);
+    std::vector<Setting> settings =
+        settings_of(arguments, frame.loaded.scene, frame.partition, sky);
     if (run.effects.has(Effect::motion_blur))
         settings.push_back(frame.motion.setting);
     std::optional<RenderState> found = find_state(arguments, settings);
@@ -265,10 +265,10 @@ int render_main(int argc, char** argv)
                  "adds up what several runs kept by --state; see render merge --help.",
                  "render");
     app.set_version_flag("--version", "render " HIPMAP_VERSION);
-    hipmap::add_render_arguments(app, arguments);
+    hipmap::add_arguments(app, arguments);
     if (const std::optional<int> code = hipmap::parse_arguments(app, argc, argv))
         return *code;
-    hipmap::complete_arguments(app, arguments);
+    hipmap::complete_arguments(arguments);
     arguments.command = hipmap::command_of("render", argc, argv);
     return hipmap::render_frames(arguments);
 }
@@ -279,7 +279,7 @@ int merge_main(int argc, char** argv)
     hipmap::MergeArguments arguments;
     CLI::App app("Adds up the passes of states of one render, and writes their image.",
                  "render merge");
-    hipmap::add_merge_arguments(app, arguments);
+    hipmap::add_arguments(app, arguments);
     if (const std::optional<int> code = hipmap::parse_arguments(app, argc, argv))
         return *code;
     arguments.command = hipmap::command_of("render", argc + 1, argv - 1);

@@ -11,6 +11,12 @@
 
 namespace hipmap {
 
+/// Passes of a render that nothing else ends.
+inline constexpr std::uint64_t kDefaultPasses = 16;
+
+/// MapOptions::local_min while it follows from the number of neighbours.
+inline constexpr std::uint32_t kLocalMinOpen = 0;
+
 /// What the user asked of `render`.
 struct RenderArguments {
     std::vector<std::string> command; ///< as typed, of the name of the tool and its arguments
@@ -27,20 +33,19 @@ struct RenderArguments {
     SceneOptions scene_options;
     SkyOptions sky;
     FrameOptions frames;
-    double photon_cache_mib = 1024;       ///< for maps that further frames may use
-    double shutter = 0;                   ///< frames that the shutter is open; 0: no time
-    RenderOptions render;                 ///< its size is still to be completed
+    double photon_cache_mib = 1024; ///< for maps that further frames may use
+    double shutter = 0;             ///< frames that the shutter is open; 0: no time
+    /// What passes are made by.  The size, the photons and the light classes follow from the frame.
+    RenderOptions render{.maps = {.mode = MapMode::hierarchical, .local_min = kLocalMinOpen},
+                         .samples = 4,
+                         .light = {}};
     std::optional<DiffuseModel> diffuse;  ///< none: the scene's own
     bool energy_compensation = false;     ///< of all metal
-    std::optional<std::uint64_t> photons; ///< of a pass; none: as the size of the picture asks
+    std::optional<std::uint64_t> photons; ///< of a pass; none: as many as it has samples
     PictureSize size{512, 0};
     std::optional<float> exposure_ev; ///< none: auto
     unsigned threads = 0;             ///< 0: all cores
 };
-
-/// Adds every option of `render` to `app`, to be read into `arguments`, which must outlive the
-/// parsing.
-void add_render_arguments(CLI::App& app, RenderArguments& arguments);
 
 /// The arguments of one frame: its moment, and files of its own.
 RenderArguments arguments_of_frame(const RenderArguments& all, int frame);
@@ -56,9 +61,7 @@ struct MergeArguments {
     std::optional<float> exposure_ev;
 };
 
-void add_merge_arguments(CLI::App& app, MergeArguments& arguments);
-
-/// What the options mean together; throws InputError if they contradict each other.
-void complete_arguments(const CLI::App& app, RenderArguments& arguments);
+/// Fills in what follows from other options; throws InputError if they contradict each other.
+void complete_arguments(RenderArguments& arguments);
 
 } // namespace hipmap

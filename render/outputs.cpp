@@ -4,7 +4,6 @@
 #include "common/image/exr_file.h"
 #include "common/image/write_image.h"
 #include "render/film/error_picture.h"
-#include "render/settings.h"
 
 #include <sys/resource.h>
 
@@ -106,7 +105,7 @@ std::string describe_error(const ErrorCheck& check)
 std::string describe_price(const RenderState& state, double target)
 {
     const ErrorCheck& last = state.checks.back();
-    const ErrorLaw law = error_law(state.checks, alpha_of(state.settings));
+    const ErrorLaw law = error_law(state.checks, state.radius_decay);
     const bool of_target = target > 0 && target / 2 < last.error.error;
     const Price half = price_of(state.checks, law, (of_target ? target : last.error.error) / 2, 0);
     const double before = error_after(law, static_cast<double>(last.passes) / 2);
@@ -132,9 +131,9 @@ std::vector<Price> price_list(const RenderState& state, double target)
         errors.insert(errors.end(), {target, target / 2});
     std::sort(errors.begin(), errors.end(), std::greater<>());
     errors.erase(std::unique(errors.begin(), errors.end()), errors.end());
-    const ErrorLaw law = error_law(checks, alpha_of(state.settings));
+    const ErrorLaw law = error_law(checks, state.radius_decay);
     for (const double error : errors)
-        prices.push_back(price_of(checks, law, error, photons_of(state.settings)));
+        prices.push_back(price_of(checks, law, error, state.photons_per_pass));
     return prices;
 }
 

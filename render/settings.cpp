@@ -1,15 +1,311 @@
 #include "render/settings.h"
 
+#include "common/image/image_format.h"
+#include "common/input_error.h"
 #include "common/partition/partition_file.h"
 #include "common/scene/fingerprint.h"
 
-#include <charconv>
 #include <cstdio>
-#include <string_view>
 
 namespace hipmap {
 
 namespace {
+
+constexpr Choice<Integrator> kIntegrators[] = {{"progressive", Integrator::progressive},
+                                               {"direct", Integrator::direct},
+                                               {"path", Integrator::path}};
+constexpr Choice<DirectLight> kDirectLights[] = {{"shadow-rays", DirectLight::shadow_rays},
+                                                 {"photons", DirectLight::photons}};
+constexpr Choice<PixelFilter> kFilters[] = {{"b-spline", PixelFilter::b_spline},
+                                            {"box", PixelFilter::box}};
+constexpr Choice<std::optional<DiffuseModel>> kDiffuseModels[] = {
+    {"auto", std::nullopt}, {"lambert", DiffuseModel::lambert}, {"burley", DiffuseModel::burley}};
+constexpr Choice<MapMode> kMapModes[] = {{"none", MapMode::none},
+                                         {"global", MapMode::global},
+                                         {"shared", MapMode::shared},
+                                         {"thesis", MapMode::thesis},
+                                         {"hierarchical", MapMode::hierarchical}};
+constexpr Choice<TierChoice> kTierChoices[] = {{"paying", TierChoice::paying},
+                                               {"all", TierChoice::all}};
+constexpr Choice<TreeKind> kTrees[] = {{"wide", TreeKind::wide},
+                                       {"balanced", TreeKind::balanced},
+                                       {"unbalanced", TreeKind::unbalanced}};
+constexpr Choice<EstimateForm> kEstimates[] = {{"clipped", EstimateForm::clipped},
+                                               {"thesis", EstimateForm::thesis}};
+constexpr Choice<GatheredIrradiance> kIrradiances[] = {
+    {"estimated", GatheredIrradiance::estimated}, {"precomputed", GatheredIrradiance::precomputed}};
+
+constexpr double kMostPhotons = 4e9;
+constexpr double kMostNeighbours = 1e6;
+constexpr double kMostSamples = 65536;
+constexpr double kMostExposure = 100;
+constexpr double kMostPassesAsked = 1e6;
+constexpr double kMostFirstPass = 1e15;
+constexpr double kMostSeconds = 1e9;
+constexpr double kMostMib = 1e9;
+constexpr double kLongestShutter = 1000;
+
+constexpr const char* kMethodSection = "Method";
+constexpr const char* kEffectsSection = "Effects";
+constexpr const char* kEndSection = "When to end";
+constexpr const char* kImageSection = "Image";
+constexpr const char* kDissertationSection = "To compare with the dissertation";
+
+/// "5%" and "5" are 0.05.
+double parse_error(const std::string& text)
+{
+    constexpr double kLeastPercent = 1e-3;
+    const std::string number = text.ends_with('%') ? text.substr(0, text.size() - 1) : text;
+    double percent = 0;
+    if (!CLI::detail::lexical_cast(number, percent) ||
+        !(percent >= kLeastPercent && percent <= 100))
+        throw CLI::ValidationError(
+            "--error", "'" + text + "' is not an error; write a percentage from 0.001 to 100");
+    return percent / 100;
+}
+
+void parse_error_image(const std::string& text, std::filesystem::path& error_image)
+{
+    error_image = text;
+    if (image_format(error_image) != ImageFormat::png)
+        throw InputError(text + ": the picture of the error is .png; -o FILE.exr holds the error "
+                                "by pixel in numbers");
+}
+
+OptionField exposure_field(std::optional<float>& exposure_ev)
+{
+    OptionField out = parsed_field(
+        [&](const std::string& text) {
+            if (text == "auto")
+                exposure_ev.reset();
+            else
+                exposure_ev = std::stof(text);
+        },
+        [&] { return number_value(exposure_ev); }, "EV|auto");
+    out.add = [add = out.add](CLI::App& app, const std::string& flags) {
+        return add(app, flags)
+            ->check(CLI::IsMember({"auto"}) | finite_in(-kMostExposure, kMostExposure));
+    };
+    out.values = text_of(NumberRange{-kMostExposure, kMostExposure}) + ", auto";
+    return out;
+}
+
+/// The files that `render` and `render merge` write, and how 8-bit images are exposed.
+template <typename Arguments>
+std::vector<OptionRow> output_rows(Arguments& arguments, bool required)
+{
+    std::filesystem::path& error_image = arguments.error_image;
+    return {
+        {.name = "output",
+         .section = kFilesSection,
+         .field = files_field(arguments.images),
+         .help = "Image to write; repeatable. .exr, .pfm and .hdr hold radiance, W/(m2 sr), "
+                 ".exr its noise, bias and error too; .png and .ppm are exposed sRGB",
+         .flags = "-o,--output",
+         .required = required},
+        {.name = "error-image",
+         .section = kFilesSection,
+         .field = parsed_field(
+             [&](const std::string& text) { parse_error_image(text, error_image); }, {}, "FILE"),
+         .help = "Write an image of the relative error of each pixel in false colour, .png"},
+        {.name = "stats",
+         .section = kFilesSection,
+         .field = file_field(arguments.statistics),
+         .help = "Write statistics as JSON"},
+        {.name = "exposure",
+         .section = kImageSection,
+         .field = exposure_field(arguments.exposure_ev),
+         .help = "Exposure of 8-bit images in stops",
+         .unset = "auto"}};
+}
+
+std::vector<OptionRow> method_rows(RenderArguments& arguments)
+{
+    RenderOptions& render = arguments.render;
+    return {{.name = "integrator",
+             .section = kMethodSection,
+             .field = choice_field<Integrator>(render.integrator, kIntegrators),
+             .help = "progressive: photon maps and a final-gather ray, with radii that shrink from "
+                     "pass to pass; direct: estimates at the first diffuse surface, fast and "
+                     "blurred; path: path tracing without photons, for comparison",
+             .changes = Changes::passes},
+            {.name = "photons",
+             .section = kMethodSection,
+             .field = number_field(arguments.photons, {0, kMostPhotons}),
+             .help = "Light paths to emit in each pass",
+             .unset = "as many as a pass has samples, within 200000 and 2000000",
+             .changes = Changes::passes},
+            {.name = "neighbours",
+             .section = kMethodSection,
+             .field = number_field(render.maps.neighbours, {2, kMostNeighbours}),
+             .help = "Photons in an estimate, k",
+             .changes = Changes::passes},
+            {.name = "alpha",
+             .section = kMethodSection,
+             .field = number_field(render.alpha, {0.01, 0.99}, "A"),
+             .help = "How slowly the radii of --integrator progressive shrink: less leaves less "
+                     "bias and more noise",
+             .changes = Changes::passes},
+            {.name = "direct",
+             .section = kMethodSection,
+             .field = choice_field<DirectLight>(render.direct, kDirectLights),
+             .help = "Direct light by shadow rays or from the photons",
+             .changes = Changes::passes},
+            {.name = "seed",
+             .section = kMethodSection,
+             .field = seed_field(render.seed),
+             .help = "Seed; the same seed gives the same image, bit for bit, at any --threads",
+             .changes = Changes::passes}};
+}
+
+std::vector<OptionRow> image_rows(RenderArguments& arguments)
+{
+    RenderOptions& render = arguments.render;
+    return {{.name = "size",
+             .section = kImageSection,
+             .field = size_field(arguments.size),
+             .help = "Image size in pixels; W alone takes the camera's aspect",
+             .changes = Changes::passes},
+            {.name = "samples",
+             .section = kImageSection,
+             .field = number_field(render.samples, {1, kMostSamples}),
+             .help = "Samples of each pixel in a pass, on average: pixels where they help get more",
+             .changes = Changes::passes},
+            {.name = "filter",
+             .section = kImageSection,
+             .field = choice_field<PixelFilter>(render.filter, kFilters),
+             .help = "Pixel reconstruction filter: b-spline (3 pixels wide, standard deviation "
+                     "half a pixel: less noise) or box (1 pixel: sharp)",
+             .changes = Changes::passes}};
+}
+
+std::vector<OptionRow> effect_rows(RenderArguments& arguments)
+{
+    return {
+        {.name = "explain",
+         .section = kEffectsSection,
+         .field = flag_field(arguments.explain),
+         .help = "List the effects this scene needs, with reasons and costs, and exit"},
+        {.name = "effects",
+         .section = kEffectsSection,
+         .field = parsed_field(
+             [&](const std::string& text) { arguments.effects = parse_effect_switches(text); },
+             [&] {
+                 return arguments.effects.empty() ? SettingValue()
+                                                  : SettingValue(text_of(arguments.effects));
+             },
+             "LIST"),
+         .help = "Effects to leave out, as -caustics,-textures; +NAME takes back an earlier -NAME",
+         .changes = Changes::scene},
+        {.name = "diffuse",
+         .section = kEffectsSection,
+         .field = choice_field<std::optional<DiffuseModel>>(arguments.diffuse, kDiffuseModels),
+         .help = "Diffuse reflection: lambert, as in glTF; burley, as in Blender's Principled BSDF "
+                 "up to version 3; auto, as in the program that wrote the file",
+         .changes = Changes::scene},
+        {.name = "energy-compensation",
+         .section = kEffectsSection,
+         .field = flag_field(arguments.energy_compensation),
+         .help =
+             "Give rough metal back the light that its microfacets scatter more than once, "
+             "which glTF's own reflection loses (60 % at roughness 1); rough glass still loses it",
+         .changes = Changes::scene}};
+}
+
+std::vector<OptionRow> end_rows(RenderArguments& arguments)
+{
+    StopRules& stops = arguments.stops;
+    return {
+        {.name = "passes",
+         .section = kEndSection,
+         .field = number_or_none_field(stops.passes, StopRules().passes, {1, kMostPassesAsked}),
+         .help = "End after so many independent passes, whose images are averaged",
+         .unset = std::to_string(kDefaultPasses) + ", unless --time or --error is given"},
+        {.name = "time",
+         .section = kEndSection,
+         .field = number_or_none_field(stops.seconds, StopRules().seconds, {0, kMostSeconds}, "S"),
+         .help = "End after so many seconds of rendering"},
+        {.name = "error",
+         .section = kEndSection,
+         .field = parsed_field(
+             [&](const std::string& text) { stops.error = parse_error(text); },
+             [&] { return stops.error > 0 ? SettingValue(stops.error) : SettingValue(); }, "E%"),
+         .help = "End when the estimated error (root mean square, relative) is so small, as "
+                 "5%"},
+        {.name = "quote",
+         .section = kEndSection,
+         .field = flag_field(arguments.quote),
+         .help = "Only render a few passes and print what smaller errors would cost"},
+        {.name = "state",
+         .section = kEndSection,
+         .field = file_field(arguments.state),
+         .help = "Keep the passes in this file, and resume with those it holds"},
+        {.name = "first-pass",
+         .section = kEndSection,
+         .field = number_field(stops.first_pass, {0, kMostFirstPass}),
+         .help = "Number of the first pass, for passes to be merged with others"}};
+}
+
+std::vector<OptionRow> speed_rows(RenderArguments& arguments)
+{
+    return {threads_row(arguments.threads),
+            {.name = "photon-cache",
+             .section = kRunSection,
+             .field = number_field(arguments.photon_cache_mib, {0, kMostMib}, "MIB"),
+             .help = "MiB for photon maps that further frames reuse while only the camera moves"}};
+}
+
+OptionRow shutter_row(RenderArguments& arguments)
+{
+    return {.name = "shutter",
+            .section = kAnimationSection,
+            .field = number_field(arguments.shutter, {0, kLongestShutter}, "FRAMES"),
+            .help = "Motion blur: for how many frames the shutter is open, half of them before the "
+                    "frame's moment; Blender's is 0.5",
+            .changes = Changes::scene,
+            .needs = "frames"};
+}
+
+std::vector<OptionRow> dissertation_rows(MapOptions& maps, RenderOptions& render)
+{
+    return {{.name = "maps",
+             .section = kDissertationSection,
+             .field = choice_field<MapMode>(maps.mode, kMapModes),
+             .help = "Photon maps: none (direct light and reflections only), global (one map), "
+                     "shared (one for each shared map of the partition), thesis (local maps too), "
+                     "hierarchical (shared, with local and group maps where they save time)",
+             .changes = Changes::passes},
+            {.name = "tiers",
+             .section = kDissertationSection,
+             .field = choice_field<TierChoice>(maps.tiers, kTierChoices),
+             .help = "Local and group maps of --maps hierarchical: those that save time, or all",
+             .changes = Changes::passes},
+            {.name = "tree",
+             .section = kDissertationSection,
+             .field = choice_field<TreeKind>(maps.tree, kTrees),
+             .help = "Tree of photons: wide, balanced (Jensen's kd-tree) or unbalanced (a kd-tree "
+                     "built by insertion)",
+             .changes = Changes::passes},
+            {.name = "estimate",
+             .section = kDissertationSection,
+             .field = choice_field<EstimateForm>(maps.estimate, kEstimates),
+             .help = "Irradiance from k photons: clipped (k-1 of them over the area visible from "
+                     "the point) or thesis (k over the whole disc)",
+             .changes = Changes::passes},
+            {.name = "irradiance",
+             .section = kDissertationSection,
+             .field = choice_field<GatheredIrradiance>(render.irradiance, kIrradiances),
+             .help = "Irradiance at the end of a final-gather ray: estimated there, or precomputed "
+                     "at a quarter of the photons (Christensen), which is off by some percent of "
+                     "indirect light and no faster",
+             .changes = Changes::passes},
+            {.name = "local-min",
+             .section = kDissertationSection,
+             .field = number_or_none_field(maps.local_min, kLocalMinOpen, {1, kMostPhotons}),
+             .help = "Fewest photons of a local map, M",
+             .unset = "10 k",
+             .changes = Changes::passes}};
+}
 
 std::string hex(std::uint64_t word)
 {
@@ -18,94 +314,72 @@ std::string hex(std::uint64_t word)
     return text;
 }
 
-/// The shortest text that is read back as the same number.
-std::string exactly(double value)
-{
-    char text[32];
-    return {text, std::to_chars(text, text + sizeof text, value).ptr};
-}
-
-/// name: with its sign of equality.
-template <typename Number>
-Number number_of(const std::vector<std::string>& settings, std::string_view name, Number otherwise)
-{
-    for (const std::string& setting : settings) {
-        Number number{};
-        if (setting.starts_with(name) &&
-            std::from_chars(setting.data() + name.size(), setting.data() + setting.size(), number)
-                    .ec == std::errc())
-            return number;
-    }
-    return otherwise;
-}
-
 } // namespace
 
-const char* name_of(MapMode mode)
+std::vector<OptionRow> option_rows(RenderArguments& arguments)
 {
-    static const char* const kNames[] = {"none", "global", "shared", "thesis", "hierarchical"};
-    return kNames[static_cast<int>(mode)];
+    std::vector<OptionRow> rows = output_rows(arguments, false);
+    append_rows(rows, image_rows(arguments));
+    append_rows(rows, method_rows(arguments));
+    append_rows(rows, end_rows(arguments));
+    append_rows(rows, effect_rows(arguments));
+    append_rows(rows, scene_rows(arguments.scene_options, arguments.sky));
+    append_rows(rows, frame_rows(arguments.frames));
+    rows.push_back(shutter_row(arguments));
+    append_rows(rows, speed_rows(arguments));
+    append_rows(rows, dissertation_rows(arguments.render.maps, arguments.render));
+    return rows;
 }
 
-const char* name_of(TreeKind tree)
+std::vector<OptionRow> option_rows(MergeArguments& arguments)
 {
-    static const char* const kNames[] = {"wide", "balanced", "unbalanced"};
-    return kNames[static_cast<int>(tree)];
+    std::vector<OptionRow> rows = output_rows(arguments, true);
+    rows.push_back({.name = "state",
+                    .section = kFilesSection,
+                    .field = file_field(arguments.state),
+                    .help = "Write all passes as one state"});
+    return rows;
 }
 
-const char* name_of(Integrator integrator)
+void add_arguments(CLI::App& app, RenderArguments& arguments)
 {
-    static const char* const kNames[] = {"direct", "path", "progressive"};
-    return kNames[static_cast<int>(integrator)];
+    app.add_option("SCENE", arguments.scene, "Scene: .glb, .gltf or .obj")->required();
+    app.add_option("PARTITION", arguments.partition,
+                   "Partition of that scene (.hpm), by preprocess")
+        ->required();
+    add_options(app, option_rows(arguments));
 }
 
-const char* name_of(GatheredIrradiance irradiance)
+void add_arguments(CLI::App& app, MergeArguments& arguments)
 {
-    return irradiance == GatheredIrradiance::precomputed ? "precomputed" : "estimated";
+    app.add_option("STATE", arguments.states, "States of renders of one image")->required();
+    add_options(app, option_rows(arguments));
 }
 
-const char* name_of(PixelFilter filter)
+std::vector<Setting> values_of(const RenderArguments& arguments)
 {
-    return filter == PixelFilter::box ? "box" : "b-spline";
+    RenderArguments copy = arguments; // rows are bound to what may be changed
+    std::vector<Setting> out;
+    for (const OptionRow& row : option_rows(copy))
+        if (row.field.value)
+            out.push_back({row.name, row.field.value()});
+    return out;
 }
 
-std::vector<std::string> settings_of(const RenderOptions& options, const Scene& scene,
-                                     const Partition& partition, const SkyPicture& sky)
+std::vector<Setting> settings_of(const RenderArguments& arguments, const Scene& scene,
+                                 const Partition& partition, const SkyPicture& sky)
 {
-    const auto& [integrator, width, height, maps, direct, photons, samples, seed, light, irradiance,
-                 alpha, filter] = options;
-    const auto& [mode, neighbours, local_min, estimate, tiers, directions, tree] = maps;
     const Fingerprint content = content_fingerprint(scene);
-    return {"scene=" + hex(content.words[0]) + hex(content.words[1]),
-            "sky=" + (sky.empty() ? "plain" : hex(checksum(sky))),
-            "partition=" + hex(partition_checksum(partition)),
-            "size=" + std::to_string(width) + "x" + std::to_string(height),
-            std::string("integrator=") + name_of(integrator),
-            std::string("maps=") + name_of(mode),
-            std::string("estimate=") + (estimate == EstimateForm::thesis ? "thesis" : "clipped"),
-            std::string("tiers=") + (tiers == TierChoice::all ? "all" : "paying"),
-            std::string("tree=") + name_of(tree),
-            std::string("direct=") + (direct == DirectLight::photons ? "photons" : "shadow-rays"),
-            "photons=" + std::to_string(photons),
-            "neighbours=" + std::to_string(neighbours),
-            "local-min=" + std::to_string(local_min),
-            "samples=" + std::to_string(samples),
-            "seed=" + std::to_string(seed),
-            std::string("caustics=") + (light.caustic ? "on" : "off"),
-            std::string("indirect=") + (light.indirect ? "on" : "off"),
-            std::string("irradiance=") + name_of(irradiance),
-            "alpha=" + exactly(alpha),
-            std::string("filter=") + name_of(filter)};
-}
-
-std::uint64_t photons_of(const std::vector<std::string>& settings)
-{
-    return number_of(settings, "photons=", std::uint64_t{0});
-}
-
-double alpha_of(const std::vector<std::string>& settings)
-{
-    return number_of(settings, "alpha=", RenderOptions().alpha);
+    std::vector<Setting> out = {{"scene", hex(content.words[0]) + hex(content.words[1])},
+                                {"sky", sky.empty() ? "plain" : hex(checksum(sky))},
+                                {"partition", hex(partition_checksum(partition))},
+                                {"caustics", arguments.render.light.caustic},
+                                {"indirect", arguments.render.light.indirect}};
+    RenderArguments copy = arguments; // rows are bound to what may be changed
+    for (const OptionRow& row : option_rows(copy))
+        if (row.changes == Changes::passes)
+            out.push_back({row.name, row.field.value()});
+    return out;
 }
 
 } // namespace hipmap

@@ -1,31 +1,30 @@
 #pragma once
 
+#include "common/command_line/option_table.h"
 #include "common/partition/partition.h"
 #include "render/options.h"
 #include "render/shading/sky_picture.h"
 
-#include <string>
-#include <vector>
-
 namespace hipmap {
 
-/// All that the passes of a render depend on but their number, each as "name=value": states of the
-/// same settings hold passes of one image.  Names as on the command line; scene, partition
-/// and sky by hash.  Cost: linear in the scene.
-std::vector<std::string> settings_of(const RenderOptions& options, const Scene& scene,
-                                     const Partition& partition, const SkyPicture& sky);
+/// Every option of `render`, bound to `arguments`, which must outlive the rows.  The values at
+/// first are the defaults.
+std::vector<OptionRow> option_rows(RenderArguments& arguments);
 
-/// Light paths a pass, by such settings; 0: they do not say.
-std::uint64_t photons_of(const std::vector<std::string>& settings);
+/// Every option of `render merge`, bound to `arguments`.
+std::vector<OptionRow> option_rows(MergeArguments& arguments);
 
-/// How slowly radii shrink, by such settings; the default: they do not say.
-double alpha_of(const std::vector<std::string>& settings);
+/// The command lines of `render` and `render merge`: the files to read, and the options.
+void add_arguments(CLI::App& app, RenderArguments& arguments);
+void add_arguments(CLI::App& app, MergeArguments& arguments);
 
-/// Names of choices, as on the command line.
-const char* name_of(MapMode mode);
-const char* name_of(TreeKind tree);
-const char* name_of(Integrator integrator);
-const char* name_of(GatheredIrradiance irradiance);
-const char* name_of(PixelFilter filter);
+/// The value of every option but the names of files, in the order of the table.
+std::vector<Setting> values_of(const RenderArguments& arguments);
+
+/// All that the passes of a render depend on but their number: states of the same settings hold
+/// passes of one image.  Scene, partition and sky are hashes; options that only change these are
+/// left out.  arguments: of a frame, completed.  Cost: linear in the scene.
+std::vector<Setting> settings_of(const RenderArguments& arguments, const Scene& scene,
+                                 const Partition& partition, const SkyPicture& sky);
 
 } // namespace hipmap

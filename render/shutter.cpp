@@ -72,10 +72,10 @@ ShutterMotion find_motion(const Scene& still, const ShutterTime& shutter,
             contents[i] = content_fingerprint(now);
     }
     char text[96];
-    std::snprintf(text, sizeof text, "shutter=%.17g+%.17g s, %016llx to %016llx", shutter.open,
+    std::snprintf(text, sizeof text, "%.17g+%.17g s, %016llx to %016llx", shutter.open,
                   shutter.seconds, static_cast<unsigned long long>(contents.front().words[0]),
                   static_cast<unsigned long long>(contents.back().words[0]));
-    out.setting = text;
+    out.setting = {"shutter", text};
     return out;
 }
 

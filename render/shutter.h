@@ -1,6 +1,7 @@
 #pragma once
 
 #include "common/scene/load_scene.h"
+#include "common/setting.h"
 #include "render/options.h"
 
 #include <functional>
@@ -23,7 +24,7 @@ struct ShutterMotion {
     /// The names of objects, lamps and the camera that are not where they are at the moment of the
     /// frame at some of five moments from the shutter's opening to its closing.
     std::vector<std::string> names;
-    std::string setting; ///< what a state says of it, besides what settings_of does
+    Setting setting; ///< for a state, besides settings_of
 };
 
 /// still: at the moment of the frame.  Loads the five moments, or nothing if the shutter is shut.

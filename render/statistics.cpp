@@ -59,28 +59,26 @@ Json rgb_json(const glm::dvec3& value)
     return {value.x, value.y, value.z};
 }
 
-Json options_json(const RenderArguments& arguments, const Scene& scene)
+/// A number, a text or null.
+struct JsonOf {
+    Json operator()(std::monostate) const { return {}; }
+    template <typename Value>
+    Json operator()(const Value& value) const
+    {
+        return value;
+    }
+};
+
+/// By name; in statistics an underscore stands for the hyphen of the command line.
+Json settings_json(const std::vector<Setting>& settings)
 {
-    const RenderOptions& options = arguments.render;
-    const StopRules& stops = arguments.stops;
-    return {{"maps", name_of(options.maps.mode)},
-            {"tree", name_of(options.maps.tree)},
-            {"estimate", options.maps.estimate == EstimateForm::thesis ? "thesis" : "clipped"},
-            {"integrator", name_of(options.integrator)},
-            {"direct", options.direct == DirectLight::photons ? "photons" : "shadow-rays"},
-            {"diffuse", scene.diffuse_model == DiffuseModel::burley ? "burley" : "lambert"},
-            {"energy_compensation", arguments.energy_compensation},
-            {"photons", options.photons},
-            {"neighbours", options.maps.neighbours},
-            {"local_min", options.maps.local_min},
-            {"passes", stops.passes < kMostPasses ? Json(stops.passes) : Json()},
-            {"time", std::isfinite(stops.seconds) ? Json(stops.seconds) : Json()},
-            {"error", stops.error > 0 ? Json(stops.error) : Json()},
-            {"first_pass", stops.first_pass},
-            {"samples", options.samples},
-            {"irradiance", name_of(options.irradiance)},
-            {"filter", name_of(options.filter)},
-            {"seed", options.seed}};
+    Json json = Json::object();
+    for (const Setting& setting : settings) {
+        std::string name = setting.name;
+        std::replace(name.begin(), name.end(), '-', '_');
+        json[name] = std::visit(JsonOf(), setting.value);
+    }
+    return json;
 }
 
 Json seconds_json(const RenderStatistics& render, const RunStatistics& run)
@@ -130,7 +128,7 @@ Json error_json(const RenderState& state, double target)
                           {"passes", price.passes},
                           {"seconds", price.seconds},
                           {"photons", price.photons}});
-    const ErrorLaw law = error_law(state.checks, alpha_of(state.settings));
+    const ErrorLaw law = error_law(state.checks, state.radius_decay);
     return {{"bias", kBias[static_cast<int>(state.film.bias)]},
             {"checks", checks},
             {"law",
@@ -210,7 +208,7 @@ std::string statistics_json(const RenderArguments& arguments, const Scene& scene
     json["audit"] = audit_json(run.audit);
     json["image"] = image_json(options.width, options.height, arguments.images, run.exposure_ev);
     json["pictures"] = pictures_json(run);
-    json["options"] = options_json(arguments, scene);
+    json["options"] = settings_json(values_of(arguments));
     json["effects"] = effects_json(run.effects);
     json["passes_done"] = count(state.film.passes);
     json["ended_by"] = ended_by(run.ended_by);
@@ -237,11 +235,7 @@ std::string merged_statistics_json(const MergeArguments& arguments, const Render
     json["version"] = HIPMAP_VERSION;
     for (const std::filesystem::path& file : arguments.states)
         json["states"].push_back(file.string());
-    for (const std::string& setting : state.settings) {
-        const std::size_t sign = setting.find('=');
-        const bool has_value = sign != std::string::npos;
-        json["settings"][setting.substr(0, sign)] = has_value ? setting.substr(sign + 1) : "";
-    }
+    json["settings"] = settings_json(state.settings);
     json["image"] =
         image_json(state.film.width, state.film.height, arguments.images, run.exposure_ev);
     json["pictures"] = pictures_json(run);

@@ -30,21 +30,33 @@ void parse_frames(const std::string& text, FrameOptions& frames)
         throw CLI::ValidationError("--frames", "'" + text + "' ends before it begins");
 }
 
+SettingValue value_of(const FrameOptions& frames)
+{
+    if (!frames.asked())
+        return {};
+    const std::string first = std::to_string(frames.first);
+    return frames.last == frames.first ? first : first + ":" + std::to_string(frames.last);
+}
+
 } // namespace
 
-void add_frame_arguments(CLI::App& app, FrameOptions& frames)
+std::vector<OptionRow> frame_rows(FrameOptions& frames)
 {
-    CLI::Option* const range =
-        app.add_option_function<std::string>(
-               "--frames", [&frames](const std::string& text) { parse_frames(text, frames); },
-               "Frames of the file's animation, first and last or one alone; each has files of its "
-               "own, OUT.png as OUT.0001.png and FILE.hpm as FILE.0001.hpm [none: the scene as it "
-               "stands in the file]")
-            ->type_name("A:B");
-    app.add_option("--fps", frames.fps, "Frames a second; frame F is at F / FPS seconds [24]")
-        ->check(finite_in(kLeastFps, kMostFps))
-        ->needs(range)
-        ->type_name("FPS");
+    return {
+        {.name = "frames",
+         .section = kAnimationSection,
+         .field = parsed_field([&frames](const std::string& text) { parse_frames(text, frames); },
+                               [&frames] { return value_of(frames); }, "A:B"),
+         .help = "Frames of the file's animation, first and last or a single one; each has "
+                 "files of its own: OUT.0001.png for OUT.png, FILE.0001.hpm for FILE.hpm",
+         .unset = "none: the scene as it stands in the file",
+         .changes = Changes::scene},
+        {.name = "fps",
+         .section = kAnimationSection,
+         .field = number_field(frames.fps, {kLeastFps, kMostFps}, "FPS"),
+         .help = "Frames a second; frame F is at F / FPS seconds",
+         .changes = Changes::scene,
+         .needs = "frames"}};
 }
 
 std::filesystem::path frame_path(const std::filesystem::path& path, int frame)

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "common/command_line/command_line.h"
+#include "common/command_line/option_table.h"
 #include "common/scene/load_scene.h"
 
 #include <filesystem>
@@ -16,8 +16,8 @@ struct FrameOptions {
     bool asked() const { return first >= 0; }
 };
 
-/// --frames and --fps, into `frames`, which must outlive the parsing.
-void add_frame_arguments(CLI::App& app, FrameOptions& frames);
+/// --frames and --fps, bound to `frames`.
+std::vector<OptionRow> frame_rows(FrameOptions& frames);
 
 /// The file that belongs to a frame: "out.png" of frame 3 is "out.0003.png".  Empty stays empty.
 std::filesystem::path frame_path(const std::filesystem::path& path, int frame);

@@ -1,52 +1,81 @@
 #include "common/command_line/scene_arguments.h"
 
-#include <map>
-
 namespace hipmap {
 
 namespace {
 
-const std::map<std::string, LightUnits> kLightUnits = {
+constexpr Choice<LightUnits> kLightUnits[] = {
     {"spec", LightUnits::spec}, {"compat", LightUnits::compat}, {"raw", LightUnits::raw}};
 
 constexpr double kMostRadiance = 1e12;
+constexpr double kMostThreads = 4096;
+
+void parse_environment(const std::string& text, SceneOptions& options, SkyOptions& sky)
+{
+    double radiance = 0;
+    const bool is_number = CLI::detail::lexical_cast(text, radiance);
+    if (is_number && !(radiance >= 0 && radiance <= kMostRadiance))
+        throw CLI::ValidationError("--environment", text + " is no radiance from 0 to 1e12");
+    sky.picture = is_number ? "" : text;
+    // With an environment map, the loader must not take the scene for one without light.
+    options.environment = Rgb(is_number ? static_cast<float>(radiance) : 1.0f);
+}
+
+SettingValue environment_of(const SceneOptions& options, const SkyOptions& sky)
+{
+    if (!sky.picture.empty())
+        return sky.picture;
+    return options.environment ? SettingValue(double{options.environment->x}) : SettingValue();
+}
+
+OptionRow environment_row(SceneOptions& options, SkyOptions& sky)
+{
+    return {.name = "environment",
+            .section = kSceneSection,
+            .field = parsed_field(
+                [&](const std::string& text) { parse_environment(text, options, sky); },
+                [&] { return environment_of(options, sky); }, "RADIANCE|FILE"),
+            .help = "Radiance of a uniform sky, W/(m2 sr), or an environment map by longitude and "
+                    "latitude, .hdr, .exr or .pfm",
+            .unset = "none; 1 if the scene has no light at all",
+            .changes = Changes::scene};
+}
 
 } // namespace
 
-void add_scene_arguments(CLI::App& app, SceneOptions& options, SkyOptions& sky)
+std::vector<OptionRow> scene_rows(SceneOptions& options, SkyOptions& sky)
 {
-    app.add_option("--camera", options.camera, "Camera to use, by name [the first in the file]")
-        ->type_name("NAME");
-    app.add_option_function<std::string>(
-           "--light-units",
-           [&options](const std::string& name) { options.light_units = kLightUnits.at(name); },
-           "What the file's lamp numbers mean: spec (Blender's Standard), compat (Unitless) or "
-           "raw [spec]")
-        ->check(CLI::IsMember(kLightUnits))
-        ->type_name("UNITS");
-    app.add_option_function<std::string>(
-           "--environment",
-           [&options, &sky](const std::string& text) {
-               double radiance = 0;
-               const bool is_number = CLI::detail::lexical_cast(text, radiance);
-               if (is_number && !(radiance >= 0 && radiance <= kMostRadiance))
-                   throw CLI::ValidationError("--environment",
-                                              text + " is no radiance from 0 to 1e12");
-               sky.picture = is_number ? "" : text;
-               // With a picture, what is told of a scene without light does not hold.
-               options.environment = Rgb(is_number ? static_cast<float>(radiance) : 1.0f);
-           },
-           "Radiance of a uniform sky, W/(m2 sr), or a picture of it by longitude and latitude, "
-           ".hdr, .exr or .pfm [none; 1 if the scene has no light at all]")
-        ->type_name("RADIANCE|FILE");
-    app.add_option(
-           "--environment-turn", sky.turn_deg,
-           "Degrees that the picture of the sky is turned, counter-clockwise from above [0]")
-        ->check(finite_in(-360, 360))
-        ->type_name("DEG");
-    app.add_option("--exclude", options.exclude, "Leave out the objects of this name; repeatable")
-        ->allow_extra_args(false)
-        ->type_name("NAME");
+    return {{.name = "camera",
+             .section = kSceneSection,
+             .field = text_field(options.camera, "NAME"),
+             .help = "Camera to use, by name",
+             .unset = "the first in the file",
+             .changes = Changes::scene},
+            {.name = "light-units",
+             .section = kSceneSection,
+             .field = choice_field<LightUnits>(options.light_units, kLightUnits, "UNITS"),
+             .help = "Units of the file's light intensities: spec (Blender's Standard), compat "
+                     "(Unitless) or raw",
+             .changes = Changes::scene},
+            environment_row(options, sky),
+            {.name = "environment-turn",
+             .section = kSceneSection,
+             .field = number_field(sky.turn_deg, {-360, 360}, "DEG"),
+             .help = "Degrees by which the environment map is turned, counter-clockwise from above",
+             .changes = Changes::scene},
+            {.name = "exclude",
+             .section = kSceneSection,
+             .field = texts_field(options.exclude, "NAME"),
+             .help = "Leave out the objects of this name; repeatable",
+             .changes = Changes::scene}};
+}
+
+OptionRow threads_row(unsigned& threads)
+{
+    return {.name = "threads",
+            .section = kRunSection,
+            .field = number_field(threads, {0, kMostThreads}),
+            .help = "Threads; 0: all cores"};
 }
 
 } // namespace hipmap

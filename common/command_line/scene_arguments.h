@@ -1,6 +1,6 @@
 #pragma once
 
-#include "common/command_line/command_line.h"
+#include "common/command_line/option_table.h"
 #include "common/scene/load_scene.h"
 
 namespace hipmap {
@@ -11,9 +11,10 @@ struct SkyOptions {
     double turn_deg = 0.0; ///< of any picture, about +y, counter-clockwise from above
 };
 
-/// The options that both tools give to load_scene.
-/// --camera --light-units --environment --environment-turn --exclude, into `options` and `sky`,
-/// which must outlive the parsing.
-void add_scene_arguments(CLI::App& app, SceneOptions& options, SkyOptions& sky);
+/// The options that both tools give to load_scene, bound to `options` and `sky`.
+std::vector<OptionRow> scene_rows(SceneOptions& options, SkyOptions& sky);
+
+/// --threads, bound to `threads`.
+OptionRow threads_row(unsigned& threads);
 
 } // namespace hipmap

@@ -97,6 +97,14 @@ std::string_view name_of(Effect effect)
     return kRows[static_cast<std::size_t>(effect)].name;
 }
 
+std::string text_of(const std::vector<EffectSwitch>& switches)
+{
+    std::string out;
+    for (const EffectSwitch& one : switches)
+        out.append(out.empty() ? "" : ",").append(one.on ? "+" : "-").append(name_of(one.effect));
+    return out;
+}
+
 std::vector<EffectSwitch> parse_effect_switches(std::string_view text)
 {
     std::vector<EffectSwitch> out;

@@ -52,6 +52,9 @@ struct EffectSwitch {
 /// without + or -, one that cannot be left out.
 std::vector<EffectSwitch> parse_effect_switches(std::string_view text);
 
+/// What parse_effect_switches reads: "-caustics,+textures".
+std::string text_of(const std::vector<EffectSwitch>& switches);
+
 /// What the plan depends on besides the scene.
 struct EffectOptions {
     std::vector<EffectSwitch> switches; ///< later ones win

@@ -3,6 +3,7 @@
 #include "common/file/output_file.h"
 #include "common/input_error.h"
 #include "render/film/state_bytes.h"
+#include "render/film/state_settings.h"
 
 #include <algorithm>
 
@@ -10,8 +11,7 @@ namespace hipmap {
 
 namespace {
 
-constexpr std::uint32_t kVersion = 3;
-constexpr std::uint64_t kMostSettings = 1000;
+constexpr std::uint32_t kVersion = 4;
 constexpr int kMostSide = 65536;
 /// Of any float, the exponent of its mean.
 constexpr int kMostScale = 200;
@@ -128,15 +128,10 @@ ErrorCheck get_check(StateReader& in)
 RenderState unpack(StateReader& in)
 {
     RenderState state;
-    const auto settings = in.get<std::uint64_t>();
-    in.require(settings <= kMostSettings, "number of settings");
-    for (std::uint64_t i = 0; i < settings; ++i) {
-        const std::vector<char> text = in.get_array<char>();
-        in.require(
-            std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c <= '~'; }),
-            "setting");
-        state.settings.emplace_back(text.begin(), text.end());
-    }
+    state.settings = get_settings(in);
+    state.photons_per_pass = in.get<std::uint64_t>();
+    state.radius_decay = in.get<double>();
+    in.require(state.radius_decay > 0 && state.radius_decay < 1, "radius decay");
     state.film = get_film(in);
     const auto checks = in.get<std::uint64_t>();
     in.require(checks <= kMostPasses, "number of checks");
@@ -177,9 +172,9 @@ void look_at_error(RenderState& state)
 void write_state(const std::filesystem::path& path, const RenderState& state)
 {
     StateWriter out(kVersion);
-    out.put(static_cast<std::uint64_t>(state.settings.size()));
-    for (const std::string& setting : state.settings)
-        out.put_array(std::vector<char>(setting.begin(), setting.end()));
+    put_settings(out, state.settings);
+    out.put(state.photons_per_pass);
+    out.put(state.radius_decay);
     put_film(out, state.film);
     out.put(static_cast<std::uint64_t>(state.checks.size()));
     for (const ErrorCheck& check : state.checks)
@@ -195,12 +190,12 @@ RenderState read_state(const std::filesystem::path& path)
     return unpack(in);
 }
 
-void check_settings(const std::filesystem::path& path, const std::vector<std::string>& found,
-                    const std::vector<std::string>& wanted)
+void check_settings(const std::filesystem::path& path, const std::vector<Setting>& found,
+                    const std::vector<Setting>& wanted)
 {
     for (std::size_t i = 0; i < std::max(found.size(), wanted.size()); ++i) {
-        const std::string has = i < found.size() ? found[i] : "nothing";
-        const std::string wants = i < wanted.size() ? wanted[i] : "nothing";
+        const std::string has = i < found.size() ? text_of(found[i]) : "nothing";
+        const std::string wants = i < wanted.size() ? text_of(wanted[i]) : "nothing";
         if (has != wants)
             throw InputError(path.string() + ": holds passes with " + has + ", not " + wants +
                              "; use the scene and options it was begun with, or another file");

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "common/setting.h"
 #include "render/film/price.h"
 
 #include <filesystem>
@@ -9,9 +10,11 @@ namespace hipmap {
 
 /// All that a render can be gone on with, or merged with others; docs/error.md.
 struct RenderState {
-    /// What makes its passes, each as "name=value": scene, partition, options.  States that differ
-    /// in one hold passes of different images.
-    std::vector<std::string> settings;
+    /// What makes its passes: scene, partition, options.  States that differ in one hold passes of
+    /// different images.
+    std::vector<Setting> settings;
+    std::uint64_t photons_per_pass = 0; ///< light paths; prices count them
+    double radius_decay = 2.0 / 3;      ///< alpha of docs/error.md (1), by which prices extrapolate
     Film film;
     std::vector<ErrorCheck> checks; ///< by passes, each of so many of the film's first
     double seconds = 0;             ///< spent on its passes
@@ -30,8 +33,8 @@ void write_state(const std::filesystem::path& path, const RenderState& state);
 RenderState read_state(const std::filesystem::path& path);
 
 /// Throws InputError, naming `path` and the first setting that differs, unless both are the same.
-void check_settings(const std::filesystem::path& path, const std::vector<std::string>& found,
-                    const std::vector<std::string>& wanted);
+void check_settings(const std::filesystem::path& path, const std::vector<Setting>& found,
+                    const std::vector<Setting>& wanted);
 
 /// Adds the passes of `from`, read from `path`, to those of `into`: the same bits in any order of
 /// merging.  Of their checks those stay that are of the merged film's first passes.  Throws

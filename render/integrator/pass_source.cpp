@@ -104,6 +104,7 @@ PassSource make_pass_source(const RenderScene& scene, const RenderOptions& optio
     PassSource source;
     source.width = options.width;
     source.height = options.height;
+    source.photons = options.photons;
     source.pilot_mean = pilot_mean(scene, *surfaces, options);
     source.bias =
         options.integrator == Integrator::path ? BiasKnowledge::unbiased : BiasKnowledge::unknown;

@@ -28,7 +28,8 @@ struct PassSource {
     double pilot_mean = 0;
     std::uint64_t allotment = 0; ///< checksum of the samples of each pixel; 0: the same of all
     BiasKnowledge bias = BiasKnowledge::unknown;
-    double alpha = 2.0 / 3; ///< how slowly radii shrink, docs/error.md (1)
+    double alpha = 2.0 / 3;    ///< how slowly radii shrink, docs/error.md (1)
+    std::uint64_t photons = 0; ///< light paths of a pass
     /// Makes pass `pass`: the same images whenever it is asked for, at any thread count.  Runs on
     /// all threads by itself and is called for one pass at a time.
     std::function<RenderedPass(std::uint64_t pass, const PassControl& control)> render;

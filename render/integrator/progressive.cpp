@@ -189,6 +189,7 @@ PassSource make_progressive_source(const RenderScene& scene, const RenderOptions
     source.height = options.height;
     source.pilot_mean = render_pilot({scene, *surfaces}, options, *shared);
     source.alpha = options.alpha;
+    source.photons = options.photons;
     source.allotment = checksum(shared->allotment);
     source.bias = precomputes(scene, options) ? BiasKnowledge::unknown : BiasKnowledge::from_radii;
     source.render = [&scene, &options, &statistics, surfaces, shared](std::uint64_t pass,

@@ -143,10 +143,12 @@ class Run {
 
 } // namespace
 
-RenderState begin_state(const PassSource& source, std::vector<std::string> settings)
+RenderState begin_state(const PassSource& source, std::vector<Setting> settings)
 {
     RenderState state;
     state.settings = std::move(settings);
+    state.photons_per_pass = source.photons;
+    state.radius_decay = source.alpha;
     state.film = make_film(source.width, source.height, source.pilot_mean, source.bias);
     state.film.allotment = source.allotment;
     return state;

@@ -43,7 +43,7 @@ struct RunResult {
 };
 
 /// A state without passes, for a new render.
-RenderState begin_state(const PassSource& source, std::vector<std::string> settings);
+RenderState begin_state(const PassSource& source, std::vector<Setting> settings);
 
 /// Adds passes to the state, in order of their number, those it holds already left out, until a
 /// rule or the caller says stop.  The same state is reached by one run or by many.  The last look

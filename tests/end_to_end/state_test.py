@@ -114,12 +114,14 @@ class State(ToolsTestCase):
         self.refuse("render", "merge", *image, naming="STATE")
         self.refuse_render("--state", states[0], "--seed", 1, naming="seed=0")
         self.refuse_render("--state", states[0], "--exclude", "Block", naming="")
-        self.refuse_render("--state", states[0], "--environment", "1", naming="scene=")
+        for option in (("--environment", "1"), ("--energy-compensation",), ("--diffuse", "lambert")):
+            self.refuse_render("--state", states[0], *option, naming="scene=")
+        self.refuse_render("--state", states[0], "--effects", "-caustics", naming="caustics=")
 
     def look_into_merged_statistics(self, stats):
         self.assertEqual(stats["command"][:2], ["render", "merge"])
         self.assertEqual(stats["passes_done"], 12)
-        self.assertEqual(stats["settings"]["photons"], "3000")
+        self.assertEqual(stats["settings"]["photons"], 3000)
         self.assertEqual((stats["image"]["width"], len(stats["states"])), (16, 3))
         checks = stats["error"]["checks"]
         self.assertEqual([check["passes"] for check in checks], [2, 3, 4, 12])

@@ -17,7 +17,7 @@ PreprocessArguments parse(const std::string& line)
 {
     PreprocessArguments arguments;
     CLI::App app("", "preprocess");
-    add_preprocess_arguments(app, arguments);
+    add_arguments(app, arguments);
     app.parse(line);
     return arguments;
 }

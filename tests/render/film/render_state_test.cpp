@@ -18,7 +18,13 @@ RenderState state_of(std::uint64_t first, std::uint64_t end, bool radii = true)
     passes.side = 6;
     passes.radii = radii;
     RenderState state;
-    state.settings = {"scene=0123", "photons=1000"};
+    state.settings = {{"scene", "0123"},
+                      {"photons", std::uint64_t{1000}},
+                      {"alpha", 0.5},
+                      {"caustics", true},
+                      {"sky", {}}};
+    state.photons_per_pass = 1000;
+    state.radius_decay = 0.5;
     state.film = make_film(6, 6, 1, radii ? BiasKnowledge::from_radii : BiasKnowledge::unbiased);
     for (std::uint64_t pass = first; pass < end; ++pass) {
         PassImages images = passes.pass(pass);
@@ -102,7 +108,12 @@ TEST_CASE("render state: values no render writes are refused, though the checksu
         [](RenderState& state) { state.film.lost[36 * kBatches] = 1; },
         [](RenderState& state) { state.film.lost[2] = 100; },
         [](RenderState& state) { state.film.lost[2] = 0; },
-        [](RenderState& state) { state.settings[0] = "scene=\n"; },
+        [](RenderState& state) { state.settings[0].name = "scene\n"; },
+        [](RenderState& state) { state.settings[0].value = "0123\n"; },
+        [](RenderState& state) { state.settings[2].value = std::nan(""); },
+        [](RenderState& state) { state.radius_decay = 0; },
+        [](RenderState& state) { state.radius_decay = 1; },
+        [](RenderState& state) { state.radius_decay = std::nan(""); },
         [](RenderState& state) { state.seconds = -1; },
         [](RenderState& state) { state.checks[0].passes = 0; },
         [](RenderState& state) { state.checks[0].error.error = std::nan(""); },
@@ -160,10 +171,10 @@ TEST_CASE("render state: overlapping passes and other settings do not merge", "[
     CHECK_THAT(refusal([&] { merge_state(state, state_of(4, 6), "b.state"); }),
                Catch::Contains("b.state") && Catch::Contains("pass 4"));
     RenderState other = state_of(5, 6);
-    other.settings[1] = "photons=2000";
+    other.settings[1].value = std::uint64_t{2000};
     CHECK_THAT(refusal([&] { merge_state(state, other, "b.state"); }),
                Catch::Contains("photons=2000") && Catch::Contains("photons=1000"));
-    other.settings.pop_back();
+    other.settings.resize(1);
     CHECK_THAT(refusal([&] { merge_state(state, other, "b.state"); }),
                Catch::Contains("photons=1000"));
     other = state_of(5, 6);

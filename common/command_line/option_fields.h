@@ -1,0 +1,119 @@
+#pragma once
+
+#include "common/command_line/choice.h"
+#include "common/command_line/command_line.h"
+#include "common/setting.h"
+
+#include <filesystem>
+
+namespace hipmap {
+
+/// How the text after an option becomes the value of a field, and how the value is read again.  The
+/// field that it was made with must outlive it.
+struct OptionField {
+    /// Adds the option to a command line.
+    std::function<CLI::Option*(CLI::App&, const std::string& flags)> add;
+    std::function<SettingValue()> value; ///< of the field, now; empty: a file, which is no setting
+    std::string placeholder;             ///< "N"; empty: a flag
+    std::string values = {};             ///< "1 to 65536", "box, b-spline"; empty: any
+    std::vector<std::string> names = {}; ///< of a choice
+};
+
+/// Inclusive.
+struct NumberRange {
+    double low;
+    double high;
+};
+
+/// "box, b-spline".
+std::string joined(const std::vector<std::string>& names);
+
+/// What stands in the table for a range: "1 to 65536".
+std::string text_of(NumberRange range);
+
+/// A whole number is std::uint64_t, another one double.
+template <typename Number>
+SettingValue number_value(Number number)
+{
+    if constexpr (std::is_floating_point_v<Number>)
+        return static_cast<double>(number);
+    else
+        return static_cast<std::uint64_t>(number);
+}
+
+template <typename Number>
+SettingValue number_value(const std::optional<Number>& number)
+{
+    return number ? number_value(*number) : SettingValue();
+}
+
+/// A number, which may be a std::optional one.
+template <typename Number>
+OptionField number_field(Number& into, NumberRange range, std::string placeholder = "N")
+{
+    return {.add =
+                [&into, range](CLI::App& app, const std::string& flags) {
+                    return app.add_option(flags, into)->check(finite_in(range.low, range.high));
+                },
+            .value = [&into] { return number_value(into); },
+            .placeholder = std::move(placeholder),
+            .values = text_of(range)};
+}
+
+/// A number whose field holds `none` while it is not given.
+template <typename Number>
+OptionField number_or_none_field(Number& into, Number none, NumberRange range,
+                                 std::string placeholder = "N")
+{
+    OptionField out = number_field(into, range, std::move(placeholder));
+    out.value = [&into, none] { return into == none ? SettingValue() : number_value(into); };
+    return out;
+}
+
+/// Any number that fits the field.
+OptionField seed_field(std::uint64_t& into);
+
+/// One of `choices`, which must outlive the field.
+template <typename Value>
+OptionField choice_field(Value& into, std::span<const Choice<Value>> choices,
+                         std::string placeholder = "NAME")
+{
+    std::vector<std::string> names;
+    for (const Choice<Value>& choice : choices)
+        names.emplace_back(choice.name);
+    OptionField out = {.add = {}, .value = {}, .placeholder = std::move(placeholder)};
+    out.add = [&into, choices, names](CLI::App& app, const std::string& flags) {
+        const auto set = [&into, choices](const std::string& name) {
+            into = value_of(choices, name);
+        };
+        return app.add_option_function<std::string>(flags, set)->check(CLI::IsMember(names));
+    };
+    out.value = [&into, choices] { return SettingValue(std::string(name_of(choices, into))); };
+    out.values = joined(names);
+    out.names = std::move(names);
+    return out;
+}
+
+/// True once given.
+OptionField flag_field(bool& into);
+
+/// Text; none while it is empty.
+OptionField text_field(std::string& into, std::string placeholder);
+
+/// Text that may be given several times; its value is all of it, with commas between.
+OptionField texts_field(std::vector<std::string>& into, std::string placeholder);
+
+/// A file or folder.
+OptionField file_field(std::filesystem::path& into, std::string placeholder = "FILE");
+
+/// Files, each given by an option of its own.
+OptionField files_field(std::vector<std::filesystem::path>& into);
+
+/// A width and height in pixels, or a width alone.
+OptionField size_field(PictureSize& into);
+
+/// Text that `parse` reads; it throws CLI::ValidationError or InputError if it is wrong.
+OptionField parsed_field(std::function<void(const std::string&)> parse,
+                         std::function<SettingValue()> value, std::string placeholder);
+
+} // namespace hipmap

@@ -1,0 +1,112 @@
+#include "common/command_line/option_table.h"
+
+#include <algorithm>
+
+namespace hipmap {
+
+namespace {
+
+/// As in the table, but short: 0.666667.
+struct ShortText {
+    template <typename Value>
+    std::string operator()(const Value& value) const
+    {
+        return text_of(SettingValue(value));
+    }
+    std::string operator()(double number) const
+    {
+        std::ostringstream text;
+        text << number;
+        return text.str();
+    }
+};
+
+std::string flags_of(const OptionRow& row)
+{
+    return row.flags.empty() ? "--" + row.name : row.flags;
+}
+
+std::string help_of(const OptionRow& row)
+{
+    const std::string preset = default_text(row);
+    return preset.empty() ? row.help : row.help + " [" + preset + "]";
+}
+
+/// A cell of a table in Markdown.
+std::string cell(std::string text)
+{
+    for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2)
+        text.insert(at, "\\");
+    return " " + text + (text.empty() ? "|" : " |");
+}
+
+/// "`--samples N`".
+std::string usage_of(const OptionRow& row)
+{
+    std::string flags = flags_of(row);
+    if (const std::size_t comma = flags.find(','); comma != std::string::npos)
+        flags.insert(comma + 1, " ");
+    return "`" + flags + (row.field.placeholder.empty() ? "" : " " + row.field.placeholder) + "`";
+}
+
+/// The sections, in the order in which they first appear.
+std::vector<std::string> sections_of(const std::vector<OptionRow>& rows)
+{
+    std::vector<std::string> out;
+    for (const OptionRow& row : rows)
+        if (std::find(out.begin(), out.end(), row.section) == out.end())
+            out.emplace_back(row.section);
+    return out;
+}
+
+} // namespace
+
+std::string default_text(const OptionRow& row)
+{
+    if (!row.field.value || row.field.placeholder.empty())
+        return row.unset;
+    const SettingValue value = row.field.value();
+    return value == SettingValue() ? row.unset : std::visit(ShortText(), value);
+}
+
+void add_options(CLI::App& app, const std::vector<OptionRow>& rows)
+{
+    for (const OptionRow& row : rows) {
+        CLI::Option* const option = row.field.add(app, flags_of(row));
+        option->description(help_of(row))->group(row.section)->required(row.required);
+        if (!row.field.placeholder.empty())
+            option->type_name(row.field.placeholder);
+        if (!row.needs.empty())
+            option->needs(app.get_option("--" + row.needs));
+    }
+    const std::string tables = options_markdown(rows);
+    app.add_flag_callback("--options-table", [tables] { throw CLI::CallForVersion(tables, 0); })
+        ->group(""); // for docs/options.md alone
+}
+
+std::string options_markdown(const std::vector<OptionRow>& rows)
+{
+    const bool states = std::any_of(rows.begin(), rows.end(), [](const OptionRow& row) {
+        return row.changes == Changes::passes;
+    });
+    std::string out;
+    for (const std::string& section : sections_of(rows)) {
+        out += (out.empty() ? "" : "\n") + std::string("### ") + section + "\n\n";
+        out += std::string("| option | values | default |") + (states ? " image |" : "") +
+               " meaning |\n|---|---|---|" + (states ? "---|" : "") + "---|\n";
+        for (const OptionRow& row : rows)
+            if (row.section == section)
+                out += "|" + cell(usage_of(row)) + cell(row.field.values) +
+                       cell(default_text(row)) +
+                       (states ? cell(row.changes == Changes::nothing ? "" : "yes") : "") +
+                       cell(row.help) + "\n";
+    }
+    return out;
+}
+
+void append_rows(std::vector<OptionRow>& rows, std::vector<OptionRow> more)
+{
+    std::move(more.begin(), more.end(), std::back_inserter(rows));
+}
+
+} // namespace hipmap

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "common/command_line/option_fields.h"
+
+namespace hipmap {
+
+/// What depends on an option's value.
+enum class Changes : std::uint8_t {
+    nothing, ///< not the passes of an image: which files, when to end, how fast
+    scene,   ///< what is rendered; states hold a hash of that
+    passes,  ///< how a pass is computed; states hold the value
+};
+
+/// Headings under which options of both tools are listed.
+inline constexpr const char* kFilesSection = "Files";
+inline constexpr const char* kSceneSection = "Scene";
+inline constexpr const char* kAnimationSection = "Animation";
+inline constexpr const char* kRunSection = "Running";
+
+/// All that is known of an option.  Its command line, help, documentation, statistics and place in
+/// a state follow from this.
+struct OptionRow {
+    std::string name;       ///< "samples"
+    const char* section;    ///< heading under which it is listed
+    OptionField field;      ///< where its value goes; the value at first is the default
+    std::string help;       ///< what it does
+    std::string unset = {}; ///< what holds while it has no value; empty: nothing to say
+    Changes changes = Changes::nothing;
+    std::string flags = {}; ///< on the command line; empty: "--" and the name
+    std::string needs = {}; ///< name of an earlier option without which this one is refused
+    bool required = false;
+};
+
+/// The text of a default: of a row's value now, or what holds while it has none.  Empty: a flag, or
+/// nothing to say.
+std::string default_text(const OptionRow& row);
+
+/// Adds an option for each row.  The fields must outlive the parsing.
+void add_options(CLI::App& app, const std::vector<OptionRow>& rows);
+
+/// Tables in Markdown, one for each section: docs/options.md.
+std::string options_markdown(const std::vector<OptionRow>& rows);
+
+/// Appends `more` to `rows`.
+void append_rows(std::vector<OptionRow>& rows, std::vector<OptionRow> more);
+
+} // namespace hipmap
