@@ -176,18 +176,21 @@ class Pipeline(ToolsTestCase):
         self.assertEqual(images[0], images[1])
         self.assertEqual(images[0], images[2])
 
-    def test_hierarchical_maps_are_the_default_and_change_no_bit(self):
+    def test_hierarchical_maps_change_no_bit_of_those_of_the_default(self):
         partition = self.make_partition()
         images = []
-        for options in (("--maps", "shared"), (), ("--tiers", "all", "--local-min", 20)):
+        hierarchical = ("--maps", "hierarchical")
+        for options, maps in (((), "shared"), (hierarchical, "hierarchical"),
+                              ((*hierarchical, "--tiers", "all", "--local-min", 20),
+                               "hierarchical")):
             self.render(partition, *options, "--neighbours", 10, "--stats",
                         self.path("stats.json"), size=24)
             with open(self.path("image.pfm"), "rb") as file:
                 images.append(file.read())
+            stats = self.read_json("stats.json")
+            self.assertEqual(stats["options"]["maps"], maps)
         self.assertEqual(images[0], images[1])
         self.assertEqual(images[0], images[2])
-        stats = self.read_json("stats.json")
-        self.assertEqual(stats["options"]["maps"], "hierarchical")
         tiers = [stats["photons"][kind]["local"] for kind in ("global", "caustic")]
         self.assertGreater(min(tier["candidates"] for tier in tiers), 0)
         self.assertGreater(sum(tier["searches"] for tier in tiers), 0)

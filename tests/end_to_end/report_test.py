@@ -94,7 +94,7 @@ class Report(ToolsTestCase):
         self.assertNotRegex(text, r"(?i)https?:|@import|url\(|fetch\(|XMLHttpRequest")
 
     def test_it_tells_which_levels_of_maps_pay(self):
-        self.make_results("--integrator", "direct", "--passes", 1)
+        self.make_results("--integrator", "direct", "--maps", "hierarchical", "--passes", 1)
         text = self.page().text()
         stats = self.change_statistics(lambda stats: None)
         for kind in ("global", "caustic"):
