@@ -13,6 +13,7 @@ struct RenderedFrame {
     RenderState state;
     RunResult result;
     RenderStatistics statistics;
+    double seconds_rays = 0; ///< building the ray tracing structure
 };
 
 /// What a frame of an animation leaves to the next one.  All frames are rendered by the same

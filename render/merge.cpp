@@ -40,7 +40,7 @@ RenderState read_states(const std::vector<std::filesystem::path>& paths)
 int merge_states(const MergeArguments& arguments)
 {
     Report report;
-    RunStatistics run;
+    WrittenFiles written;
     check_outputs(arguments);
     const RenderState state = read_states(arguments.states);
     report.line(std::to_string(count(state.film.passes)) + " passes of " +
@@ -56,15 +56,15 @@ int merge_states(const MergeArguments& arguments)
         write_state(arguments.state, state);
         report.line("wrote " + arguments.state.string());
     }
-    run.exposure_ev = write_images(arguments.images, film_image(state.film), state.film,
-                                   state.checks, arguments.exposure_ev, report);
+    written.exposure_ev = write_images(arguments.images, film_image(state.film), state.film,
+                                       state.checks, arguments.exposure_ev, report);
     if (!arguments.error_image.empty())
-        run.error_image =
+        written.error_image =
             write_error_image(arguments.error_image, state.film, state.checks, report);
-    run.seconds_write = writing.seconds();
-    run.warnings = report.warnings();
+    written.seconds = writing.seconds();
+    written.warnings = report.warnings();
     if (!arguments.statistics.empty()) {
-        write_file(arguments.statistics, merged_statistics_json(arguments, state, run));
+        write_file(arguments.statistics, merged_statistics_json(arguments, state, written));
         report.line("wrote " + arguments.statistics.string());
     }
     return kExitDone;

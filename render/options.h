@@ -36,9 +36,7 @@ struct RenderArguments {
     double photon_cache_mib = 1024; ///< for maps that further frames may use
     double shutter = 0;             ///< frames that the shutter is open; 0: no time
     /// What passes are made by.  The size, the photons and the light classes follow from the frame.
-    RenderOptions render{.maps = {.local_min = kLocalMinOpen},
-                         .samples = 4,
-                         .light = {}};
+    RenderOptions render{.maps = {.local_min = kLocalMinOpen}, .samples = 4, .light = {}};
     std::optional<DiffuseModel> diffuse;  ///< none: the scene's own
     bool energy_compensation = false;     ///< of all metal
     std::optional<std::uint64_t> photons; ///< of a pass; none: as many as it has samples

@@ -81,11 +81,34 @@ Json settings_json(const std::vector<Setting>& settings)
     return json;
 }
 
-Json seconds_json(const RenderStatistics& render, const RunStatistics& run)
+Json seconds_json(const PreparedFrame& frame, const RenderedFrame& rendered,
+                  const WrittenFiles& written)
 {
-    return {{"scene", run.seconds_scene},        {"rays", run.seconds_rays},
-            {"photons", render.seconds_photons}, {"maps", render.seconds_maps},
-            {"image", render.seconds_image},     {"write", run.seconds_write}};
+    const RenderStatistics& render = rendered.statistics;
+    return {{"scene", frame.seconds},
+            {"rays", rendered.seconds_rays},
+            {"photons", render.seconds_photons},
+            {"maps", render.seconds_maps},
+            {"image", render.seconds_image},
+            {"write", written.seconds}};
+}
+
+Json scene_json(const RenderArguments& arguments, const Scene& scene)
+{
+    return {{"file", arguments.scene.string()},
+            {"faces", scene.mesh.face_count()},
+            {"materials", scene.materials.size()},
+            {"lights", scene.lights.size()},
+            {"camera", scene.cameras[scene.camera].name},
+            {"metres_per_unit", scene.frame.metres_per_unit}};
+}
+
+Json power_json(const PowerBalance& power, const Scene& scene)
+{
+    const double unit2 = scene.frame.metres_per_unit * scene.frame.metres_per_unit;
+    return {{"emitted", rgb_json(power.emitted * unit2)},
+            {"absorbed", rgb_json(power.absorbed * unit2)},
+            {"escaped", rgb_json(power.escaped * unit2)}};
 }
 
 Json effects_json(const EffectPlan& plan)
@@ -176,9 +199,9 @@ Json image_json(int width, int height, const std::vector<std::filesystem::path>&
     return {{"width", width}, {"height", height}, {"exposure_ev", exposure_ev}, {"files", names}};
 }
 
-Json pictures_json(const RunStatistics& run)
+Json pictures_json(const WrittenFiles& written)
 {
-    return run.error_image ? Json::array({picture_json(*run.error_image)}) : Json::array();
+    return written.error_image ? Json::array({picture_json(*written.error_image)}) : Json::array();
 }
 
 std::string text_of(const Json& json)
@@ -188,47 +211,42 @@ std::string text_of(const Json& json)
 
 } // namespace
 
-std::string statistics_json(const RenderArguments& arguments, const Scene& scene,
-                            const Partition& partition, const RenderStatistics& render,
-                            const RenderState& state, const RunStatistics& run)
+std::string statistics_json(const PreparedFrame& frame, const RenderedFrame& rendered,
+                            const WrittenFiles& written)
 {
-    const double unit2 = scene.frame.metres_per_unit * scene.frame.metres_per_unit;
-    const RenderOptions& options = arguments.render;
+    const RenderArguments& arguments = frame.arguments;
+    const Scene& scene = frame.loaded.scene;
+    const RenderStatistics& render = rendered.statistics;
+    const RenderState& state = rendered.state;
     Json json;
     json["command"] = arguments.command;
     json["version"] = HIPMAP_VERSION;
-    json["scene"] = {{"file", arguments.scene.string()},
-                     {"faces", scene.mesh.face_count()},
-                     {"materials", scene.materials.size()},
-                     {"lights", scene.lights.size()},
-                     {"camera", scene.cameras[scene.camera].name},
-                     {"metres_per_unit", scene.frame.metres_per_unit}};
+    json["scene"] = scene_json(arguments, scene);
     json["partition"] = {{"file", arguments.partition.string()},
-                         {"shared_maps", partition.map_count}};
-    json["audit"] = audit_json(run.audit);
-    json["image"] = image_json(options.width, options.height, arguments.images, run.exposure_ev);
-    json["pictures"] = pictures_json(run);
+                         {"shared_maps", frame.partition.map_count}};
+    json["audit"] = audit_json(frame.loaded.audit);
+    json["image"] = image_json(arguments.render.width, arguments.render.height, arguments.images,
+                               written.exposure_ev);
+    json["pictures"] = pictures_json(written);
     json["options"] = settings_json(values_of(arguments));
-    json["effects"] = effects_json(run.effects);
+    json["effects"] = effects_json(frame.effects);
     json["passes_done"] = count(state.film.passes);
-    json["ended_by"] = ended_by(run.ended_by);
+    json["ended_by"] = ended_by(rendered.result.reason);
     json["error"] = error_json(state, arguments.stops.error);
     json["saturated"] = state.film.saturated;
-    json["seconds"] = seconds_json(render, run);
+    json["seconds"] = seconds_json(frame, rendered, written);
     json["processor_seconds"] = {{"photons", render.processor_photons},
                                  {"maps", render.processor_maps},
                                  {"image", render.processor_image}};
-    json["photons"] = photons_json(render, options);
-    json["power_W"] = {{"emitted", rgb_json(render.power.emitted * unit2)},
-                       {"absorbed", rgb_json(render.power.absorbed * unit2)},
-                       {"escaped", rgb_json(render.power.escaped * unit2)}};
+    json["photons"] = photons_json(render, arguments.render);
+    json["power_W"] = power_json(render.power, scene);
     json["dropped_samples"] = render.dropped_samples;
-    json["warnings"] = run.warnings;
+    json["warnings"] = written.warnings;
     return text_of(json);
 }
 
 std::string merged_statistics_json(const MergeArguments& arguments, const RenderState& state,
-                                   const RunStatistics& run)
+                                   const WrittenFiles& written)
 {
     Json json;
     json["command"] = arguments.command;
@@ -237,13 +255,13 @@ std::string merged_statistics_json(const MergeArguments& arguments, const Render
         json["states"].push_back(file.string());
     json["settings"] = settings_json(state.settings);
     json["image"] =
-        image_json(state.film.width, state.film.height, arguments.images, run.exposure_ev);
-    json["pictures"] = pictures_json(run);
+        image_json(state.film.width, state.film.height, arguments.images, written.exposure_ev);
+    json["pictures"] = pictures_json(written);
     json["passes_done"] = count(state.film.passes);
     json["error"] = error_json(state, 0);
     json["saturated"] = state.film.saturated;
-    json["seconds"] = {{"passes", state.seconds}, {"write", run.seconds_write}};
-    json["warnings"] = run.warnings;
+    json["seconds"] = {{"passes", state.seconds}, {"write", written.seconds}};
+    json["warnings"] = written.warnings;
     return text_of(json);
 }
 

@@ -1,34 +1,27 @@
 #pragma once
 
 #include "common/image/legend.h"
-#include "render/effects/effect_plan.h"
-#include "render/options.h"
+#include "render/former_frame.h"
+#include "render/prepare_frame.h"
 
 #include <string>
 
 namespace hipmap {
 
-/// What `render` did besides rendering.
-struct RunStatistics {
-    SceneAudit audit;
-    StopReason ended_by = StopReason::passes;
-    double seconds_scene = 0; ///< reading scene and partition
-    double seconds_rays = 0;  ///< building the ray tracing structure
-    double seconds_write = 0; ///< writing images
+/// What became of the files that were asked for.
+struct WrittenFiles {
     float exposure_ev = 0;
     std::optional<LegendedPicture> error_image;
+    double seconds = 0; ///< writing images
     std::size_t warnings = 0;
-    EffectPlan effects;
 };
 
 /// The statistics of a render as JSON text (docs/statistics.md); powers in W.
-std::string statistics_json(const RenderArguments& arguments, const Scene& scene,
-                            const Partition& partition, const RenderStatistics& render,
-                            const RenderState& state, const RunStatistics& run);
+std::string statistics_json(const PreparedFrame& frame, const RenderedFrame& rendered,
+                            const WrittenFiles& written);
 
-/// The same of merged states, as far as states know.  Of `run` what was written and warned of
-/// counts.
+/// The statistics of merged states, as far as states know them.
 std::string merged_statistics_json(const MergeArguments& arguments, const RenderState& state,
-                                   const RunStatistics& run);
+                                   const WrittenFiles& written);
 
 } // namespace hipmap

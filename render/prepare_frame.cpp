@@ -1,8 +1,11 @@
-#include "render/load_frame.h"
+#include "render/prepare_frame.h"
 
 #include "common/partition/partition_file.h"
+#include "common/stopwatch.h"
 #include "render/effects/drop_effects.h"
+#include "render/load_sky.h"
 #include "render/run_plan.h"
+#include "render/settings.h"
 #include "render/shading/part_touching_faces.h"
 
 namespace hipmap {
@@ -42,6 +45,30 @@ std::uint64_t default_photons(const PictureSize& size, int samples)
     return std::clamp<std::uint64_t>(pixels * samples, 200'000, 2'000'000);
 }
 
+/// Fills in what follows from the scene.
+void complete_by_scene(RenderArguments& arguments, const Scene& scene)
+{
+    const PictureSize size = complete_size(arguments.size, scene.cameras[scene.camera].aspect);
+    if (!arguments.photons)
+        arguments.photons = default_photons(size, arguments.render.samples);
+    arguments.size = size;
+    arguments.diffuse = scene.diffuse_model;
+    arguments.render.width = size.width;
+    arguments.render.height = size.height;
+    arguments.render.photons = *arguments.photons;
+}
+
+/// The state in the file, if there is one; refuses that of another render.
+std::optional<RenderState> find_state(const std::filesystem::path& path,
+                                      const std::vector<Setting>& settings)
+{
+    if (!std::filesystem::exists(path))
+        return std::nullopt;
+    RenderState found = read_state(path);
+    check_settings(path, found.settings, settings);
+    return found;
+}
+
 } // namespace
 
 LoadedScene load_at(const RenderArguments& arguments, SceneSource& source,
@@ -53,34 +80,37 @@ LoadedScene load_at(const RenderArguments& arguments, SceneSource& source,
     return loaded;
 }
 
-Scene load_moment(const RenderArguments& arguments, SceneSource& source, double time,
-                  const Partition& partition, const EffectPlan& effects)
+Scene load_moment(const PreparedFrame& frame, SceneSource& source, double time)
 {
-    Scene now = load_at(arguments, source, time).scene;
-    part_touching_faces(now, partition);
-    drop_effects(now, effects);
+    Scene now = load_at(frame.arguments, source, time).scene;
+    part_touching_faces(now, frame.partition);
+    drop_effects(now, frame.effects);
     return now;
 }
 
-FrameScene load_frame(RenderArguments& arguments, SceneSource& source)
+PreparedFrame prepare_frame(const RenderArguments& request, SceneSource& source)
 {
-    FrameScene out;
+    const Stopwatch reading;
+    PreparedFrame out;
+    RenderArguments& arguments = out.arguments;
+    arguments = request;
     out.loaded = load_at(arguments, source, arguments.scene_options.time);
     Scene& scene = out.loaded.scene;
-    const PictureSize size = complete_size(arguments.size, scene.cameras[scene.camera].aspect);
-    if (!arguments.photons)
-        arguments.photons = default_photons(size, arguments.render.samples);
-    arguments.size = size;
-    arguments.diffuse = scene.diffuse_model;
-    arguments.render.width = size.width;
-    arguments.render.height = size.height;
-    arguments.render.photons = *arguments.photons;
+    complete_by_scene(arguments, scene);
     out.partition = read_partition(arguments.partition);
     check_partition_of(out.partition, scene, arguments.partition);
     out.motion = find_motion(scene, shutter_time(arguments),
                              [&](double time) { return load_at(arguments, source, time).scene; });
     part_touching_faces(scene, out.partition);
     out.effects = plan_run(arguments, scene, out.partition, out.motion.names);
+    if (arguments.explain)
+        return out;
+    out.sky = load_sky(scene, arguments.sky.turn_deg);
+    out.settings = settings_of(arguments, scene, out.partition, out.sky);
+    if (out.effects.has(Effect::motion_blur))
+        out.settings.push_back(out.motion.setting);
+    out.found = find_state(arguments.state, out.settings);
+    out.seconds = reading.seconds();
     return out;
 }
 

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "common/partition/partition.h"
+#include "common/scene/load_scene.h"
+#include "render/film/render_state.h"
+#include "render/options.h"
+#include "render/shading/sky_picture.h"
+#include "render/shutter.h"
+
+namespace hipmap {
+
+/// All that is read and decided before a frame is rendered.
+struct PreparedFrame {
+    /// As asked, completed by the frame: image size, photons of a pass, diffuse model, and the
+    /// light classes that are traced.
+    RenderArguments arguments;
+    LoadedScene loaded; ///< without what the plan leaves out
+    Partition partition;
+    ShutterMotion motion;
+    EffectPlan effects;
+    SkyPicture sky;
+    std::vector<Setting> settings;    ///< all that its passes depend on
+    std::optional<RenderState> found; ///< state to resume
+    double seconds = 0;               ///< reading all of it
+};
+
+/// The scene at a time of its animation, changed as the options say.  Throws as SceneSource::at.
+LoadedScene load_at(const RenderArguments& arguments, SceneSource& source,
+                    std::optional<double> time);
+
+/// The scene at another moment of a frame, with the frame's partition and plan.  Throws as load_at.
+Scene load_moment(const PreparedFrame& frame, SceneSource& source, double time);
+
+/// Reads and plans the frame that `request` names, and the state to resume if its file exists.
+/// With --explain sky, settings and state stay empty.  Throws as load_at, read_partition,
+/// check_partition_of, load_sky, read_state and check_settings.
+PreparedFrame prepare_frame(const RenderArguments& request, SceneSource& source);
+
+} // namespace hipmap

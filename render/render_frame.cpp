@@ -1,0 +1,119 @@
+#include "render/render_frame.h"
+
+#include "common/stopwatch.h"
+#include "render/integrator/moving_source.h"
+#include "render/outputs.h"
+
+namespace hipmap {
+
+namespace {
+
+RenderState begin_or_resume(const PreparedFrame& frame, const PassSource& source, Report& report)
+{
+    RenderState state = begin_state(source, frame.settings);
+    if (!frame.found)
+        return state;
+    merge_state(state, *frame.found, frame.arguments.state);
+    report.line("going on with " + std::to_string(count(state.film.passes)) + " passes of " +
+                frame.arguments.state.string());
+    return state;
+}
+
+std::string describe_stops(const StopRules& stops)
+{
+    std::string text;
+    if (stops.passes < kMostPasses)
+        text += ", " + std::to_string(stops.passes) + (stops.passes == 1 ? " pass" : " passes");
+    if (std::isfinite(stops.seconds))
+        text += ", " + format_seconds(stops.seconds);
+    if (stops.error > 0)
+        text += ", to an error of " + percent(stops.error);
+    return text;
+}
+
+RunResult render_with_progress(const RenderArguments& arguments, const PassSource& source,
+                               const std::atomic<bool>& stop, RenderState& state, Report& report)
+{
+    RunControl control;
+    control.progress = [&report](const RunProgress& progress) {
+        std::string note =
+            std::to_string(progress.passes) + (progress.passes == 1 ? " pass" : " passes");
+        if (progress.error)
+            note += ", error " + percent(progress.error->error);
+        report.progress(progress.done, note);
+    };
+    control.stop = &stop;
+    if (!arguments.state.empty())
+        control.save = [&](const RenderState& now) { write_state(arguments.state, now); };
+    report.begin("rendering " + std::to_string(source.width) + "x" + std::to_string(source.height) +
+                 describe_stops(arguments.stops));
+    RunResult out = run_passes(source, arguments.stops, control, state);
+    report.end();
+    if (!arguments.state.empty())
+        write_state(arguments.state, state);
+    return out;
+}
+
+/// Passes of the scene as it is, or of its moments while the shutter is open.
+PassSource make_source(const PreparedFrame& frame, const RenderScene& scene, SceneSource& source,
+                       RenderStatistics& statistics, PhotonCache* cache)
+{
+    const RenderOptions& options = frame.arguments.render;
+    if (!frame.effects.has(Effect::motion_blur))
+        return make_pass_source(scene, options, statistics, cache);
+    const auto at = [&, shutter = shutter_time(frame.arguments)](double share) {
+        return load_moment(frame, source, shutter.at(share));
+    };
+    return make_moving_source({scene, at}, options, statistics);
+}
+
+/// The photons that frames share; null: none, or none may be shared.
+PhotonCache* find_cache(const PreparedFrame& frame, FormerFrame* former)
+{
+    if (former == nullptr || frame.effects.has(Effect::motion_blur))
+        return nullptr;
+    return &cache_for(*former, frame.loaded.scene, frame.partition, frame.sky,
+                      frame.arguments.photon_cache_mib);
+}
+
+RenderedFrame render_passes(PreparedFrame& frame, SceneSource& source, FormerFrame* former,
+                            const std::atomic<bool>& stop, Report& report)
+{
+    PhotonCache* const cache = find_cache(frame, former);
+    RenderedFrame out;
+    const Stopwatch building;
+    const RenderScene scene(frame.loaded.scene, frame.partition, std::move(frame.sky));
+    out.seconds_rays = building.seconds();
+    const PassSource passes = make_source(frame, scene, source, out.statistics, cache);
+    out.state = begin_or_resume(frame, passes, report);
+    out.result = render_with_progress(frame.arguments, passes, stop, out.state, report);
+    if (cache != nullptr && cache->served > 0)
+        report.line("photons of " + std::to_string(cache->served) +
+                    " passes are those of the frame before: only the camera has moved");
+    return out;
+}
+
+} // namespace
+
+RenderedFrame render_frame(PreparedFrame& frame, SceneSource& source, FormerFrame* former,
+                           const std::atomic<bool>& stop, Report& report)
+{
+    if (former == nullptr)
+        return render_passes(frame, source, former, stop, report);
+    if (former->rendered && former->settings == frame.settings && !frame.found) {
+        report.line("nothing has moved since the frame before: its image serves");
+        if (!frame.arguments.state.empty())
+            write_state(frame.arguments.state, former->rendered->state);
+        RenderedFrame out = *former->rendered;
+        out.seconds_rays = 0;
+        return out;
+    }
+    RenderedFrame out = render_passes(frame, source, former, stop, report);
+    former->settings = frame.settings;
+    former->rendered.reset();
+    if (!frame.found && out.result.reason != StopReason::caller)
+        former->rendered = out;
+    return out;
+}
+
+} // namespace hipmap
