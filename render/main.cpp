@@ -1,8 +1,4 @@
-#include "common/file/output_file.h"
-#include "common/image/image_format.h"
-#include "common/input_error.h"
 #include "common/scene/print_audit.h"
-#include "common/stopwatch.h"
 #include "render/merge.h"
 #include "render/outputs.h"
 #include "render/print_results.h"
@@ -25,16 +21,6 @@ extern "C" void ask_to_stop(int)
     g_stop = true;
 }
 
-void check_outputs(const RenderArguments& arguments)
-{
-    for (const std::filesystem::path& image : arguments.images)
-        check_writable(image);
-    for (const std::filesystem::path& file :
-         {arguments.error_image, arguments.statistics, arguments.state})
-        if (!file.empty())
-            check_writable(file);
-}
-
 void print_preparation(const PreparedFrame& frame, Report& report)
 {
     if (frame.arguments.frames.asked())
@@ -43,32 +29,14 @@ void print_preparation(const PreparedFrame& frame, Report& report)
     report.line("effects: " + list_effects(frame.effects) + " (--explain says why)");
 }
 
-WrittenFiles write_images_asked(const RenderArguments& arguments, const RenderedFrame& frame,
-                                Report& report)
-{
-    const Stopwatch writing;
-    const RenderState& state = frame.state;
-    WrittenFiles out;
-    out.exposure_ev = write_images(arguments.images, frame.result.image, state.film, state.checks,
-                                   arguments.exposure_ev, report);
-    if (!arguments.error_image.empty())
-        out.error_image =
-            write_error_image(arguments.error_image, state.film, state.checks, report);
-    out.seconds = writing.seconds();
-    out.warnings = report.warnings();
-    return out;
-}
-
 void write_results(const PreparedFrame& frame, const RenderedFrame& rendered, Report& report)
 {
     const RenderArguments& arguments = frame.arguments;
     print_statistics(arguments, rendered.statistics, rendered.state.film, report);
     print_error(arguments, rendered.state, report);
-    const WrittenFiles written = write_images_asked(arguments, rendered, report);
-    if (arguments.statistics.empty())
-        return;
-    write_file(arguments.statistics, statistics_json(frame, rendered, written));
-    report.line("wrote " + arguments.statistics.string());
+    const WrittenFiles written =
+        write_images(arguments.files, rendered.result.image, rendered.state, report);
+    write_statistics(arguments.files, statistics_json(frame, rendered, written), report);
 }
 
 /// former: the previous frame, and this one afterwards; null: there is a single frame.
@@ -99,15 +67,12 @@ int render(const RenderArguments& request, SceneSource& source, FormerFrame* for
 int render_frames(const RenderArguments& arguments)
 {
     for_each_frame_of(arguments, [](const RenderArguments& one) {
-        check_outputs(one);
+        check_outputs(one.files);
         return kExitDone;
     });
-    const auto is_exposed = [](const std::filesystem::path& image) {
-        const ImageFormat format = image_format(image);
-        return format == ImageFormat::png || format == ImageFormat::ppm;
-    };
-    if (arguments.frames.last > arguments.frames.first && !arguments.exposure_ev &&
-        std::any_of(arguments.images.begin(), arguments.images.end(), is_exposed))
+    const std::vector<std::filesystem::path>& images = arguments.files.images;
+    if (arguments.frames.last > arguments.frames.first && !arguments.files.exposure_ev &&
+        std::any_of(images.begin(), images.end(), is_exposed))
         Report().line("assumed: each frame is exposed by itself, so brightness may jump "
                       "(--exposure EV holds it)");
     SceneSource source(arguments.scene, arguments.scene_options);

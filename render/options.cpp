@@ -23,22 +23,23 @@ RenderArguments arguments_of_frame(const RenderArguments& all, int frame)
 {
     RenderArguments out = all;
     set_frame(out.scene_options, out.frames, frame);
+    OutputFiles& files = out.files;
     for (std::filesystem::path* file :
-         {&out.partition, &out.error_image, &out.statistics, &out.state})
+         {&out.partition, &files.error_image, &files.statistics, &files.state})
         *file = frame_path(*file, frame);
-    for (std::filesystem::path& image : out.images)
+    for (std::filesystem::path& image : files.images)
         image = frame_path(image, frame);
     return out;
 }
 
 void complete_arguments(RenderArguments& arguments)
 {
-    for (const std::filesystem::path& image : arguments.images)
+    for (const std::filesystem::path& image : arguments.files.images)
         image_format(image); // refuses an unknown suffix
-    if (arguments.images.empty() && !arguments.quote && !arguments.explain)
+    if (arguments.files.images.empty() && !arguments.quote && !arguments.explain)
         throw InputError(
             "--output is required; give an image to write with -o, --quote or --explain");
-    if (arguments.quote && !arguments.state.empty())
+    if (arguments.quote && !arguments.files.state.empty())
         throw InputError("--quote keeps no passes; leave out --state");
     if (!may_end(arguments.stops))
         arguments.stops.passes = kDefaultPasses;

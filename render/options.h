@@ -17,15 +17,21 @@ inline constexpr std::uint64_t kDefaultPasses = 16;
 /// MapOptions::local_min while it follows from the number of neighbours.
 inline constexpr std::uint32_t kLocalMinOpen = 0;
 
+/// What `render` and `render merge` write.
+struct OutputFiles {
+    std::vector<std::filesystem::path> images;
+    std::filesystem::path error_image; ///< empty: none
+    std::filesystem::path statistics;  ///< empty: none
+    std::filesystem::path state;       ///< to keep, and for `render` to resume; empty: none
+    std::optional<float> exposure_ev;  ///< of 8-bit images; none: auto
+};
+
 /// What the user asked of `render`.
 struct RenderArguments {
     std::vector<std::string> command; ///< as typed, of the name of the tool and its arguments
     std::filesystem::path scene;
     std::filesystem::path partition;
-    std::vector<std::filesystem::path> images;
-    std::filesystem::path error_image; ///< empty: none
-    std::filesystem::path statistics;  ///< empty: none
-    std::filesystem::path state;       ///< to go on with and to keep; empty: none
+    OutputFiles files;
     StopRules stops;
     bool quote = false;   ///< only say what errors cost
     bool explain = false; ///< only say what is rendered and why
@@ -41,8 +47,7 @@ struct RenderArguments {
     bool energy_compensation = false;     ///< of all metal
     std::optional<std::uint64_t> photons; ///< of a pass; none: as many as it has samples
     PictureSize size{512, 0};
-    std::optional<float> exposure_ev; ///< none: auto
-    unsigned threads = 0;             ///< 0: all cores
+    unsigned threads = 0; ///< 0: all cores
 };
 
 /// The arguments of one frame: its moment, and files of its own.
@@ -52,11 +57,7 @@ RenderArguments arguments_of_frame(const RenderArguments& all, int frame);
 struct MergeArguments {
     std::vector<std::string> command; ///< as typed, of the name of the tool and its arguments
     std::vector<std::filesystem::path> states;
-    std::vector<std::filesystem::path> images;
-    std::filesystem::path error_image; ///< empty: none
-    std::filesystem::path statistics;  ///< empty: none
-    std::filesystem::path state;       ///< to write; empty: none
-    std::optional<float> exposure_ev;
+    OutputFiles files; ///< at least one image
 };
 
 /// Fills in what follows from other options; throws InputError if they contradict each other.

@@ -1,8 +1,10 @@
 #include "render/outputs.h"
 
+#include "common/file/output_file.h"
 #include "common/image/exposure.h"
 #include "common/image/exr_file.h"
 #include "common/image/write_image.h"
+#include "common/stopwatch.h"
 #include "render/film/error_picture.h"
 
 #include <sys/resource.h>
@@ -36,25 +38,21 @@ std::string whole(double number)
     return text.str();
 }
 
-} // namespace
-
-float write_images(const std::vector<std::filesystem::path>& paths, const Image& image,
-                   const Film& film, const std::vector<ErrorCheck>& checks,
-                   std::optional<float> exposure_ev, Report& report)
+/// Returns the exposure of 8-bit images.
+float write_each(const OutputFiles& files, const Image& image, const RenderState& state,
+                 Report& report)
 {
-    const float ev = exposure_ev ? *exposure_ev : auto_exposure(image);
-    for (const std::filesystem::path& path : paths) {
-        const ImageFormat format = image_format(path);
-        if (format == ImageFormat::exr)
-            write_exr_with_error(path, image, film, checks);
+    const float ev = files.exposure_ev ? *files.exposure_ev : auto_exposure(image);
+    for (const std::filesystem::path& path : files.images) {
+        if (image_format(path) == ImageFormat::exr)
+            write_exr_with_error(path, image, state.film, state.checks);
         else
             write_image(path, image, {ev});
-        const bool exposed = format == ImageFormat::png || format == ImageFormat::ppm;
         std::ostringstream line;
         line << "wrote " << path.string();
-        if (exposed)
+        if (is_exposed(path))
             line << " (exposure " << std::showpos << std::fixed << std::setprecision(2) << ev
-                 << " EV" << (exposure_ev ? "" : ", auto") << ")";
+                 << " EV" << (files.exposure_ev ? "" : ", auto") << ")";
         report.line(line.str());
     }
     return ev;
@@ -74,6 +72,46 @@ std::optional<LegendedPicture> write_error_image(const std::filesystem::path& pa
         write_with_legend(path, error_picture(film.width, film.height, errors), legend_of_errors());
     report.line("wrote " + path.string());
     return written;
+}
+
+} // namespace
+
+void check_outputs(const OutputFiles& files)
+{
+    for (const std::filesystem::path& image : files.images) {
+        image_format(image); // refuses an unknown suffix
+        check_writable(image);
+    }
+    for (const std::filesystem::path& file : {files.error_image, files.statistics, files.state})
+        if (!file.empty())
+            check_writable(file);
+}
+
+bool is_exposed(const std::filesystem::path& image)
+{
+    const ImageFormat format = image_format(image);
+    return format == ImageFormat::png || format == ImageFormat::ppm;
+}
+
+WrittenFiles write_images(const OutputFiles& files, const Image& image, const RenderState& state,
+                          Report& report)
+{
+    const Stopwatch writing;
+    WrittenFiles out;
+    out.exposure_ev = write_each(files, image, state, report);
+    if (!files.error_image.empty())
+        out.error_image = write_error_image(files.error_image, state.film, state.checks, report);
+    out.seconds = writing.seconds();
+    out.warnings = report.warnings();
+    return out;
+}
+
+void write_statistics(const OutputFiles& files, const std::string& json, Report& report)
+{
+    if (files.statistics.empty())
+        return;
+    write_file(files.statistics, json);
+    report.line("wrote " + files.statistics.string());
 }
 
 std::string percent(double share)

@@ -4,6 +4,7 @@
 #include "common/report.h"
 #include "render/film/price.h"
 #include "render/film/render_state.h"
+#include "render/options.h"
 
 #include <filesystem>
 #include <optional>
@@ -11,19 +12,30 @@
 
 namespace hipmap {
 
-/// Writes the mean of a film, or `image` in its place while it is empty, and says so.  .exr files
-/// hold the layers of error_layers besides, where the film knows its error.  exposure_ev: none:
-/// auto.  Returns the exposure.  Throws InputError if a file cannot be written.
-float write_images(const std::vector<std::filesystem::path>& paths, const Image& image,
-                   const Film& film, const std::vector<ErrorCheck>& checks,
-                   std::optional<float> exposure_ev, Report& report);
+/// What became of the images that were asked for.
+struct WrittenFiles {
+    float exposure_ev = 0; ///< of 8-bit images
+    std::optional<LegendedPicture> error_image;
+    double seconds = 0;       ///< writing them
+    std::size_t warnings = 0; ///< of the whole run until then
+};
 
-/// Writes the picture of errors, with its legend, and says so; warns instead if the film has less
-/// than two passes, of which no error is known.  Throws InputError if it cannot be written.
-std::optional<LegendedPicture> write_error_image(const std::filesystem::path& path,
-                                                 const Film& film,
-                                                 const std::vector<ErrorCheck>& checks,
-                                                 Report& report);
+/// Throws InputError unless every file could be written and every image has a known suffix.
+/// Changes no file.
+void check_outputs(const OutputFiles& files);
+
+/// Whether the format of this file is 8-bit, which has an exposure.
+bool is_exposed(const std::filesystem::path& image);
+
+/// Writes `image` and the picture of its errors to the files that were asked for, and prints so.
+/// .exr files hold the layers of error_layers besides, where the film of `state` knows its error.
+/// With less than two passes no error is known: a warning instead of its picture.  Throws
+/// InputError if a file cannot be written.
+WrittenFiles write_images(const OutputFiles& files, const Image& image, const RenderState& state,
+                          Report& report);
+
+/// Writes the statistics if they were asked for, and prints so.  json: their text.
+void write_statistics(const OutputFiles& files, const std::string& json, Report& report);
 
 /// "3.2 %", of 0.032.
 std::string percent(double share);

@@ -109,7 +109,7 @@ PreparedFrame prepare_frame(const RenderArguments& request, SceneSource& source)
     out.settings = settings_of(arguments, scene, out.partition, out.sky);
     if (out.effects.has(Effect::motion_blur))
         out.settings.push_back(out.motion.setting);
-    out.found = find_state(arguments.state, out.settings);
+    out.found = find_state(arguments.files.state, out.settings);
     out.seconds = reading.seconds();
     return out;
 }

@@ -13,9 +13,9 @@ RenderState begin_or_resume(const PreparedFrame& frame, const PassSource& source
     RenderState state = begin_state(source, frame.settings);
     if (!frame.found)
         return state;
-    merge_state(state, *frame.found, frame.arguments.state);
+    merge_state(state, *frame.found, frame.arguments.files.state);
     report.line("going on with " + std::to_string(count(state.film.passes)) + " passes of " +
-                frame.arguments.state.string());
+                frame.arguments.files.state.string());
     return state;
 }
 
@@ -43,14 +43,14 @@ RunResult render_with_progress(const RenderArguments& arguments, const PassSourc
         report.progress(progress.done, note);
     };
     control.stop = &stop;
-    if (!arguments.state.empty())
-        control.save = [&](const RenderState& now) { write_state(arguments.state, now); };
+    if (!arguments.files.state.empty())
+        control.save = [&](const RenderState& now) { write_state(arguments.files.state, now); };
     report.begin("rendering " + std::to_string(source.width) + "x" + std::to_string(source.height) +
                  describe_stops(arguments.stops));
     RunResult out = run_passes(source, arguments.stops, control, state);
     report.end();
-    if (!arguments.state.empty())
-        write_state(arguments.state, state);
+    if (!arguments.files.state.empty())
+        write_state(arguments.files.state, state);
     return out;
 }
 
@@ -102,8 +102,8 @@ RenderedFrame render_frame(PreparedFrame& frame, SceneSource& source, FormerFram
         return render_passes(frame, source, former, stop, report);
     if (former->rendered && former->settings == frame.settings && !frame.found) {
         report.line("nothing has moved since the frame before: its image serves");
-        if (!frame.arguments.state.empty())
-            write_state(frame.arguments.state, former->rendered->state);
+        if (!frame.arguments.files.state.empty())
+            write_state(frame.arguments.files.state, former->rendered->state);
         RenderedFrame out = *former->rendered;
         out.seconds_rays = 0;
         return out;

@@ -91,32 +91,30 @@ OptionField exposure_field(std::optional<float>& exposure_ev)
 }
 
 /// The files that `render` and `render merge` write, and how 8-bit images are exposed.
-template <typename Arguments>
-std::vector<OptionRow> output_rows(Arguments& arguments, bool required)
+std::vector<OptionRow> output_rows(OutputFiles& files, bool required)
 {
-    std::filesystem::path& error_image = arguments.error_image;
-    return {
-        {.name = "output",
-         .section = kFilesSection,
-         .field = files_field(arguments.images),
-         .help = "Image to write; repeatable. .exr, .pfm and .hdr hold radiance, W/(m2 sr), "
-                 ".exr its noise, bias and error too; .png and .ppm are exposed sRGB",
-         .flags = "-o,--output",
-         .required = required},
-        {.name = "error-image",
-         .section = kFilesSection,
-         .field = parsed_field(
-             [&](const std::string& text) { parse_error_image(text, error_image); }, {}, "FILE"),
-         .help = "Write an image of the relative error of each pixel in false colour, .png"},
-        {.name = "stats",
-         .section = kFilesSection,
-         .field = file_field(arguments.statistics),
-         .help = "Write statistics as JSON"},
-        {.name = "exposure",
-         .section = kImageSection,
-         .field = exposure_field(arguments.exposure_ev),
-         .help = "Exposure of 8-bit images in stops",
-         .unset = "auto"}};
+    return {{.name = "output",
+             .section = kFilesSection,
+             .field = files_field(files.images),
+             .help = "Image to write; repeatable. .exr, .pfm and .hdr hold radiance, W/(m2 sr), "
+                     ".exr its noise, bias and error too; .png and .ppm are exposed sRGB",
+             .flags = "-o,--output",
+             .required = required},
+            {.name = "error-image",
+             .section = kFilesSection,
+             .field = parsed_field(
+                 [&](const std::string& text) { parse_error_image(text, files.error_image); }, {},
+                 "FILE"),
+             .help = "Write an image of the relative error of each pixel in false colour, .png"},
+            {.name = "stats",
+             .section = kFilesSection,
+             .field = file_field(files.statistics),
+             .help = "Write statistics as JSON"},
+            {.name = "exposure",
+             .section = kImageSection,
+             .field = exposure_field(files.exposure_ev),
+             .help = "Exposure of 8-bit images in stops",
+             .unset = "auto"}};
 }
 
 std::vector<OptionRow> method_rows(RenderArguments& arguments)
@@ -238,7 +236,7 @@ std::vector<OptionRow> end_rows(RenderArguments& arguments)
          .help = "Only render a few passes and print what smaller errors would cost"},
         {.name = "state",
          .section = kEndSection,
-         .field = file_field(arguments.state),
+         .field = file_field(arguments.files.state),
          .help = "Keep the passes in this file, and resume with those it holds"},
         {.name = "first-pass",
          .section = kEndSection,
@@ -318,7 +316,7 @@ std::string hex(std::uint64_t word)
 
 std::vector<OptionRow> option_rows(RenderArguments& arguments)
 {
-    std::vector<OptionRow> rows = output_rows(arguments, false);
+    std::vector<OptionRow> rows = output_rows(arguments.files, false);
     append_rows(rows, image_rows(arguments));
     append_rows(rows, method_rows(arguments));
     append_rows(rows, end_rows(arguments));
@@ -333,10 +331,10 @@ std::vector<OptionRow> option_rows(RenderArguments& arguments)
 
 std::vector<OptionRow> option_rows(MergeArguments& arguments)
 {
-    std::vector<OptionRow> rows = output_rows(arguments, true);
+    std::vector<OptionRow> rows = output_rows(arguments.files, true);
     rows.push_back({.name = "state",
                     .section = kFilesSection,
-                    .field = file_field(arguments.state),
+                    .field = file_field(arguments.files.state),
                     .help = "Write all passes as one state"});
     return rows;
 }

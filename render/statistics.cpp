@@ -225,8 +225,8 @@ std::string statistics_json(const PreparedFrame& frame, const RenderedFrame& ren
     json["partition"] = {{"file", arguments.partition.string()},
                          {"shared_maps", frame.partition.map_count}};
     json["audit"] = audit_json(frame.loaded.audit);
-    json["image"] = image_json(arguments.render.width, arguments.render.height, arguments.images,
-                               written.exposure_ev);
+    json["image"] = image_json(arguments.render.width, arguments.render.height,
+                               arguments.files.images, written.exposure_ev);
     json["pictures"] = pictures_json(written);
     json["options"] = settings_json(values_of(arguments));
     json["effects"] = effects_json(frame.effects);
@@ -254,8 +254,8 @@ std::string merged_statistics_json(const MergeArguments& arguments, const Render
     for (const std::filesystem::path& file : arguments.states)
         json["states"].push_back(file.string());
     json["settings"] = settings_json(state.settings);
-    json["image"] =
-        image_json(state.film.width, state.film.height, arguments.images, written.exposure_ev);
+    json["image"] = image_json(state.film.width, state.film.height, arguments.files.images,
+                               written.exposure_ev);
     json["pictures"] = pictures_json(written);
     json["passes_done"] = count(state.film.passes);
     json["error"] = error_json(state, 0);

@@ -1,20 +1,12 @@
 #pragma once
 
-#include "common/image/legend.h"
 #include "render/former_frame.h"
+#include "render/outputs.h"
 #include "render/prepare_frame.h"
 
 #include <string>
 
 namespace hipmap {
-
-/// What became of the files that were asked for.
-struct WrittenFiles {
-    float exposure_ev = 0;
-    std::optional<LegendedPicture> error_image;
-    double seconds = 0; ///< writing images
-    std::size_t warnings = 0;
-};
 
 /// The statistics of a render as JSON text (docs/statistics.md); powers in W.
 std::string statistics_json(const PreparedFrame& frame, const RenderedFrame& rendered,

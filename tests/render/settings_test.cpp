@@ -25,7 +25,7 @@ RenderArguments parse(std::vector<std::string> options)
 
 RenderArguments complete(RenderArguments arguments)
 {
-    arguments.images = {"image.png"};
+    arguments.files.images = {"image.png"};
     complete_arguments(arguments);
     return arguments;
 }
