@@ -12,8 +12,10 @@ import os
 import runpy
 import sys
 import tempfile
+import time
 
 import bpy
+import numpy
 
 
 BUNDLED = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "assets", "cornell.py")
@@ -95,6 +97,33 @@ def set_up_cycles(samples, output):
     cycles.pixel_filter_type = "BOX"
     cycles.max_bounces = cycles.diffuse_bounces = 32
     cycles.glossy_bounces = cycles.transmission_bounces = 32
+
+
+def write_pfm(rendered, path):
+    """The image that Blender has written to a file."""
+    image = bpy.data.images.load(rendered)
+    image.colorspace_settings.name = "Linear"
+    width, height = image.size
+    numbers = numpy.array(image.pixels[:], dtype="<f4").reshape(height, width, 4)[:, :, :3]
+    with open(path, "wb") as file:
+        file.write(f"PF\n{width} {height}\n-1.0\n".encode())
+        file.write(numbers.tobytes())
+
+
+def render_timed(image, size, samples, seed, threads):
+    """Writes the image, .pfm, and prints the processor's seconds that rendering it took.  threads: 0: all."""
+    scene = bpy.context.scene
+    with tempfile.TemporaryDirectory() as folder:
+        rendered = os.path.join(folder, "image.exr")
+        set_up_cycles(samples, rendered)
+        scene.render.resolution_x, scene.render.resolution_y = size
+        if threads > 0:
+            scene.render.threads_mode, scene.render.threads = "FIXED", threads
+        scene.cycles.device, scene.cycles.seed = "CPU", seed
+        begun = time.process_time()
+        bpy.ops.render.render(write_still=True)
+        print(f"processor seconds: {time.process_time() - begun:.3f}")
+        write_pfm(rendered, image)
 
 
 def main():
