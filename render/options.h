@@ -14,6 +14,10 @@ namespace hipmap {
 /// Passes of a render that nothing else ends.
 inline constexpr std::uint64_t kDefaultPasses = 16;
 
+/// Bounds of the light paths of a pass where --photons is not given.
+inline constexpr std::uint64_t kFewestDefaultPhotons = 200'000;
+inline constexpr std::uint64_t kMostDefaultPhotons = 2'000'000;
+
 /// MapOptions::local_min while it follows from the number of neighbours.
 inline constexpr std::uint32_t kLocalMinOpen = 0;
 

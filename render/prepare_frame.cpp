@@ -42,7 +42,7 @@ void choose_sky_picture(const RenderArguments& arguments, LoadedScene& loaded)
 std::uint64_t default_photons(const PictureSize& size, int samples)
 {
     const std::uint64_t pixels = static_cast<std::uint64_t>(size.width) * size.height;
-    return std::clamp<std::uint64_t>(pixels * samples, 200'000, 2'000'000);
+    return std::clamp(pixels * samples, kFewestDefaultPhotons, kMostDefaultPhotons);
 }
 
 /// Fills in what follows from the scene.

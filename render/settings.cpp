@@ -131,7 +131,9 @@ std::vector<OptionRow> method_rows(RenderArguments& arguments)
              .section = kMethodSection,
              .field = number_field(arguments.photons, {0, kMostPhotons}),
              .help = "Light paths to emit in each pass",
-             .unset = "as many as a pass has samples, within 200000 and 2000000",
+             .unset = "as many as a pass has samples, within " +
+                      std::to_string(kFewestDefaultPhotons) + " and " +
+                      std::to_string(kMostDefaultPhotons),
              .changes = Changes::passes},
             {.name = "neighbours",
              .section = kMethodSection,
@@ -264,8 +266,9 @@ OptionRow shutter_row(RenderArguments& arguments)
             .needs = "frames"};
 }
 
-std::vector<OptionRow> dissertation_rows(MapOptions& maps, RenderOptions& render)
+std::vector<OptionRow> dissertation_rows(RenderOptions& render)
 {
+    MapOptions& maps = render.maps;
     return {{.name = "maps",
              .section = kDissertationSection,
              .field = choice_field<MapMode>(maps.mode, kMapModes),
@@ -325,7 +328,7 @@ std::vector<OptionRow> option_rows(RenderArguments& arguments)
     append_rows(rows, frame_rows(arguments.frames));
     rows.push_back(shutter_row(arguments));
     append_rows(rows, speed_rows(arguments));
-    append_rows(rows, dissertation_rows(arguments.render.maps, arguments.render));
+    append_rows(rows, dissertation_rows(arguments.render));
     return rows;
 }
 

@@ -2,7 +2,7 @@
 
 import math
 
-import report  # of experiments/agreement, by way of measure
+import report  # of experiments/agreement, whose folder measure has put on the path
 
 CHANCE = 0.0005  # of a room that is called wrong though it is right, by each judgement
 AGREE, WITHIN, VAGUE, REFUSED = ("agree", "within the bias", "no reference", "refused")

@@ -108,12 +108,12 @@ void follow_specular(const RenderScene& scene, const Interaction& at, const Bran
 Reached reach_by_beams(const RenderScene& scene, const VolumeMap* photons, bool sees_lights,
                        Branch& branch, Rgb& radiance)
 {
-    return reach(scene, branch, sees_lights, radiance, [&](PathState& flying) {
+    return reach(scene, branch, sees_lights, radiance, [&] {
         static const VolumeMap kNoPhotons;
         std::array<Rgb, 3> seen{};
         const MediaBeams beams{*scene.media, photons != nullptr ? *photons : kNoPhotons, {1, 1, 1}};
         const Reached out{
-            see_media(beams, flying.ray, photons != nullptr, {flying.inside, flying.weight, seen})};
+            see_media(beams, branch.ray, photons != nullptr, {branch.inside, branch.weight, seen})};
         radiance += seen[0];
         return out;
     });

@@ -49,10 +49,10 @@ class GatherTracer {
         const RenderScene& scene = maps_.scene;
         const bool sees = sees_lights(branch);
         Rgb lights(0.0f);
-        const Reached reached = reach(scene, branch, sees, lights, [&](PathState& flying) {
+        const Reached reached = reach(scene, branch, sees, lights, [&] {
             const MediaBeams beams{*scene.media, *maps_.volume, kScales};
-            return Reached{see_media(beams, flying.ray, !branch.gathers,
-                                     {flying.inside, flying.weight, radiance_})};
+            return Reached{see_media(beams, branch.ray, !branch.gathers,
+                                     {branch.inside, branch.weight, radiance_})};
         });
         if (!reached.hit)
             return add(lights);

@@ -50,8 +50,8 @@ class PathTracer {
     bool step()
     {
         const bool sees_lights = path_.sees_lights(light_);
-        const Reached reached = reach(scene_, path_, sees_lights, radiance_,
-                                      [this](PathState&) { return fly(*scene_.media); });
+        const Reached reached =
+            reach(scene_, path_, sees_lights, radiance_, [this] { return fly(*scene_.media); });
         if (reached.scattered) {
             leave_gathered(scattering_point(scattering_.position, -path_.ray.direction,
                                             scattering_.medium->phase, path_.inside));
@@ -73,7 +73,7 @@ class PathTracer {
 
     bool may_gather() const { return light_.indirect || !path_.gathers; }
 
-    /// Follows the ray to the next surface or scattering; adds what the media on the way glow.
+    /// Follows the ray to the next surface or scattering; adds what the media on the way emit.
     /// docs/media.md (6).
     Reached fly(const MediaSet& media)
     {

@@ -39,13 +39,14 @@ bool survives(PathState& path, RandomSequence& random)
     return survives(survival_chance(path.depth, importance(path)), random, path.weight);
 }
 
-void cross_air(const RenderScene& scene, const OnTheWay& way, PathState& path, Rgb& light)
+void cross_air(const RenderScene& scene, const std::optional<RayHit>& hit, bool sees_lights,
+               PathState& path, Rgb& light)
 {
-    if (way.sees_lights)
+    if (sees_lights)
         light += path.weight *
-                 met_lamps(scene, path.ray, distance_of(way.hit), path.absorption, path.source);
-    if (way.hit)
-        absorb(path.absorption, way.hit->distance, path.weight);
+                 met_lamps(scene, path.ray, distance_of(hit), path.absorption, path.source);
+    if (hit)
+        absorb(path.absorption, hit->distance, path.weight);
 }
 
 void go_by_mirror(const RenderScene& scene, const Interaction& at, const SpecularLobes& lobes,

@@ -36,18 +36,14 @@ struct Reached {
     bool scattered = false;    ///< by a medium
 };
 
-/// What is on the way of a ray where there are no media.
-struct OnTheWay {
-    const std::optional<RayHit>& hit; ///< where the way ends
-    bool sees_lights;
-};
-
-/// Adds the lamps on the way to `light`, and takes what glass absorbs from the weight.
-void cross_air(const RenderScene& scene, const OnTheWay& way, PathState& path, Rgb& light);
+/// Where there are no media: adds the lamps on the way to a hit to `light`, if the path sees
+/// lights, and takes what glass absorbs from the weight.
+void cross_air(const RenderScene& scene, const std::optional<RayHit>& hit, bool sees_lights,
+               PathState& path, Rgb& light);
 
 /// Brings the path to the next surface.  Adds to `light` what its weight leaves of the lamps on the
 /// way and of the sky behind, if it sees lights: each counts as `hit_weight` has it.
-/// through_media: (PathState&) -> Reached, asked where the scene has media: takes from the weight
+/// through_media: () -> Reached, asked where the scene has media: takes from the weight
 /// what they hold back, and keeps `inside`.  Thread-safe.
 template <typename Through>
 inline Reached reach(const RenderScene& scene, PathState& path, bool sees_lights, Rgb& light,
@@ -57,11 +53,11 @@ inline Reached reach(const RenderScene& scene, PathState& path, bool sees_lights
     if (scene.has_media()) {
         if (sees_lights)
             light += path.weight * met_lamps_in_media(scene, path.ray, path.inside, path.source);
-        out = through_media(path);
+        out = through_media();
     } else {
         out.hit = scene.rays.nearest(path.ray);
         if (!scene.is_clear())
-            cross_air(scene, {out.hit, sees_lights}, path, light);
+            cross_air(scene, out.hit, sees_lights, path, light);
     }
     if (sees_lights && !out.hit && !out.scattered)
         light += path.weight * met_sky(scene, path.ray.direction, path.source);
