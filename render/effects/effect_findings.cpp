@@ -41,7 +41,7 @@ Finding find_mirror(const SceneFacts& facts)
     const std::string names =
         facts.materials_where([](const Material& material, const Bsdf& bsdf, bool) {
             const bool may_be_smooth = has_texture(material, TextureUse::metallic_roughness);
-            return bsdf.has_mirror() || (bsdf.reflection != Reflection::none && may_be_smooth);
+            return has_mirror(bsdf) || (has_reflection(bsdf) && may_be_smooth);
         });
     if (names.empty())
         return {false, "no surface is smooth and reflects", ""};
@@ -50,11 +50,10 @@ Finding find_mirror(const SceneFacts& facts)
 
 Finding find_glossy(const SceneFacts& facts)
 {
-    const std::string followed = facts.materials_where(
-        [](const Material&, const Bsdf& bsdf, bool) { return bsdf.follows(); });
-    const std::string gathered = facts.materials_where([](const Material&, const Bsdf& bsdf, bool) {
-        return bsdf.reflects(Reflection::gathered);
-    });
+    const std::string followed =
+        facts.materials_where([](const Material&, const Bsdf& bsdf, bool) { return bsdf.follows; });
+    const std::string gathered = facts.materials_where(
+        [](const Material&, const Bsdf& bsdf, bool) { return reflects(bsdf, Lobes::gathered); });
     const std::string limit = "roughness " + short_number(kFollowedRoughness);
     Finding out;
     if (!followed.empty()) {
@@ -78,11 +77,11 @@ Finding find_refraction(const SceneFacts& facts)
 {
     const std::string solid =
         facts.materials_where([](const Material&, const Bsdf& bsdf, bool is_solid) {
-            return bsdf.glass > 0 && is_solid;
+            return bsdf.transmits && is_solid;
         });
     const std::string thin =
         facts.materials_where([](const Material&, const Bsdf& bsdf, bool is_solid) {
-            return bsdf.glass > 0 && !is_solid;
+            return bsdf.transmits && !is_solid;
         });
     if (solid.empty() && thin.empty())
         return {false, "no surface transmits", ""};
@@ -141,7 +140,7 @@ Finding find_alpha(const SceneFacts& facts)
 Finding find_clearcoat(const SceneFacts& facts)
 {
     const std::string names = facts.materials_where(
-        [](const Material&, const Bsdf& bsdf, bool) { return bsdf.clearcoat != Reflection::none; });
+        [](const Material&, const Bsdf& bsdf, bool) { return bsdf.layers.clearcoat > 0; });
     const std::string glass =
         names_of(facts, [](const Material& m) { return m.clearcoat > 0 && m.transmission > 0; });
     return layer_finding(names, glass, "a reflection more on these surfaces");
@@ -150,7 +149,7 @@ Finding find_clearcoat(const SceneFacts& facts)
 Finding find_sheen(const SceneFacts& facts)
 {
     const std::string names = facts.materials_where(
-        [](const Material&, const Bsdf& bsdf, bool) { return bsdf.has_sheen(); });
+        [](const Material&, const Bsdf& bsdf, bool) { return bsdf.layers.sheen > 0; });
     const std::string glass = names_of(
         facts, [](const Material& m) { return !is_black(m.sheen_color) && m.transmission > 0; });
     return layer_finding(
@@ -160,7 +159,7 @@ Finding find_sheen(const SceneFacts& facts)
 Finding find_diffuse_transmission(const SceneFacts& facts)
 {
     const std::string names = facts.materials_where(
-        [](const Material&, const Bsdf& bsdf, bool) { return bsdf.passes_diffusely(); });
+        [](const Material&, const Bsdf& bsdf, bool) { return bsdf.transmits_diffusely; });
     const std::string glass = names_of(
         facts, [](const Material& m) { return m.diffuse_transmission > 0 && m.transmission > 0; });
     return layer_finding(names, glass,
@@ -174,14 +173,14 @@ Finding find_anisotropy(const SceneFacts& facts)
     const glm::vec2 middle(1.0f / 3);
     for (FaceId face = 0; face < mesh.face_count(); ++face) {
         const MaterialId material = mesh.material_of_face[face];
-        if (directed[material] == 0 && facts.bsdfs[material].is_directed())
+        if (directed[material] == 0 && facts.bsdfs[material].is_directed)
             directed[material] =
                 stretched_along(facts.scene, surface_point(mesh, face, middle), middle).has_value();
     }
     const auto names = [&](std::uint8_t wanted) {
         return facts.materials_where([&](const Material& material, const Bsdf& bsdf, bool) {
             const auto index = static_cast<std::size_t>(&material - facts.scene.materials.data());
-            return bsdf.is_directed() && directed[index] == wanted;
+            return bsdf.is_directed && directed[index] == wanted;
         });
     };
     const std::string rest =
@@ -197,8 +196,9 @@ Finding find_anisotropy(const SceneFacts& facts)
 Finding find_reflection_models(const SceneFacts& facts)
 {
     const auto names = [&](ReflectionModel wanted) {
-        return facts.materials_where(
-            [wanted](const Material&, const Bsdf& bsdf, bool) { return bsdf.model == wanted; });
+        return facts.materials_where([wanted](const Material& material, const Bsdf&, bool) {
+            return material.boundary && material.reflection_model == wanted;
+        });
     };
     std::string reason;
     for (const auto& [model, name] : {std::pair(ReflectionModel::phong, "Phong"),

@@ -12,7 +12,7 @@ constexpr const char* kDark = "nothing shines";
 std::string gathering_materials(const SceneFacts& facts)
 {
     return facts.materials_where(
-        [](const Material&, const Bsdf& bsdf, bool) { return bsdf.gathers(); });
+        [](const Material&, const Bsdf& bsdf, bool) { return bsdf.gathers; });
 }
 
 /// Names of what shines and has a size, in quotes.

@@ -2,7 +2,7 @@
 
 #include "common/partition/partition.h"
 #include "common/scene/scene.h"
-#include "render/shading/bsdf.h"
+#include "render/shading/make_bsdf.h"
 
 #include <functional>
 #include <string>

@@ -41,13 +41,13 @@ struct BranchStack {
     Rgb light = estimate_irradiance(maps.global, maps.surfaces, query, scratch.global);
     query.radius = even_radius(maps.caustic, maps.surfaces, query);
     light += estimate_irradiance(maps.caustic, maps.surfaces, query, scratch.caustic);
-    return maps.scene.directional ? light : lobes.beyond() * light;
+    return maps.scene.directional ? light : lobes.behind() * light;
 }
 
 /// Light that the gathered lobes send back along the path, from photons.
 Rgb photon_light(const PassMaps& maps, const Interaction& at, EyeScratch& scratch)
 {
-    const GatheredLobes lobes(at.bsdf, at.shading_normal, at.normal, at.back);
+    const GatheredLobes lobes(at);
     PhotonQuery query{at.point.position, at.normal, at.point.face, at.side};
     if (maps.scene.directional)
         query.lobes = &lobes;
@@ -55,8 +55,8 @@ Rgb photon_light(const PassMaps& maps, const Interaction& at, EyeScratch& scratc
     query.radius = even_radius(maps.caustic, maps.surfaces, query);
     light += estimate_irradiance(maps.caustic, maps.surfaces, query, scratch.caustic);
     light = maps.scene.directional ? light : lobes.base() * light;
-    return at.bsdf.passes_diffusely() ? light + light_from_beyond(maps, lobes, query, scratch)
-                                      : light;
+    return at.bsdf().transmits_diffusely ? light + light_from_beyond(maps, lobes, query, scratch)
+                                         : light;
 }
 
 /// Light from lights and photons that the surface sends back along the path; what followed lobes
@@ -64,9 +64,9 @@ Rgb photon_light(const PassMaps& maps, const Interaction& at, EyeScratch& scratc
 Rgb scattered_light(const PassMaps& maps, const Interaction& at, RandomSequence& random,
                     EyeScratch& scratch)
 {
-    const bool gathers = at.bsdf.gathers();
+    const bool gathers = at.gathers();
     const bool samples = gathers && maps.direct == DirectLight::shadow_rays;
-    const LobeRays rays{samples ? 1.0f : 0.0f, at.bsdf.follows() ? 1.0f : 0.0f};
+    const LobeRays rays{samples ? 1.0f : 0.0f, at.follows() ? 1.0f : 0.0f};
     Rgb light(0.0f);
     if (rays.gathered + rays.followed > 0)
         light = sampled_light(maps.scene, at, rays, random);
@@ -80,7 +80,7 @@ Rgb scattered_light(const PassMaps& maps, const Interaction& at, RandomSequence&
 void follow_specular(const RenderScene& scene, const Interaction& at, const Branch& from,
                      RandomSequence& random, BranchStack& stack)
 {
-    const SpecularLobes lobes = specular_lobes(at.bsdf, at.seen(), at.front, at.solid);
+    const SpecularLobes lobes = specular_lobes(at);
     const float mirror = max_channel(from.weight * lobes.mirror);
     const float transmit = max_channel(from.weight * lobes.transmit);
     if (!(mirror + transmit > 0))
@@ -154,10 +154,10 @@ Rgb trace_eye_path(const PassMaps& maps, const Ray& ray, SeenLights seen, Random
         if (sees_lights)
             radiance += met_emission(maps.scene, at, reached.hit->distance, branch);
         radiance += branch.weight * scattered_light(maps, at, random, scratch);
-        if (at.bsdf.is_matt())
+        if (at.is_diffuse())
             continue;
         follow_specular(maps.scene, at, branch, random, stack);
-        if (at.bsdf.follows())
+        if (at.follows())
             follow_glossy(maps.scene, at, branch, random, stack);
     }
     return radiance;
@@ -174,7 +174,7 @@ Rgb trace_seen_lights(const RenderScene& scene, const Ray& ray, RandomSequence& 
             continue;
         const Interaction at = meet(scene, *reached.hit, random, branch);
         radiance += met_emission(scene, at, reached.hit->distance, branch);
-        if (!at.bsdf.is_matt())
+        if (!at.is_diffuse())
             follow_specular(scene, at, branch, random, stack);
     }
     return radiance;

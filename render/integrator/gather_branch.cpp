@@ -19,7 +19,7 @@ GatherBranch scatter(const RenderScene& scene, const GatherBranch& from, const I
 void add_mirror_and_glass(const RenderScene& scene, const GatherBranch& from, const Interaction& at,
                           Departures& out)
 {
-    const SpecularLobes lobes = specular_lobes(at.bsdf, at.seen(), at.front, at.solid);
+    const SpecularLobes lobes = specular_lobes(at);
     GatherBranch base = from;
     base.straight = false;
     if (!is_black(lobes.transmit)) {

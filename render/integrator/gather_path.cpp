@@ -60,12 +60,12 @@ class GatherTracer {
         if (sees)
             add(lights + met_emission(scene, at, reached.hit->distance, branch));
         GatherBranch gathering = branch;
-        const bool onward = at.bsdf.gathers() && !add_photons(gathering, at, reached.hit->distance);
+        const bool onward = at.gathers() && !add_photons(gathering, at, reached.hit->distance);
         if (onward)
             add(gathering.weight * sampled_light(scene, at, {.gathered = 1}, random_));
         if (onward && !maps_.bounces)
             add(gathering.weight * found_light(scene, at, random_));
-        if (at.bsdf.follows() && !branch.gathers)
+        if (at.follows() && !branch.gathers)
             add(branch.weight * sampled_light(scene, at, {.followed = 1}, random_));
         send_on(onward && maps_.bounces ? &gathering : nullptr, branch, at);
     }
@@ -74,11 +74,11 @@ class GatherTracer {
     /// they are to send a ray on, with the weight and radius now in `branch`.
     bool add_photons(GatherBranch& branch, const Interaction& at, float distance)
     {
-        const GatheredLobes lobes(at.bsdf, at.shading_normal, at.normal, at.back);
+        const GatheredLobes lobes(at);
         PhotonQuery query{at.point.position, at.normal, at.point.face, at.side};
         if (maps_.scene.directional)
             query.lobes = &lobes;
-        if (at.bsdf.passes_diffusely())
+        if (at.bsdf().transmits_diffusely)
             return add_both_sides(branch, query, lobes);
         const Rgb factor = maps_.scene.directional ? Rgb(1) : lobes.base();
         add_caustic(branch, factor, query);
@@ -111,7 +111,7 @@ class GatherTracer {
             if (other)
                 query = beyond(query);
             const Rgb factor = maps_.scene.directional ? Rgb(1)
-                               : other                 ? lobes.beyond()
+                               : other                 ? lobes.behind()
                                                        : lobes.base();
             add_caustic(branch, factor, query);
             if (branch.gathers && !maps_.global.maps.empty()) {
@@ -179,9 +179,9 @@ class GatherTracer {
         Departures out;
         if (gathering != nullptr)
             out.add(scatter(maps_.scene, *gathering, at, Lobes::gathered, random_));
-        if (at.bsdf.follows())
+        if (at.follows())
             out.add(scatter(maps_.scene, from, at, Lobes::followed, random_));
-        if (!at.bsdf.is_matt())
+        if (!at.is_diffuse())
             add_mirror_and_glass(maps_.scene, from, at, out);
         if (out.size > 1 && (from.gathers || from.depth >= kSplitDepth))
             pick_one(out, random_);

@@ -62,9 +62,9 @@ class PathTracer {
         const Interaction at = meet(scene_, *reached.hit, random_, path_);
         if (sees_lights)
             radiance_ += met_emission(scene_, at, reached.hit->distance, path_);
-        if (!at.bsdf.is_matt())
+        if (!at.is_diffuse())
             leave(at);
-        else if (max_channel(path_.weight * at.bsdf.diffuse) > 0 && may_gather())
+        else if (max_channel(path_.weight * at.bsdf().diffuse) > 0 && may_gather())
             leave_gathered(at);
         else
             path_.weight = Rgb(0);
@@ -93,9 +93,9 @@ class PathTracer {
     LobeChances chances_at(const Interaction& at, const SpecularLobes& lobes) const
     {
         LobeChances out;
-        if (at.bsdf.gathers() && may_gather())
+        if (at.gathers() && may_gather())
             out.gathered = max_channel(path_.weight * scattered_share(at, Lobes::gathered));
-        if (at.bsdf.follows())
+        if (at.follows())
             out.followed = max_channel(path_.weight * scattered_share(at, Lobes::followed));
         out.mirror = max_channel(path_.weight * lobes.mirror);
         out.transmit = max_channel(path_.weight * lobes.transmit);
@@ -112,7 +112,7 @@ class PathTracer {
     /// Adds the light sampled at a surface, draws a set of lobes, and sends the path on by it.
     void leave(const Interaction& at)
     {
-        const SpecularLobes lobes = specular_lobes(at.bsdf, at.seen(), at.front, at.solid);
+        const SpecularLobes lobes = specular_lobes(at);
         const LobeChances chances = chances_at(at, lobes);
         const LobeRays rays{chances.gathered,
                             light_.caustic || !path_.gathers ? chances.followed : 0};

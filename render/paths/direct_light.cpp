@@ -72,7 +72,7 @@ Rgb from_lamp(const RenderScene& scene, const Interaction& at, std::uint32_t lam
 /// Rough glass, and what passes light diffusely, takes light from both sides.
 LightReceiver receiver(const Interaction& at)
 {
-    const bool both = at.bsdf.glass > 0 || at.bsdf.passes_diffusely();
+    const bool both = at.bsdf().transmits || at.bsdf().transmits_diffusely;
     return {at.point.position, both ? glm::vec3(0) : at.normal};
 }
 

@@ -79,7 +79,7 @@ inline Interaction meet(const RenderScene& scene, const RayHit& hit, RandomSeque
 inline Rgb met_emission(const RenderScene& scene, const Interaction& at, float distance,
                         const PathState& path)
 {
-    return path.weight * emitted_radiance(at.bsdf, at.point, at.back) *
+    return path.weight * emitted_radiance(at.bsdf(), at.point, at.back) *
            hit_weight(scene, at.point, path.ray.direction, distance, path.source);
 }
 

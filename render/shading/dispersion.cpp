@@ -89,10 +89,10 @@ void choose_wavelength(float& nanometres, Rgb& carried, RandomSequence& random)
 void disperse_here(Interaction& at, float& nanometres, Rgb& carried, RandomSequence& random)
 {
     choose_wavelength(nanometres, carried, random);
-    Bsdf& bsdf = at.bsdf;
-    bsdf.ior = dispersed_index(bsdf.ior, bsdf.dispersion, nanometres);
-    if (bsdf.alpha > 0)
-        bsdf.ior = std::max(bsdf.ior, kLeastRoughIndex);
+    const Bsdf& bsdf = at.bsdf();
+    at.ior = dispersed_index(bsdf.ior, bsdf.dispersion, nanometres);
+    if (bsdf.rough_glass)
+        at.ior = std::max(at.ior, kLeastRoughIndex);
 }
 
 } // namespace hipmap

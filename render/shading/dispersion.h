@@ -31,7 +31,7 @@ void disperse_here(Interaction& at, float& nanometres, Rgb& carried, RandomSeque
 /// The same wherever a path meets a surface; nothing if colours go the same way there.
 inline void disperse(Interaction& at, float& nanometres, Rgb& carried, RandomSequence& random)
 {
-    if (!kMattOnly && at.bsdf.dispersion > 0 && at.solid)
+    if (!kMattOnly && at.bsdf().dispersion > 0 && at.solid)
         disperse_here(at, nanometres, carried, random);
 }
 

@@ -1,83 +1,51 @@
 #include "render/shading/gathered_lobes.h"
 
-#include "render/shading/energy_compensation.h"
-#include "render/shading/facets.h"
-#include "render/shading/reflection_models.h"
-#include "render/shading/sheen.h"
+#include "render/shading/lobe_value.h"
 
 namespace hipmap {
 
-void GatheredLobes::see_through_coats()
+void GatheredLobes::look_through_layers()
 {
-    const float cosine = std::max(0.0f, glm::dot(normal_, out_));
-    const Rgb seen = through_coats(bsdf_, incidence(bsdf_, out_, cosine));
-    base_ *= seen;
-    beyond_ = bsdf_.diffuse_beyond / kPi * seen;
+    seen_.fill(Rgb(1));
+    if (bsdf_.layers.any)
+        for (const Depth depth : {Depth::sheen, Depth::reflection, Depth::diffuse})
+            seen_[static_cast<std::size_t>(depth)] =
+                transmitted_by(bsdf_.layers, depth, at_.seen());
+    const Rgb& diffuse = seen_[static_cast<std::size_t>(Depth::diffuse)];
+    base_ *= diffuse;
+    if (bsdf_.transmits_diffusely)
+        behind_ = bsdf_.diffuse_transmitted / kPi * diffuse;
 }
 
-Rgb GatheredLobes::passed(const glm::vec3& in, float cosine) const
+Rgb GatheredLobes::reflected(const PlacedLobe& lobe, const glm::vec3& in, float cosine) const
 {
-    return cosine > 0 && glm::dot(geometric_, in) < 0
-               ? beyond_ * through_coats(bsdf_, incidence(bsdf_, -in, cosine))
+    const LobeView& view = lobe.depth == Depth::clearcoat ? view_of(at_, lobe.depth) : view_;
+    Rgb value(0.0f);
+    if (glm::dot(view.normal, in) > 0)
+        value = value_of(at_, lobe, view, in);
+    // A photon of a face beside may come from below this one: nothing is folded to there.
+    if (view.normal != at_.normal && lobe.folds && glm::dot(at_.normal, in) > 0) {
+        const glm::vec3 below = mirrored(in, at_.normal);
+        if (glm::dot(view.normal, below) > 0)
+            value += value_of(at_, lobe, view, below);
+    }
+    return value * (seen_[static_cast<std::size_t>(lobe.depth)] / cosine);
+}
+
+Rgb GatheredLobes::transmitted(const glm::vec3& in, float cosine) const
+{
+    return cosine > 0 && glm::dot(at_.normal, in) < 0
+               ? behind_ * transmitted_by(bsdf_.layers, Depth::diffuse, incidence(at_, -in, cosine))
                : Rgb(0);
 }
 
 Rgb GatheredLobes::of_all(const glm::vec3& in, float cosine) const
 {
-    Rgb value = diffuse(in, cosine);
-    if (bsdf_.is_matt())
-        return value;
-    if (bsdf_.reflection == Reflection::gathered)
-        value += facets(bsdf_, normal_, in, cosine);
-    if (bsdf_.clearcoat == Reflection::gathered)
-        value += facets(clearcoat_alone(bsdf_),
-                        bsdf_.coat_agreement < 1 ? bsdf_.coat_normal : normal_, in, cosine);
-    if (bsdf_.has_sheen())
-        value += scattered_by_sheen(bsdf_, normal_, in, out_);
-    return value;
-}
-
-Rgb GatheredLobes::facets(const Bsdf& bsdf, const glm::vec3& normal, const glm::vec3& in,
-                          float cosine) const
-{
-    const float above = glm::dot(normal, in);
     Rgb value(0.0f);
-    if (above > 0)
-        value = reflected_by_facets(bsdf, normal, in, out_) * (above / cosine);
-    // A photon of a face beside may come from below this one: nothing is folded to there.
-    if (normal != geometric_ && glm::dot(geometric_, in) > 0) {
-        const glm::vec3 below = mirrored(in, geometric_);
-        const float folded = glm::dot(normal, below);
-        if (folded > 0)
-            value += reflected_by_facets(bsdf, normal, below, out_) * (folded / cosine);
-    }
+    for (const PlacedLobe& lobe : bsdf_.lobes())
+        if (lobe.handled == Lobes::gathered && !lobe.transmits)
+            value += reflected(lobe, in, cosine);
     return value;
-}
-
-Rgb scattered_by_sheen(const Bsdf& bsdf, const glm::vec3& normal, const glm::vec3& in,
-                       const glm::vec3& out)
-{
-    const float cos_in = glm::dot(normal, in), cos_out = glm::dot(normal, out);
-    const glm::vec3 both = in + out;
-    const float along = cos_in + cos_out;
-    const float sin2_half = 1 - along * along / glm::dot(both, both);
-    return bsdf.sheen *
-           (sheen_lobe(cos_in, cos_out, sin2_half, bsdf.sheen_alpha) *
-            through_clearcoat(bsdf, incidence(bsdf, in, cos_in), incidence(bsdf, out, cos_out)));
-}
-
-Rgb reflected_by_facets(const Bsdf& bsdf, const glm::vec3& normal, const glm::vec3& in,
-                        const glm::vec3& out)
-{
-    if (bsdf.is_modelled()) [[unlikely]]
-        return modelled_lobe(bsdf, normal, in, out);
-    const glm::vec3 half = glm::normalize(in + out);
-    const float cos_in = glm::dot(normal, in), cos_out = glm::dot(normal, out);
-    const float passed =
-        through_layers(bsdf, incidence(bsdf, in, cos_in), incidence(bsdf, out, cos_out));
-    const Rgb single = opaque_reflectance(bsdf, glm::dot(half, out)) *
-                       (facet_spread(bsdf, normal, in, out, half) * passed);
-    return bsdf.is_compensated() ? single + regained_lobe(bsdf, cos_in, cos_out) * passed : single;
 }
 
 } // namespace hipmap

@@ -28,23 +28,19 @@ void tilt_coat(const RenderScene& scene, const RayHit& hit, float sign, const gl
 {
     const glm::vec3 tilted =
         sign * mapped_normal(scene.scene, at.point, hit.barycentric, TextureUse::clearcoat_normal);
-    at.bsdf.coat_normal = glm::dot(at.back, tilted) > 0 ? tilted : smooth;
-    if (at.bsdf.coat_normal != at.shading_normal)
-        at.bsdf.coat_agreement = std::min(1.0f, glm::dot(at.bsdf.coat_normal, at.shading_normal));
+    const glm::vec3 normal = glm::dot(at.back, tilted) > 0 ? tilted : smooth;
+    if (normal != at.shading_normal)
+        at.coat_normal = normal;
 }
 
-/// Facets stay alike all round where nothing says along what they are stretched.
-void stretch(const RenderScene& scene, const RayHit& hit, Interaction& at)
+/// No tangent where nothing says along what facets are stretched.
+void find_tangent(const RenderScene& scene, const RayHit& hit, Interaction& at)
 {
     std::optional<glm::vec3> along = stretched_along(scene.scene, at.point, hit.barycentric);
     if (along)
         along = part_across(*along, at.shading_normal);
-    if (along) {
-        at.bsdf.along = *along;
-        return;
-    }
-    at.bsdf.alpha_along = 0;
-    at.bsdf.isotropy = 1;
+    if (along)
+        at.tangent = *along;
 }
 
 /// What differs from point to point.  A function of its own, to spare others its registers.
@@ -52,19 +48,19 @@ void stretch(const RenderScene& scene, const RayHit& hit, Interaction& at)
                                    float sign, Interaction& at)
 {
     if (scene.varying[material] != 0)
-        at.bsdf = make_bsdf(scene.scene.materials[material],
-                            material_at(scene.scene, hit.face, hit.barycentric),
-                            scene.scene.diffuse_model);
+        at.own = make_bsdf(scene.scene.materials[material],
+                           material_at(scene.scene, hit.face, hit.barycentric),
+                           scene.scene.diffuse_model);
     if (scene.coverage)
         at.coverage = scene.coverage(hit.face, hit.barycentric);
     if (scene.bumpy[material] != 0) {
         const glm::vec3 smooth = at.shading_normal;
         tilt(scene, hit, sign, at);
-        if (at.bsdf.clearcoat != Reflection::none)
+        if (at.bsdf().layers.clearcoat > 0)
             tilt_coat(scene, hit, sign, smooth, at);
     }
-    if (at.bsdf.is_directed())
-        stretch(scene, hit, at);
+    if (at.bsdf().is_directed)
+        find_tangent(scene, hit, at);
 }
 
 } // namespace
@@ -74,7 +70,7 @@ Interaction interact(const RenderScene& scene, const Ray& ray, const RayHit& hit
     Interaction out;
     out.point = surface_point(scene.mesh(), hit.face, hit.barycentric);
     const MaterialId material = scene.mesh().material_of_face[hit.face];
-    out.bsdf = scene.bsdfs[material];
+    out.worn = &scene.bsdfs[material];
     out.back = -ray.direction;
     out.front = glm::dot(out.back, out.point.geometric_normal) >= 0;
     const float sign = out.front ? 1.0f : -1.0f;
@@ -87,6 +83,7 @@ Interaction interact(const RenderScene& scene, const Ray& ray, const RayHit& hit
     }
     if (!scene.is_plain(material)) [[unlikely]]
         add_details(scene, hit, material, sign, out);
+    out.ior = out.bsdf().ior;
     out.solid = scene.partition.closed[hit.face] != 0;
     const bool flipped = scene.partition.flipped[hit.face] != 0;
     out.side = out.front == flipped ? 1 : 0;
@@ -156,7 +153,7 @@ Ray transmitted_ray(const Interaction& at, float eta)
 
 Rgb absorption_beyond(const Interaction& at)
 {
-    return at.solid && at.front && !at.in_media() ? at.bsdf.absorption : Rgb(0);
+    return at.solid && at.front && !at.in_media() ? at.bsdf().absorption : Rgb(0);
 }
 
 float particle_correction(const Interaction& at, const glm::vec3& towards)

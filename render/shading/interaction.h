@@ -5,26 +5,46 @@
 
 #include <glm/exponential.hpp>
 
+#include <optional>
+
 namespace hipmap {
+
+/// What a point of a medium has instead of a surface: no lobes.
+inline const Bsdf kNoSurface;
 
 /// A ray that has met a surface, or a medium that scatters it.  Both normals lie on the side that
 /// the ray came from; in a medium they are zero.
 struct Interaction {
     SurfacePoint point;
-    Bsdf bsdf;
     glm::vec3 back;           ///< unit, from the point to where the ray came from
     glm::vec3 normal;         ///< geometric
     glm::vec3 shading_normal; ///< its cosine with `back` is above zero
+    glm::vec3 coat_normal{0}; ///< of a clear coat that has one of its own; zero: the same
+    glm::vec3 tangent{0};     ///< unit, across the shading normal; zero: there is none
     float cosine = 1.0f;      ///< dot(back, shading_normal)
     bool front = true;        ///< the ray came from the front of the face
     bool solid = false;       ///< the face belongs to a closed surface
+    float ior = 1.0f;         ///< index of refraction behind the front of the face over before it
     float coverage = 1.0f;    ///< share of the light that the face stops there
     std::uint8_t side = 0;    ///< 0 or 1: of the connected surface, the same for all its faces
     const PhaseFunction* phase = nullptr; ///< of a medium; null: at a surface.  Borrowed
     const Interiors* inside = nullptr;    ///< what the ray came through; null: there are no media
+    const Bsdf* worn = &kNoSurface;       ///< of the material by its factors.  Borrowed
+    std::optional<Bsdf> own;              ///< instead of that, where textures change it
 
-    /// Of `back`.
-    Incidence seen() const { return incidence(bsdf, back, cosine); }
+    const Bsdf& bsdf() const { return own ? *own : *worn; }
+    /// Cosines of `back`.
+    Incidence seen() const
+    {
+        return has_coat_normal() ? Incidence(cosine, glm::dot(back, coat_normal))
+                                 : Incidence(cosine);
+    }
+    /// A surface whose diffuse lobe, which may be black, is all there is to it.
+    bool is_diffuse() const { return kMattOnly || bsdf().is_diffuse; }
+    /// Photons are gathered here, or light of a medium.
+    bool gathers() const { return phase != nullptr || bsdf().gathers; }
+    bool follows() const { return bsdf().follows; }
+    bool has_coat_normal() const { return coat_normal != glm::vec3(0); }
     bool in_media() const { return !kMattOnly && inside != nullptr; }
 };
 
@@ -56,6 +76,30 @@ std::optional<RayHit> first_surface(const RenderScene& scene, const Interaction&
 
 /// The ray reflected by a mirror.
 Ray mirror_ray(const Interaction& at);
+
+/// Cosines of a unit direction away from the surface.  cosine: its own to the shading normal.
+inline Incidence incidence(const Interaction& at, const glm::vec3& direction, float cosine)
+{
+    return at.has_coat_normal() ? Incidence(cosine, glm::dot(direction, at.coat_normal))
+                                : Incidence(cosine);
+}
+
+/// Index of refraction on the other side over that on the side of `back`.
+inline float eta_behind(const Interaction& at)
+{
+    return at.solid && !at.front ? 1 / at.ior : at.ior;
+}
+
+/// The surface as a lobe at a depth is seen from `back`.
+inline LobeView view_of(const Interaction& at, Depth depth)
+{
+    LobeView out{at.shading_normal, at.back, at.cosine, at.tangent, eta_behind(at), at.solid};
+    if (depth == Depth::clearcoat && at.has_coat_normal()) {
+        out.normal = at.coat_normal;
+        out.cosine = glm::dot(at.back, at.coat_normal);
+    }
+    return out;
+}
 
 /// The ray that goes on through the surface; eta as in SpecularLobes.
 Ray transmitted_ray(const Interaction& at, float eta);

@@ -33,7 +33,7 @@ struct Sides {
 
 Sides sides_of(const RenderScene& scene, const Interaction& at)
 {
-    Sides out{{}, {at.bsdf.ior, at.bsdf.dispersion}};
+    Sides out{{}, {at.bsdf().ior, at.bsdf().dispersion}};
     const Interiors& here = *at.inside;
     Interiors beyond = here;
     cross(*scene.media, at.point.face, at.front, beyond);
@@ -56,7 +56,7 @@ void find_nested_index(const RenderScene& scene, Interaction& at, float& nanomet
     if (sides.front.dispersion > 0 || sides.behind.dispersion > 0)
         choose_wavelength(nanometres, carried, random);
     const float ratio = sides.behind.index(nanometres) / sides.front.index(nanometres);
-    at.bsdf.ior = at.bsdf.alpha > 0 ? kept_apart(ratio) : ratio;
+    at.ior = at.bsdf().rough_glass ? kept_apart(ratio) : ratio;
 }
 
 } // namespace
@@ -64,7 +64,7 @@ void find_nested_index(const RenderScene& scene, Interaction& at, float& nanomet
 void find_index_here(const RenderScene& scene, Interaction& at, float& nanometres, Rgb& carried,
                      RandomSequence& random)
 {
-    if (at.solid && at.bsdf.glass > 0 && scene.has_nested())
+    if (at.solid && at.bsdf().transmits && scene.has_nested())
         find_nested_index(scene, at, nanometres, carried, random);
     else
         disperse(at, nanometres, carried, random);

@@ -16,7 +16,7 @@ void find_index_here(const RenderScene& scene, Interaction& at, float& nanometre
 inline void find_index(const RenderScene& scene, Interaction& at, float& nanometres, Rgb& carried,
                        RandomSequence& random)
 {
-    if (!at.bsdf.is_matt()) [[unlikely]]
+    if (!at.is_diffuse()) [[unlikely]]
         find_index_here(scene, at, nanometres, carried, random);
 }
 

@@ -3,6 +3,7 @@
 #include "common/math/bounds.h"
 #include "common/math/sampling.h"
 #include "render/shading/lamps.h"
+#include "render/shading/textured_material.h"
 
 #include <algorithm>
 #include <cmath>

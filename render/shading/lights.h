@@ -3,7 +3,8 @@
 #include "common/math/random.h"
 #include "common/rays/surface_point.h"
 #include "common/scene/scene.h"
-#include "render/shading/bsdf.h"
+#include "render/lobes/bsdf.h"
+#include "render/media/matt_only.h"
 #include "render/shading/light_tree.h"
 #include "render/shading/sky_picture.h"
 

@@ -6,23 +6,25 @@ namespace hipmap {
 
 bool may_be_specular(const Material& material, const Bsdf& bsdf)
 {
-    return bsdf.has_mirror() || bsdf.reflects(Reflection::followed) || bsdf.glass > 0 ||
-           (bsdf.clearcoat != Reflection::none &&
+    return bsdf.is_specular || bsdf.follows ||
+           (bsdf.layers.clearcoat > 0 &&
             find_texture(material.textures, TextureUse::clearcoat_roughness) != nullptr) ||
            find_texture(material.textures, TextureUse::metallic_roughness) != nullptr ||
            find_texture(material.textures, TextureUse::transmission) != nullptr;
 }
 
-bool may_gather_by_direction(const Material& material, const Bsdf& bsdf)
+bool may_gather_by_direction(const Material& material, const Bsdf& bsdf, DiffuseModel model)
 {
-    if (bsdf.burley_roughness >= 0 || bsdf.clearcoat == Reflection::gathered || bsdf.has_sheen())
+    if (!bsdf.is_separable)
         return true;
-    if (bsdf.is_modelled())
-        return bsdf.reflection == Reflection::gathered;
+    if (material.reflection_model != ReflectionModel::metallic_roughness)
+        return false;
+    if (model == DiffuseModel::burley)
+        return true;
     const bool may_reflect =
         material.metallic > 0 || material.specular * max_channel(material.specular_color) > 0;
-    return !is_followed(material.roughness) &&
-           (bsdf.reflection != Reflection::none || (varies(material) && may_reflect));
+    return handled_at(material.roughness) == Lobes::gathered &&
+           (has_reflection(bsdf) || (varies(material) && may_reflect));
 }
 
 } // namespace hipmap

@@ -21,15 +21,15 @@ RenderScene::RenderScene(const Scene& from_scene, const Partition& from_partitio
     for (const Material& material : scene.materials)
         bumpy.push_back(tilts(material));
     for (std::size_t m = 0; m < scene.materials.size(); ++m)
-        plain.push_back(varying[m] == 0 && bumpy[m] == 0 && !bsdfs[m].is_directed() && !coverage);
+        plain.push_back(varying[m] == 0 && bumpy[m] == 0 && !bsdfs[m].is_directed && !coverage);
     all_plain = std::all_of(plain.begin(), plain.end(), [](std::uint8_t is) { return is != 0; });
     lit_by_faces = !has_lamps(lights) && !has_sky_picture(lights);
     clear = !media && !has_sized_lamps(lights) &&
             std::all_of(bsdfs.begin(), bsdfs.end(),
                         [](const Bsdf& bsdf) { return is_black(bsdf.absorption); });
     for (const MaterialId material : mesh().material_of_face)
-        directional =
-            directional || may_gather_by_direction(scene.materials[material], bsdfs[material]);
+        directional = directional || may_gather_by_direction(scene.materials[material],
+                                                             bsdfs[material], scene.diffuse_model);
 }
 
 Rgb emission_at(const RenderScene& scene, FaceId face, const glm::vec2& barycentric)

@@ -4,8 +4,8 @@
 #include "common/rays/embree_scene.h"
 #include "common/scene/scene.h"
 #include "render/media/media_set.h"
-#include "render/shading/bsdf.h"
 #include "render/shading/lights.h"
+#include "render/shading/make_bsdf.h"
 #include "render/shading/specular_targets.h"
 
 #include <vector>

@@ -1,105 +1,99 @@
 #include "render/shading/scatter.h"
 
+#include "common/math/frame.h"
+#include "common/math/sampling.h"
 #include "render/media/phase.h"
-#include "render/shading/facet_lobes.h"
-#include "render/shading/gathered_scatter.h"
+#include "render/shading/lobe_value.h"
+
+#include <array>
 
 namespace hipmap {
 
 namespace {
 
-/// The clear coat as a surface of its own.
-Interaction clearcoat_of(const Interaction& at)
+/// Calls take(view, from) for `in` and, where light is folded, for its mirror image, as far as the
+/// lobe takes light from there.
+template <typename Take>
+void over_folded(const Interaction& at, const PlacedLobe& lobe, const glm::vec3& in,
+                 const Take& take)
 {
-    Interaction out = at;
-    out.bsdf = clearcoat_alone(at.bsdf);
-    if (at.bsdf.coat_agreement < 1) {
-        out.shading_normal = at.bsdf.coat_normal;
-        out.cosine = glm::dot(at.back, at.bsdf.coat_normal);
-    }
+    const float side = glm::dot(in, at.normal) < 0 ? -1.0f : 1.0f;
+    if (side < 0 && !lobe.transmits)
+        return;
+    const LobeView view = view_of(at, lobe.depth);
+    if (side * glm::dot(in, view.normal) > 0)
+        take(view, in);
+    if (!lobe.folds || view.normal == at.normal)
+        return;
+    const glm::vec3 image = mirrored(in, at.normal);
+    if (side * glm::dot(image, view.normal) > 0)
+        take(view, image);
+}
+
+/// Probability per steradian that a direction is drawn from a lobe.
+float pdf_of(const Interaction& at, const PlacedLobe& lobe, const glm::vec3& in)
+{
+    float out = 0;
+    over_folded(at, lobe, in, [&](const LobeView& view, const glm::vec3& from) {
+        out += pdf(lobe.lobe, view, from);
+    });
     return out;
 }
 
-/// What a particle that the coat scatters carries of (9) by its own normal, over that by the
-/// surface's.
-float coat_correction(const Interaction& at, const glm::vec3& towards)
-{
-    const auto ratio = [&](const glm::vec3& normal) {
-        const float out = std::abs(glm::dot(towards, normal));
-        return out > 0 ? std::abs(glm::dot(at.back, normal)) / out : 0.0f;
-    };
-    const float by_surface = ratio(at.shading_normal);
-    return by_surface > 0 ? ratio(at.bsdf.coat_normal) / by_surface : 0.0f;
-}
-
-/// Share of light that the lobes scatter below the clear coat; of their facets alone if `facets`.
-Rgb share_below_clearcoat(const Interaction& at, Lobes lobes, bool facets)
-{
-    const Bsdf& bsdf = at.bsdf;
-    const float passed = 1 - clearcoat_albedo(bsdf, at.seen().coat);
-    Rgb share(0.0f);
-    if (lobes == Lobes::gathered) {
-        if (!facets)
-            share = diffuse_albedo(bsdf, at.seen()) + passed_albedo(bsdf, at.seen()) +
-                    passed * sheen_share(bsdf, at.cosine);
-        if (bsdf.reflection == Reflection::gathered)
-            share += passed * past_sheen(bsdf, at.cosine) * reflection_albedo(bsdf, at.cosine);
-        return share;
-    }
-    if (bsdf.reflection == Reflection::followed)
-        share = passed * reflection_albedo(bsdf, at.cosine);
-    if (bsdf.glass > 0 && bsdf.alpha > 0) {
-        const Rgb reflected =
-            glass_reflectance(bsdf, at.cosine, index_beyond(bsdf, at.front, at.solid));
-        share += bsdf.glass * (reflected + (1.0f - reflected) * bsdf.glass_tint);
-    }
-    return share;
-}
-
-bool has_clearcoat(const Interaction& at, Lobes lobes)
-{
-    return at.bsdf.clearcoat != Reflection::none &&
-           at.bsdf.clearcoat ==
-               (lobes == Lobes::gathered ? Reflection::gathered : Reflection::followed);
-}
-
-/// Chance that a direction is drawn from the clear coat.
-float clearcoat_chance(const Interaction& at, Lobes lobes, bool facets)
-{
-    if (!has_clearcoat(at, lobes))
-        return 0;
-    const float coat = clearcoat_albedo(at.bsdf, at.seen().coat);
-    return coat / (coat + max_channel(share_below_clearcoat(at, lobes, facets)));
-}
-
-/// Of a surface that has the diffuse lobe alone.
-inline Scattered scattered_by_matt(const Interaction& at, const glm::vec3& in)
+Scattered scattered_by(const Interaction& at, const PlacedLobe& lobe, const glm::vec3& in)
 {
     Scattered out;
-    if (glm::dot(in, at.normal) > 0)
-        add_diffuse(at, in, 1, out);
+    over_folded(at, lobe, in, [&](const LobeView& view, const glm::vec3& from) {
+        out.value += value_of(at, lobe, view, from);
+        out.density += pdf(lobe.lobe, view, from);
+    });
+    const Layers& layers = at.bsdf().layers;
+    if (layers.any)
+        out.value *= transmitted_by(layers, lobe.depth, at.seen());
     return out;
 }
 
-inline ScatterSample sample_matt(const Interaction& at, RandomSequence& random)
-{
-    ScatterSample out;
-    out.direction = sample_diffuse(at, random);
-    const Scattered there = scattered_by_matt(at, out.direction);
-    out.density = there.density;
-    if (there.density > 0)
-        out.weight = there.value / there.density;
-    return out;
-}
+/// By which each lobe of a set is drawn; zero for the others.
+struct LobeProbabilities {
+    std::array<float, Bsdf::kMostLobes> of{};
+    float sum = 0.0f;
 
-Scattered scattered_below_clearcoat(const Interaction& at, const glm::vec3& in, Lobes lobes)
+    LobeProbabilities(const Interaction& at, Lobes lobes)
+    {
+        const Bsdf& bsdf = at.bsdf();
+        for (std::size_t i = 0; i < bsdf.count; ++i)
+            if (bsdf.all[i].handled == lobes)
+                sum += of[i] = max_channel(albedo_of(at, bsdf.all[i]));
+    }
+    float operator[](std::size_t lobe) const { return of[lobe] / sum; }
+    /// u: [0, 1).
+    std::size_t pick(float u) const
+    {
+        std::size_t lobe = 0, last = 0;
+        for (u *= sum; lobe < of.size(); ++lobe) {
+            if (!(of[lobe] > 0))
+                continue;
+            last = lobe;
+            if (u < of[lobe])
+                return lobe;
+            u -= of[lobe];
+        }
+        return last;
+    }
+};
+
+Scattered scattered_by_set(const Interaction& at, const glm::vec3& in,
+                           const LobeProbabilities& probabilities)
 {
-    const Bsdf& bsdf = at.bsdf;
-    if (lobes == Lobes::gathered)
-        return bsdf.gathers() ? scattered_by_gathered(at, in) : Scattered{};
-    const bool follows =
-        bsdf.reflection == Reflection::followed || (bsdf.glass > 0 && bsdf.alpha > 0);
-    return follows ? scattered_by_facets(at, in, lobes) : Scattered{};
+    Scattered out;
+    for (std::size_t i = 0; i < at.bsdf().count; ++i) {
+        if (!(probabilities.of[i] > 0))
+            continue;
+        const Scattered one = scattered_by(at, at.bsdf().all[i], in);
+        out.value += one.value;
+        out.density += probabilities[i] * one.density;
+    }
+    return out;
 }
 
 /// By the phase function of a medium.
@@ -120,87 +114,113 @@ ScatterSample sample_in_medium(const Interaction& at, Lobes lobes, RandomSequenc
     return out;
 }
 
-ScatterSample sample_below_clearcoat(const Interaction& at, Lobes lobes, RandomSequence& random)
+/// Of a direction drawn from a lobe, below its layers.
+LobeSample sample_below(const Interaction& at, const PlacedLobe& lobe, RandomSequence& random)
 {
-    return lobes == Lobes::followed ? sample_own_facets(at, lobes, random)
-                                    : sample_gathered(at, random);
-}
-
-// Functions of their own, so that matt surfaces are spared their registers.  Media are not matt.
-
-[[gnu::noinline]] Scattered scattered_by_all(const Interaction& at, const glm::vec3& in,
-                                             Lobes lobes)
-{
-    if (at.phase != nullptr)
-        return scattered_in_medium(at, in, lobes);
-    Scattered out = scattered_below_clearcoat(at, in, lobes);
-    const float chance = clearcoat_chance(at, lobes, false);
-    if (chance == 0)
+    LobeSample out = sample(lobe.lobe, view_of(at, lobe.depth), random);
+    if (is_black(out.weight))
         return out;
-    const Scattered coat = scattered_by_facets(clearcoat_of(at), in, lobes);
-    out.value += coat.value;
-    out.density += chance * (coat.density - out.density);
-    return out;
-}
-
-[[gnu::noinline]] ScatterSample sample_all(const Interaction& at, Lobes lobes,
-                                           RandomSequence& random)
-{
-    if (at.phase != nullptr)
-        return sample_in_medium(at, lobes, random);
-    const float chance = clearcoat_chance(at, lobes, false);
-    if (chance == 0)
-        return sample_below_clearcoat(at, lobes, random);
-    ScatterSample out = random.next() < chance ? sample_own_facets(clearcoat_of(at), lobes, random)
-                                               : sample_below_clearcoat(at, lobes, random);
-    if (is_astray(at, out)) {
+    const Layers& layers = at.bsdf().layers;
+    if (layers.any)
+        out.weight *= transmitted_by(layers, lobe.depth, incidence_on_side(at, out.direction)) *
+                      transmitted_by(layers, lobe.depth, at.seen());
+    const float side = out.transmitted ? -1.0f : 1.0f;
+    if (side * glm::dot(out.direction, at.normal) > 0)
+        return out;
+    if (lobe.folds) // bent past the face by the shading normal
+        out.direction = mirrored(out.direction, at.normal);
+    else
         out.weight = Rgb(0);
-        return out;
-    }
-    const Scattered there = scattered_by_all(at, out.direction, lobes);
-    out.density = there.density;
-    out.weight = there.density > 0 ? there.value / there.density : Rgb(0);
     return out;
+}
+
+/// What a particle that the clear coat scatters carries of (9) by the coat's own normal, over that
+/// by the surface's.
+float coat_correction(const Interaction& at, const glm::vec3& towards)
+{
+    const auto ratio = [&](const glm::vec3& normal) {
+        const float out = std::abs(glm::dot(towards, normal));
+        return out > 0 ? std::abs(glm::dot(at.back, normal)) / out : 0.0f;
+    };
+    const float by_surface = ratio(at.shading_normal);
+    return by_surface > 0 ? ratio(at.coat_normal) / by_surface : 0.0f;
 }
 
 } // namespace
 
 Scattered scattered(const Interaction& at, const glm::vec3& in, Lobes lobes)
 {
-    if (!at.bsdf.is_matt())
-        return scattered_by_all(at, in, lobes);
-    return lobes == Lobes::gathered ? scattered_by_matt(at, in) : Scattered{};
+    if (at.phase != nullptr)
+        return scattered_in_medium(at, in, lobes);
+    if (const PlacedLobe* lobe = at.bsdf().single(lobes))
+        return scattered_by(at, *lobe, in);
+    return scattered_by_set(at, in, {at, lobes});
 }
 
-ScatterSample sample_facets(const Interaction& at, Lobes lobes, RandomSequence& random)
+LobeSample sample_lobe(const Interaction& at, const PlacedLobe& lobe, RandomSequence& random)
 {
-    const float chance = clearcoat_chance(at, lobes, true);
-    if (chance == 0)
-        return sample_own_facets(at, lobes, random);
-    const bool coat = random.next() < chance;
-    ScatterSample out = sample_own_facets(coat ? clearcoat_of(at) : at, lobes, random);
-    out.weight /= coat ? chance : 1 - chance;
-    if (coat && at.bsdf.coat_agreement < 1)
+    LobeSample out = sample_below(at, lobe, random);
+    if (lobe.depth == Depth::clearcoat && at.has_coat_normal())
         out.weight *= coat_correction(at, out.direction);
     return out;
 }
 
 ScatterSample sample_scatter(const Interaction& at, Lobes lobes, RandomSequence& random)
 {
-    if (!at.bsdf.is_matt())
-        return sample_all(at, lobes, random);
-    return lobes == Lobes::gathered ? sample_matt(at, random) : ScatterSample{};
+    if (at.phase != nullptr)
+        return sample_in_medium(at, lobes, random);
+    if (const PlacedLobe* lobe = at.bsdf().single(lobes)) {
+        ScatterSample out{sample_below(at, *lobe, random)};
+        if (!is_black(out.weight))
+            out.density = pdf_of(at, *lobe, out.direction);
+        return out;
+    }
+    const LobeProbabilities probabilities(at, lobes);
+    if (!(probabilities.sum > 0))
+        return {};
+    const std::size_t picked = probabilities.pick(random.next());
+    ScatterSample out{sample_below(at, at.bsdf().all[picked], random)};
+    if (is_black(out.weight))
+        return out;
+    const Scattered there = scattered_by_set(at, out.direction, probabilities);
+    out.density = there.density;
+    out.weight = there.density > 0 ? there.value * (out.eta * out.eta / there.density) : Rgb(0);
+    return out;
 }
 
 Rgb scattered_share(const Interaction& at, Lobes lobes)
 {
-    if (at.bsdf.is_matt())
-        return lobes == Lobes::gathered ? at.bsdf.diffuse : Rgb(0);
-    const Rgb share = share_below_clearcoat(at, lobes, false);
-    return has_clearcoat(at, lobes) ? share + clearcoat_albedo(at.bsdf, at.seen().coat) : share;
+    Rgb share(0.0f);
+    for (const PlacedLobe& lobe : at.bsdf().lobes())
+        if (lobe.handled == lobes)
+            share += albedo_of(at, lobe);
+    return share;
 }
 
-Ray scattered_ray(const Interaction& at, const ScatterSample& sample)
+SpecularLobes specular_lobes(const Interaction& at)
+{
+    SpecularLobes out;
+    const Bsdf& bsdf = at.bsdf();
+    if (!bsdf.is_specular)
+        return out;
+    for (const PlacedLobe& lobe : bsdf.lobes()) {
+        if (lobe.handled != Lobes::specular)
+            continue;
+        SpecularLobes one = specular(lobe.lobe, view_of(at, lobe.depth));
+        if (bsdf.layers.any)
+            one.mirror *=
+                transmitted_by(bsdf.layers, lobe.depth, at.seen()) *
+                transmitted_by(bsdf.layers, lobe.depth,
+                               incidence(at, reflect(at.back, at.shading_normal), at.cosine));
+        out.mirror += one.mirror;
+        out.transmit += one.transmit;
+        if (lobe.transmits)
+            out.eta = one.eta;
+    }
+    return out;
+}
+
+Ray scattered_ray(const Interaction& at, const LobeSample& sample)
 {
     Ray ray;
     ray.direction = sample.direction;

@@ -2,7 +2,7 @@
 
 #include "common/math/random.h"
 #include "common/scene/scene.h"
-#include "render/shading/bsdf.h"
+#include "render/lobes/bsdf.h"
 
 #include <vector>
 

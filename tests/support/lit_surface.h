@@ -12,7 +12,8 @@ inline Interaction lit_surface(const Material& material, const glm::vec3& back, 
                                DiffuseModel model = DiffuseModel::lambert)
 {
     Interaction at;
-    at.bsdf = make_bsdf(material, material_factors(material), model);
+    at.own = make_bsdf(material, material_factors(material), model);
+    at.ior = at.own->ior;
     at.point.geometric_normal = at.point.shading_normal = {0, 0, 1};
     at.back = glm::normalize(back);
     at.front = back.z > 0;
@@ -20,6 +21,25 @@ inline Interaction lit_surface(const Material& material, const glm::vec3& back, 
     at.cosine = glm::dot(at.back, at.normal);
     at.solid = solid;
     return at;
+}
+
+/// A point that no longer borrows its scene's material.
+inline Interaction kept(Interaction at)
+{
+    at.own = at.bsdf();
+    return at;
+}
+
+/// What each lobe of a set sends of a particle's power, added up: of radiance, as `scattered`.
+inline Rgb particle_weights(const Interaction& at, Lobes lobes, RandomSequence& random)
+{
+    Rgb sum(0.0f);
+    for (const PlacedLobe& lobe : at.bsdf().lobes())
+        if (lobe.handled == lobes) {
+            const LobeSample sample = sample_lobe(at, lobe, random);
+            sum += sample.weight / (sample.eta * sample.eta);
+        }
+    return sum;
 }
 
 /// The same with its shading normal tilted, so that much of what it reflects lies behind the face.

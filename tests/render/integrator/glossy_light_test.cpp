@@ -1,7 +1,7 @@
 #include "common/math/sampling.h"
 #include "render/integrator/path_tracer.h"
+#include "render/lobes/glossy_albedo.h"
 #include "render/paths/direct_light.h"
-#include "render/shading/glossy_albedo.h"
 #include "render/shading/scatter.h"
 #include "tests/support/means_of_images.h"
 #include "tests/support/render_image.h"
@@ -50,7 +50,7 @@ Rgb found_by(const RenderScene& scene, const Interaction& at, Lobes lobes, bool 
     const float part = weighed ? hit_weight(scene, on.point, ray.direction, hit->distance,
                                             source_at(at, sample.density))
                                : 1;
-    return sample.weight * emitted_radiance(on.bsdf, on.point, on.back) * part;
+    return sample.weight * emitted_radiance(on.bsdf(), on.point, on.back) * part;
 }
 
 /// A box with a glossy floor, shiny walls, a ball of brushed metal, one of frosted glass and a
@@ -129,11 +129,11 @@ TEST_CASE("glossy light: sampling lights and lobes together is sampling lobes al
     for (std::uint64_t i = 0; i < 60000; ++i) {
         RandomSequence random(29, RandomStream::eye_paths, 0, i);
         Rgb both = sampled_light(*ready->render, at, {1, 1}, random), lobes(0.0f);
-        if (at.bsdf.gathers()) {
+        if (at.gathers()) {
             both += found_light(*ready->render, at, random);
             lobes += found_by(*ready->render, at, Lobes::gathered, false, random);
         }
-        if (at.bsdf.follows()) {
+        if (at.follows()) {
             both += found_by(*ready->render, at, Lobes::followed, true, random);
             lobes += found_by(*ready->render, at, Lobes::followed, false, random);
         }

@@ -12,19 +12,19 @@ namespace {
 constexpr Integrator kAll[] = {Integrator::path, Integrator::progressive, Integrator::direct};
 
 /// Transmittance and reflectance of layers that light may cross many times.
-struct Layers {
+struct Onion {
     double through, back, back_from_behind;
 };
 
 /// Stokes 1862.
-Layers behind(const Layers& a, const Layers& b)
+Onion behind(const Onion& a, const Onion& b)
 {
     const double ring = 1 / (1 - a.back_from_behind * b.back);
     return {a.through * b.through * ring, a.back + a.through * a.through * b.back * ring,
             b.back_from_behind + b.through * b.through * a.back_from_behind * ring};
 }
 
-Layers interface(double before, double beyond)
+Onion interface(double before, double beyond)
 {
     const double r = (beyond - before) / (beyond + before);
     return {1 - r * r, r * r, r * r};
@@ -89,7 +89,7 @@ TEST_CASE("nested dielectrics: light through overlapping slabs, either of which 
           "[integrator][media]")
 {
     // The same three surfaces wherever the middle one is, from either side.
-    const Layers all = behind(behind(interface(1, 1.3), interface(1.3, 1.7)), interface(1.7, 1));
+    const Onion all = behind(behind(interface(1, 1.3), interface(1.3, 1.7)), interface(1.7, 1));
     for (const float above : {0.0f, 1.0f})
         for (const bool lamp_above : {false, true}) {
             const auto ready = tiny::ready(slabs(above, lamp_above));

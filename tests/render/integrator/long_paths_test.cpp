@@ -67,7 +67,7 @@ TEST_CASE("long paths: a ball of glass in a furnace is not seen", "[integrator]"
 {
     for (const float index : {1.5f, 4.0f, 10.0f})
         check_mean(with_ball(tiny::glowing_box(Rgb(0.5f)), 0.3f, tiny::glass(index)), 1,
-                   {8, 4, 2000});
+                   {16, 4, 4000});
 }
 
 TEST_CASE("long paths: glass in water in a furnace is not seen", "[integrator]")
@@ -75,7 +75,7 @@ TEST_CASE("long paths: glass in water in a furnace is not seen", "[integrator]")
     Scene scene = with_ball(with_ball(tiny::glowing_box(Rgb(0.5f)), 0.3f, tiny::glass(1.33f)), 0.2f,
                             tiny::glass(1.5f));
     scene.nested_dielectrics = true;
-    check_mean(scene, 1, {8, 4, 2000});
+    check_mean(scene, 1, {16, 4, 4000});
 }
 
 TEST_CASE("long paths: down a corridor of mirrors", "[integrator]")

@@ -148,7 +148,7 @@ TEST_CASE("trace photons: classes go to their maps, sides are told apart", "[pho
     CHECK(with.caustic.size() == without.caustic.size());
     const std::vector<Bsdf>& bsdfs = ready->render->bsdfs;
     for (const Photon& photon : with.global) {
-        CHECK(bsdfs[ready->scene.mesh.material_of_face[photon.face]].has_diffuse());
+        CHECK(bsdfs[ready->scene.mesh.material_of_face[photon.face]].gathers);
         const glm::dvec3 normal = scaled_normal(ready->scene.mesh, photon.face);
         const bool front = glm::dot(glm::dvec3(photon.direction), normal) > 0;
         const bool flipped = ready->partition.flipped[photon.face] != 0;
@@ -176,7 +176,9 @@ TEST_CASE("trace photons: power is stored without the coat's share where photons
         for (const Photon& photon : traced.global) {
             const float through = ready->render->directional
                                       ? 1
-                                      : coat_half(ready->render->bsdfs[0], photon.direction.y).x;
+                                      : transmitted_by(ready->render->bsdfs[0].layers,
+                                                       Depth::diffuse, photon.direction.y)
+                                            .x;
             CHECK(photon.power.x == Approx(4 * kPi / 1000 * through));
         }
     }

@@ -1,5 +1,5 @@
-#include "render/shading/ggx.h"
-#include "render/shading/stretched_facets.h"
+#include "render/lobes/anisotropic_facets.h"
+#include "render/lobes/ggx.h"
 #include "tests/support/drawn_directions.h"
 #include "tests/support/statistics.h"
 #include "tests/support/tiny_scenes.h"
@@ -39,7 +39,7 @@ std::vector<Material> brushed()
 Interaction lit(const Material& material, const glm::vec3& back)
 {
     Interaction at = tiny::lit_surface(material, back);
-    at.bsdf.along = {0.8f, 0.6f, 0};
+    at.tangent = {0.8f, 0.6f, 0};
     return at;
 }
 
@@ -58,7 +58,7 @@ double sent(const Interaction& at, int rows)
 
 Lobes lobes_of(const Interaction& at)
 {
-    return at.bsdf.gathers() ? Lobes::gathered : Lobes::followed;
+    return at.gathers() ? Lobes::gathered : Lobes::followed;
 }
 
 } // namespace
@@ -66,24 +66,26 @@ Lobes lobes_of(const Interaction& at)
 TEST_CASE("anisotropy: widths are the extension's, and never a mirror's", "[shading]")
 {
     const Bsdf half =
-        tiny::lit_surface(stretched(tiny::mirror(Rgb(1)), 0.6f, 0.5f), kBacks[0]).bsdf;
-    CHECK(half.is_stretched());
-    CHECK(half.alpha == Approx(0.36f));
-    CHECK(half.alpha_along == Approx(0.36f + 0.64f * 0.25f));
-    const Bsdf smooth = tiny::lit_surface(stretched(tiny::mirror(Rgb(1)), 0, 0.5f), kBacks[0]).bsdf;
-    CHECK(smooth.reflection == Reflection::followed);
-    CHECK(smooth.alpha > 0);
+        tiny::lit_surface(stretched(tiny::mirror(Rgb(1)), 0.6f, 0.5f), kBacks[0]).bsdf();
+    CHECK(half.is_directed);
+    const Facets& facets = std::get<MicrofacetReflection>(half.all[0].lobe).facets;
+    CHECK(facets.alpha == Approx(0.36f));
+    CHECK(facets.alpha_along == Approx(0.36f + 0.64f * 0.25f));
+    const Bsdf smooth =
+        tiny::lit_surface(stretched(tiny::mirror(Rgb(1)), 0, 0.5f), kBacks[0]).bsdf();
+    CHECK(smooth.follows);
+    CHECK(std::get<MicrofacetReflection>(smooth.all[0].lobe).facets.alpha > 0);
     CHECK_FALSE(
-        tiny::lit_surface(stretched(tiny::mirror(Rgb(1)), 0.6f, 0), {0, 0, 1}).bsdf.is_stretched());
+        tiny::lit_surface(stretched(tiny::mirror(Rgb(1)), 0.6f, 0), {0, 0, 1}).bsdf().is_directed);
     CHECK_FALSE(
-        tiny::lit_surface(stretched(tiny::matt(Rgb(1)), 0.6f, 1), {0, 0, 1}).bsdf.is_stretched());
+        tiny::lit_surface(stretched(tiny::matt(Rgb(1)), 0.6f, 1), {0, 0, 1}).bsdf().is_directed);
 }
 
 TEST_CASE("anisotropy: facets of two equal widths are those of one", "[shading]")
 {
     const glm::vec3 normal(0, 0, 1);
     for (const float alpha : {0.02f, 0.3f, 1.0f}) {
-        const StretchedFacets facets(normal, {0.6f, 0.8f, 0}, alpha, alpha);
+        const AnisotropicFacets facets(normal, {0.6f, 0.8f, 0}, alpha, alpha);
         for (std::uint64_t i = 0; i < 300; ++i) {
             RandomSequence random(3, RandomStream::pictures, 0, i);
             const glm::vec3 in =
@@ -106,7 +108,7 @@ TEST_CASE("anisotropy: facets of two equal widths are those of one", "[shading]"
 
 TEST_CASE("anisotropy: facets cover the surface, and those seen its outline", "[shading]")
 {
-    const StretchedFacets facets({0, 0, 1}, {1, 0, 0}, 0.7f, 0.2f);
+    const AnisotropicFacets facets({0, 0, 1}, {1, 0, 0}, 0.7f, 0.2f);
     const glm::vec3 out = glm::normalize(glm::vec3(0.7f, 0.5f, 0.3f));
     double covered = 0, seen = 0;
     tiny::over_sphere(500, [&](const glm::vec3& half, double solid_angle) {
@@ -139,7 +141,7 @@ TEST_CASE("anisotropy: the mean weight is the integral of the lobes, none above 
             RandomSequence random(5, RandomStream::pictures, 0, i);
             const ScatterSample drawn = sample_scatter(at, lobes_of(at), random);
             mean.add(drawn.weight.x / (drawn.eta * drawn.eta));
-            if (at.bsdf.follows())
+            if (at.follows())
                 CHECK(drawn.weight.x <= 1 + 1e-4f);
         }
         CHECK(std::abs(mean.mean() - integral) < 0.002 + kMostZ * mean.standard_error());
@@ -176,14 +178,14 @@ TEST_CASE("anisotropy: no surface sends on more than all, a white base most", "[
                                       << cosine << ", turn " << turn);
                     Interaction at =
                         tiny::lit_surface(stretched(plastic(Rgb(1)), roughness, strength), back);
-                    at.bsdf.along = {1, 0, 0};
+                    at.tangent = {1, 0, 0};
                     const double white = sent(at, 150);
                     CHECK(white <= 1.005);
                     CHECK(white > (cosine > 0.4f ? 0.8 : 0.5));
-                    at.bsdf = tiny::lit_surface(
-                                  stretched(tiny::mirror(Rgb(1)), roughness, strength), back)
-                                  .bsdf;
-                    at.bsdf.along = {1, 0, 0};
+                    at.own = tiny::lit_surface(stretched(tiny::mirror(Rgb(1)), roughness, strength),
+                                               back)
+                                 .own;
+                    at.tangent = {1, 0, 0};
                     CHECK(sent(at, 150) <= 1.005);
                 }
 }
@@ -191,7 +193,7 @@ TEST_CASE("anisotropy: no surface sends on more than all, a white base most", "[
 TEST_CASE("anisotropy: a brushed metal's highlight is long along the direction", "[shading]")
 {
     Interaction at = tiny::lit_surface(stretched(tiny::mirror(Rgb(1)), 0.4f, 0.8f), {0, 0, 1});
-    at.bsdf.along = {1, 0, 0};
+    at.tangent = {1, 0, 0};
     const glm::vec3 along = glm::normalize(glm::vec3(0.6f, 0, 1)),
                     across = glm::normalize(glm::vec3(0, 0.6f, 1));
     CHECK(scattered(at, along, Lobes::gathered).value.x >

@@ -14,13 +14,25 @@ Bsdf bsdf_of(const Material& material)
     return make_bsdfs({material}, DiffuseModel::lambert)[0];
 }
 
+/// A flat surface seen under an angle.
+Interaction seen(const Bsdf& bsdf, float cosine, bool front = true, bool solid = true)
+{
+    Interaction at;
+    at.own = bsdf;
+    at.ior = bsdf.ior;
+    at.normal = at.shading_normal = {0, 0, 1};
+    at.back = {std::sqrt(1 - cosine * cosine), 0, cosine};
+    at.cosine = cosine;
+    at.front = front;
+    at.solid = solid;
+    return at;
+}
+
 /// Share of light from a direction that the surface sends on, all lobes together.
 Rgb total_albedo(const Bsdf& bsdf, float cosine)
 {
-    Interaction at;
-    at.bsdf = bsdf;
-    at.cosine = cosine;
-    const SpecularLobes lobes = specular_lobes(bsdf, cosine, true, true);
+    const Interaction at = seen(bsdf, cosine);
+    const SpecularLobes lobes = specular_lobes(at);
     return scattered_share(at, Lobes::gathered) + scattered_share(at, Lobes::followed) +
            lobes.mirror + lobes.transmit;
 }
@@ -60,15 +72,18 @@ TEST_CASE("bsdf: a white diffuse surface under a smooth coat absorbs nothing", "
     coated.specular = 1;
     coated.roughness = 0;
     const Bsdf bsdf = bsdf_of(coated);
-    REQUIRE(bsdf.coated);
+    REQUIRE(bsdf.layers.coated);
     for (float cosine = 0.05f; cosine <= 1; cosine += 0.05f)
         CHECK(total_albedo(bsdf, cosine).y == Approx(1.0).epsilon(1e-5));
-    // The closed average behind that: the mean of coat_half over the cosine-weighted hemisphere.
+    // The closed average behind that: the mean of what gets through over the cosine-weighted
+    // hemisphere.
     double sum = 0;
     const int n = 100000;
     for (int i = 0; i < n; ++i)
-        sum += coat_half(bsdf, std::sqrt((static_cast<float>(i) + 0.5f) / n)).x;
-    CHECK(sum / n == Approx(1 - bsdf.coat_average.x).epsilon(1e-4));
+        sum += transmitted_by(bsdf.layers, Depth::diffuse,
+                              std::sqrt((static_cast<float>(i) + 0.5f) / n))
+                   .x;
+    CHECK(sum / n == Approx(bsdf.layers.diffuse_average.x).epsilon(1e-4));
 }
 
 TEST_CASE("bsdf: roughness decides between mirror, followed and gathered", "[shading]")
@@ -76,14 +91,14 @@ TEST_CASE("bsdf: roughness decides between mirror, followed and gathered", "[sha
     Material metal = tiny::mirror(Rgb(0.9f));
     const auto kind_at = [&](float roughness) {
         metal.roughness = roughness;
-        return bsdf_of(metal).reflection;
+        return bsdf_of(metal).all[0].handled;
     };
-    CHECK(kind_at(kMirrorRoughness) == Reflection::mirror);
-    CHECK(kind_at(0.03f) == Reflection::followed);
-    CHECK(kind_at(kFollowedRoughness) == Reflection::followed);
-    CHECK(kind_at(0.31f) == Reflection::gathered);
-    CHECK(bsdf_of(tiny::matt(Rgb(0.5f))).reflection == Reflection::none);
-    CHECK_FALSE(bsdf_of(tiny::matt(Rgb(0.5f))).coated);
+    CHECK(kind_at(kMirrorRoughness) == Lobes::specular);
+    CHECK(kind_at(0.03f) == Lobes::followed);
+    CHECK(kind_at(kFollowedRoughness) == Lobes::followed);
+    CHECK(kind_at(0.31f) == Lobes::gathered);
+    CHECK_FALSE(has_reflection(bsdf_of(tiny::matt(Rgb(0.5f)))));
+    CHECK_FALSE(bsdf_of(tiny::matt(Rgb(0.5f))).layers.coated);
 }
 
 TEST_CASE("fresnel: closed values at normal, Brewster's and grazing incidence", "[shading]")
@@ -117,32 +132,32 @@ TEST_CASE("refract: Snell's law, and back again the same way", "[shading]")
 TEST_CASE("bsdf: a thin wall lets light through straight", "[shading]")
 {
     const Bsdf bsdf = bsdf_of(tiny::glass(1.5f));
-    CHECK(specular_lobes(bsdf, 0.5f, true, false).eta == 1);
-    CHECK(specular_lobes(bsdf, 0.5f, false, false).eta == 1);
-    CHECK(specular_lobes(bsdf, 0.5f, true, true).eta == 1.5f);
-    CHECK(specular_lobes(bsdf, 0.9f, false, true).eta == Approx(1 / 1.5));
+    CHECK(specular_lobes(seen(bsdf, 0.5f, true, false)).eta == 1);
+    CHECK(specular_lobes(seen(bsdf, 0.5f, false, false)).eta == 1);
+    CHECK(specular_lobes(seen(bsdf, 0.5f, true, true)).eta == 1.5f);
+    CHECK(specular_lobes(seen(bsdf, 0.9f, false, true)).eta == Approx(1 / 1.5));
     // Total reflection exists only inside a solid.
-    CHECK(is_black(specular_lobes(bsdf, 0.1f, false, true).transmit));
-    CHECK(specular_lobes(bsdf, 0.1f, false, false).transmit.x > 0);
+    CHECK(is_black(specular_lobes(seen(bsdf, 0.1f, false, true)).transmit));
+    CHECK(specular_lobes(seen(bsdf, 0.1f, false, false)).transmit.x > 0);
 }
 
-TEST_CASE("diffuse shape: reciprocal, one for Lambert, closed values for Burley", "[shading]")
+TEST_CASE("diffuse shape: reciprocal, closed values for Burley", "[shading]")
 {
     const glm::vec3 normal(0, 0, 1);
-    const Bsdf lambert = bsdf_of(tiny::matt(Rgb(0.8f)));
-    const Bsdf burley = make_bsdfs({tiny::matt(Rgb(0.8f))}, DiffuseModel::burley)[0];
+    const Bsdf bsdf = make_bsdfs({tiny::matt(Rgb(0.8f))}, DiffuseModel::burley)[0];
+    const auto burley = [&](const glm::vec3& wi, const glm::vec3& wo) {
+        return std::get<Burley>(bsdf.all[0].lobe).shape({normal, wo, wo.z}, wi);
+    };
     for (std::uint64_t i = 0; i < 1000; ++i) {
         RandomSequence random(2, RandomStream::pictures, 0, i);
         const glm::vec3 wi = sample_cosine_hemisphere(random.next2());
         const glm::vec3 wo = sample_cosine_hemisphere(random.next2());
-        CHECK(diffuse_shape(lambert, normal, wi, wo) == 1);
-        CHECK(diffuse_shape(burley, normal, wi, wo) ==
-              Approx(diffuse_shape(burley, normal, wo, wi)));
-        CHECK(diffuse_shape(burley, normal, wi, wo) > 0);
+        CHECK(burley(wi, wo) == Approx(burley(wo, wi)));
+        CHECK(burley(wi, wo) > 0);
     }
     // Roughness 1: straight down nothing changes; grazing and back again 2.5 times 2.5.
-    CHECK(diffuse_shape(burley, normal, normal, normal) == 1);
+    CHECK(burley(normal, normal) == 1);
     const glm::vec3 grazing(1, 0, 0);
-    CHECK(diffuse_shape(burley, normal, grazing, grazing) == Approx(2.5 * 2.5));
-    CHECK(diffuse_shape(burley, normal, grazing, -grazing) == Approx(0.5 * 0.5));
+    CHECK(burley(grazing, grazing) == Approx(2.5 * 2.5));
+    CHECK(burley(grazing, -grazing) == Approx(0.5 * 0.5));
 }

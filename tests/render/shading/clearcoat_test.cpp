@@ -26,13 +26,13 @@ const glm::vec3 kBacks[] = {{0.1f, 0, 1}, {0.7f, -0.4f, 0.6f}, {-1, 0.2f, 0.25f}
 
 bool has(const Interaction& at, Lobes lobes)
 {
-    return lobes == Lobes::gathered ? at.bsdf.gathers() : at.bsdf.follows();
+    return lobes == Lobes::gathered ? at.gathers() : at.follows();
 }
 
 /// All that the surface sends on of light from at.back.
 double sent(const Interaction& at, int rows)
 {
-    double sum = specular_lobes(at.bsdf, at.cosine, at.front, at.solid).mirror.x;
+    double sum = specular_lobes(at).mirror.x;
     tiny::over_sphere(rows, [&](const glm::vec3& in, double solid_angle) {
         sum += (scattered(at, in, Lobes::gathered).value.x +
                 scattered(at, in, Lobes::followed).value.x) *
@@ -61,7 +61,7 @@ TEST_CASE("clear coat: the mean weight is the integral of the lobes, for photons
     for (const Material& material : lacquers())
         for (const Lobes lobes : {Lobes::gathered, Lobes::followed}) {
             const Interaction at = tiny::lit_surface(material, kBacks[1]);
-            double integral = 0, facets = 0;
+            double integral = 0;
             tiny::over_sphere(250, [&](const glm::vec3& in, double solid_angle) {
                 integral += double{scattered(at, in, lobes).value.y} * solid_angle;
             });
@@ -69,23 +69,17 @@ TEST_CASE("clear coat: the mean weight is the integral of the lobes, for photons
                 CHECK(integral == 0);
                 continue;
             }
-            facets = integral;
-            if (lobes == Lobes::gathered)
-                facets -= diffuse_albedo(at.bsdf, at.cosine).y;
-            RunningMean mean, by_facets;
+            RunningMean mean, of_particles;
             for (std::uint64_t i = 0; i < 20000; ++i) {
                 RandomSequence random(5, RandomStream::pictures, 0, i);
                 mean.add(sample_scatter(at, lobes, random).weight.y);
-                if (lobes == Lobes::followed || at.bsdf.reflects(Reflection::gathered))
-                    by_facets.add(sample_facets(at, lobes, random).weight.y);
-                else
-                    by_facets.add(0);
+                of_particles.add(tiny::particle_weights(at, lobes, random).y);
             }
             INFO("base " << material.roughness << ", metallic " << material.metallic << ", coat "
                          << material.clearcoat_roughness << ", set " << int(lobes));
             CHECK(std::abs(mean.mean() - integral) < 0.002 + kMostZ * mean.standard_error());
-            CHECK(std::abs(by_facets.mean() - facets) <
-                  0.004 + kMostZ * by_facets.standard_error());
+            CHECK(std::abs(of_particles.mean() - integral) <
+                  0.004 + kMostZ * of_particles.standard_error());
         }
 }
 
@@ -118,9 +112,9 @@ TEST_CASE("clear coat: factor 0, and a coat of glass, are none", "[shading]")
 {
     Material material = tiny::lacquered(tiny::matt(Rgb(0.5f)), 1, 0);
     material.clearcoat = 0;
-    CHECK(make_bsdf(material, material_factors(material), DiffuseModel::lambert).clearcoat ==
-          Reflection::none);
+    CHECK(make_bsdf(material, material_factors(material), DiffuseModel::lambert).layers.clearcoat ==
+          0);
     material = tiny::lacquered(tiny::glass(1.5f), 0, 0);
-    CHECK(make_bsdf(material, material_factors(material), DiffuseModel::lambert).clearcoat ==
-          Reflection::none);
+    CHECK(make_bsdf(material, material_factors(material), DiffuseModel::lambert).layers.clearcoat ==
+          0);
 }

@@ -27,8 +27,7 @@ std::vector<Material> lacquers()
 Interaction below_tilted_coat(const Material& material, const glm::vec3& back)
 {
     Interaction at = tiny::lit_surface(material, back);
-    at.bsdf.coat_normal = kCoatNormal;
-    at.bsdf.coat_agreement = kCoatNormal.z;
+    at.coat_normal = kCoatNormal;
     return at;
 }
 
@@ -55,7 +54,7 @@ Interaction met(const Scene& scene, float side)
     ray.direction = {0, 0, -side};
     const std::optional<RayHit> hit = ready->render->rays.nearest(ray);
     REQUIRE(hit);
-    return interact(*ready->render, ray, *hit);
+    return tiny::kept(interact(*ready->render, ray, *hit));
 }
 
 bool is_close(const glm::vec3& a, const glm::vec3& b)
@@ -71,25 +70,24 @@ TEST_CASE("coat normal: the coat has its own map or none, and so has what is bel
         const glm::vec3 flat(0, 0, side), tilted = side * glm::vec3(0.6f, 0, 0.8f);
         Interaction at = met(lacquered_quad({TextureUse::clearcoat_normal}), side);
         CHECK(at.shading_normal == flat);
-        CHECK(is_close(at.bsdf.coat_normal, tilted));
-        CHECK(at.bsdf.coat_agreement == Approx(0.8f).margin(0.01));
+        CHECK(is_close(at.coat_normal, tilted));
         CHECK(at.seen().coat == Approx(0.8f).margin(0.01));
         at = met(lacquered_quad({TextureUse::normal}), side);
         CHECK(is_close(at.shading_normal, tilted));
-        CHECK(at.bsdf.coat_normal == flat);
+        CHECK(at.coat_normal == flat);
         CHECK(at.seen().coat == Approx(1));
         at = met(lacquered_quad({TextureUse::normal, TextureUse::clearcoat_normal}), side);
         CHECK(is_close(at.shading_normal, tilted));
-        CHECK(at.bsdf.coat_agreement == 1);
+        CHECK_FALSE(at.has_coat_normal());
         CHECK(at.seen().coat == at.cosine);
     }
 }
 
 TEST_CASE("coat normal: a coat that may be tilted is followed, an even one a mirror", "[shading]")
 {
-    CHECK(met(lacquered_quad({}), 1).bsdf.clearcoat == Reflection::mirror);
-    CHECK(met(lacquered_quad({TextureUse::clearcoat_normal}), 1).bsdf.clearcoat ==
-          Reflection::followed);
+    CHECK(met(lacquered_quad({}), 1).bsdf().single(Lobes::specular) != nullptr);
+    CHECK(met(lacquered_quad({TextureUse::clearcoat_normal}), 1).bsdf().single(Lobes::followed) !=
+          nullptr);
     Scene bare = lacquered_quad({TextureUse::clearcoat_normal});
     bare.materials[0].clearcoat = 0;
     CHECK(tiny::ready(bare)->render->bumpy[0] == 0);
@@ -118,7 +116,7 @@ TEST_CASE("coat normal: directions are drawn by the density that is said", "[sha
     for (const Material& material : lacquers())
         for (const Lobes lobes : {Lobes::gathered, Lobes::followed}) {
             const Interaction at = below_tilted_coat(material, kBacks[1]);
-            if (lobes == Lobes::gathered ? !at.bsdf.gathers() : !at.bsdf.follows())
+            if (lobes == Lobes::gathered ? !at.gathers() : !at.follows())
                 continue;
             INFO("base " << material.roughness << ", coat " << material.clearcoat_roughness
                          << ", set " << int(lobes));
@@ -131,7 +129,7 @@ TEST_CASE("coat normal: the mean weight is the integral of the lobes", "[shading
     for (const Material& material : lacquers())
         for (const Lobes lobes : {Lobes::gathered, Lobes::followed}) {
             const Interaction at = below_tilted_coat(material, kBacks[1]);
-            if (lobes == Lobes::gathered ? !at.bsdf.gathers() : !at.bsdf.follows())
+            if (lobes == Lobes::gathered ? !at.gathers() : !at.follows())
                 continue;
             const auto [integral, mean] = tiny::integral_and_weights(at, lobes);
             INFO("base " << material.roughness << ", coat " << material.clearcoat_roughness
@@ -176,7 +174,7 @@ TEST_CASE("coat normal: no surface sends on more than all", "[shading]")
                     for (std::uint64_t i = 0; i < 4000; ++i) {
                         RandomSequence random(5, RandomStream::pictures, 0, i);
                         sent.add(sample_scatter(at, Lobes::gathered, random).weight.x +
-                                 (at.bsdf.follows()
+                                 (at.follows()
                                       ? sample_scatter(at, Lobes::followed, random).weight.x
                                       : 0));
                     }
@@ -192,10 +190,11 @@ TEST_CASE("coat normal: a mirror below a tilted coat loses as much both ways", "
     const Material chrome = tiny::lacquered(tiny::mirror(Rgb(1)), 0, 0.2f);
     const Interaction there = below_tilted_coat(chrome, kBacks[1]);
     const Interaction back = below_tilted_coat(chrome, reflect(there.back, there.normal));
-    const Rgb sent = specular_lobes(there.bsdf, there.seen(), true, true).mirror;
-    CHECK(sent.x == Approx(specular_lobes(back.bsdf, back.seen(), true, true).mirror.x));
-    CHECK(sent.x == Approx((1 - clearcoat_albedo(there.bsdf, there.seen().coat)) *
-                           (1 - clearcoat_albedo(back.bsdf, back.seen().coat))));
+    const Rgb sent = specular_lobes(there).mirror;
+    CHECK(sent.x == Approx(specular_lobes(back).mirror.x));
+    const Layers& layers = there.bsdf().layers;
+    CHECK(sent.x == Approx(transmitted_by(layers, Depth::reflection, there.seen()).x *
+                           transmitted_by(layers, Depth::reflection, back.seen()).x));
 }
 
 TEST_CASE("coat normal: nothing that is drawn weighs more than all, however grazing", "[shading]")
@@ -209,8 +208,7 @@ TEST_CASE("coat normal: nothing that is drawn weighs more than all, however graz
         // Tilted until it is all but seen from its edge.
         const glm::vec3 across = glm::normalize(glm::cross(at.back, sample_sphere(random.next2())));
         const float cosine = std::pow(10.0f, -2 - 4 * random.next());
-        at.bsdf.coat_normal = glm::normalize(across + cosine * at.back);
-        at.bsdf.coat_agreement = std::min(0.999f, std::abs(at.bsdf.coat_normal.z));
+        at.coat_normal = glm::normalize(across + cosine * at.back);
         const ScatterSample sample = sample_scatter(at, Lobes::followed, random);
         INFO(i << ": " << sample.density);
         REQUIRE(max_channel(sample.weight) < 1.01f);

@@ -132,15 +132,16 @@ TEST_CASE("diffuse transmission: photons are weighed by the lobes that rays are"
 {
     for (const Material& material : papers()) {
         const Interaction at = tiny::lit_surface(material, kBacks[1], false);
-        const GatheredLobes lobes(at.bsdf, at.shading_normal, at.normal, at.back);
+        const GatheredLobes lobes(at);
         for (std::uint64_t i = 0; i < 300; ++i) {
             RandomSequence random(13, RandomStream::pictures, 0, i);
             const glm::vec3 in = sample_sphere(random.next2());
             CHECK(lobes(in).y * std::abs(in.z) ==
                   Approx(scattered(at, in, Lobes::gathered).value.y).epsilon(1e-3).margin(1e-6));
             if (in.z < 0)
-                CHECK((lobes.beyond() * coat_half(at.bsdf, -in.z)).y ==
-                      Approx(lobes(in).y).epsilon(1e-4));
+                CHECK(
+                    (lobes.behind() * transmitted_by(at.bsdf().layers, Depth::diffuse, -in.z)).y ==
+                    Approx(lobes(in).y).epsilon(1e-4));
         }
     }
 }
@@ -150,6 +151,6 @@ TEST_CASE("diffuse transmission: that of glass is none, nor is none", "[shading]
     for (const Material& material :
          {through(tiny::glass(1.5f), 1, Rgb(1)), through(tiny::matt(Rgb(0.5f)), 0, Rgb(1)),
           through(tiny::matt(Rgb(0.5f)), 1, Rgb(0))})
-        CHECK_FALSE(tiny::lit_surface(material, {0, 0, 1}).bsdf.passes_diffusely());
-    CHECK(tiny::lit_surface(through(tiny::matt(Rgb(0)), 1, Rgb(1)), {0, 0, 1}).bsdf.gathers());
+        CHECK_FALSE(tiny::lit_surface(material, {0, 0, 1}).bsdf().transmits_diffusely);
+    CHECK(tiny::lit_surface(through(tiny::matt(Rgb(0)), 1, Rgb(1)), {0, 0, 1}).gathers());
 }

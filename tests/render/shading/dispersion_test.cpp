@@ -87,14 +87,14 @@ TEST_CASE("dispersion: a path keeps the wavelength that it has drawn, and weighs
         Rgb carried(2.0f);
         Interaction at = tiny::lit_surface(flint(), {0, 0, 1});
         disperse(at, nanometres, carried, random);
-        const float drawn = nanometres, index = at.bsdf.ior;
+        const float drawn = nanometres, index = at.ior;
         const Rgb weight = carried;
         CHECK(index == dispersed_index(1.6f, 1, drawn));
         Interaction again = tiny::lit_surface(flint(0.3f), {0, 0, -1});
         disperse(again, nanometres, carried, random);
         CHECK(nanometres == drawn);
         CHECK(carried == weight);
-        CHECK(again.bsdf.ior == index);
+        CHECK(again.ior == index);
         red.add(carried.x);
     }
     CHECK(std::abs(red.z_score(2)) < kMostZ);
@@ -111,6 +111,6 @@ TEST_CASE("dispersion: thin panes, and glass without it, leave a path as it is",
         disperse(*at, nanometres, carried, random);
         CHECK(nanometres == 0);
         CHECK(carried == Rgb(1));
-        CHECK(at->bsdf.ior == 1.6f);
+        CHECK(at->ior == 1.6f);
     }
 }

@@ -1,5 +1,5 @@
+#include "render/lobes/glossy_albedo.h"
 #include "render/shading/gathered_lobes.h"
-#include "render/shading/glossy_albedo.h"
 #include "tests/support/drawn_directions.h"
 #include "tests/support/lit_surface.h"
 #include "tests/support/statistics.h"
@@ -74,7 +74,7 @@ TEST_CASE("scatter: directions are drawn by the density that is said", "[shading
 {
     for (const Case& surface : all_surfaces())
         for (const Lobes lobes : {Lobes::gathered, Lobes::followed}) {
-            if (lobes == Lobes::gathered ? !surface.at.bsdf.gathers() : !surface.at.bsdf.follows())
+            if (lobes == Lobes::gathered ? !surface.at.gathers() : !surface.at.follows())
                 continue;
             INFO(surface.name << ", cosine " << surface.at.cosine << ", set " << int(lobes));
             CHECK(tiny::chi_square_z(surface.at, lobes) < kMostZ);
@@ -89,8 +89,7 @@ TEST_CASE("scatter: the mean weight is the integral of the lobes", "[shading]")
             tiny::over_sphere(250, [&](const glm::vec3& in, double solid_angle) {
                 integral += double{scattered(surface.at, in, lobes).value.y} * solid_angle;
             });
-            if (lobes == Lobes::gathered ? !surface.at.bsdf.gathers()
-                                         : !surface.at.bsdf.follows()) {
+            if (lobes == Lobes::gathered ? !surface.at.gathers() : !surface.at.follows()) {
                 CHECK(integral == 0);
                 continue;
             }
@@ -112,7 +111,7 @@ TEST_CASE("scatter: a weight drawn is value over density, and facets send on no 
     for (const Case& surface : all_surfaces())
         for (std::uint64_t i = 0; i < 300; ++i) {
             RandomSequence random(7, RandomStream::pictures, 0, i);
-            if (surface.at.bsdf.follows()) {
+            if (surface.at.follows()) {
                 const ScatterSample sample = sample_scatter(surface.at, Lobes::followed, random);
                 CHECK(max_channel(sample.weight) <= 1 + 1e-4f);
                 if (is_black(sample.weight) || surface.at.shading_normal != surface.at.normal)
@@ -121,9 +120,9 @@ TEST_CASE("scatter: a weight drawn is value over density, and facets send on no 
                 CHECK(there.value.x * sample.eta * sample.eta / there.density ==
                       Approx(sample.weight.x).epsilon(1e-3));
             }
-            if (surface.at.bsdf.reflection == Reflection::gathered)
-                CHECK(max_channel(sample_facets(surface.at, Lobes::gathered, random).weight) <=
-                      1 + 1e-4f);
+            for (const PlacedLobe& lobe : surface.at.bsdf().lobes())
+                if (lobe.depth == Depth::reflection)
+                    CHECK(max_channel(sample_lobe(surface.at, lobe, random).weight) <= 1 + 1e-4f);
         }
 }
 
@@ -162,7 +161,7 @@ TEST_CASE("scatter: what a shading normal bends past the face is folded back, no
     tiny::over_sphere(400, [&](const glm::vec3& in, double solid_angle) {
         sent += scattered(at, in, Lobes::gathered).value.x * solid_angle;
     });
-    CHECK(sent == Approx(glossy_albedo(at.cosine, at.bsdf.alpha).white()).margin(0.008));
+    CHECK(sent == Approx(glossy_albedo(at.cosine, 0.16f).white()).margin(0.008));
 }
 
 TEST_CASE("scatter: a white base under a rough coat absorbs nothing", "[shading]")
@@ -217,11 +216,11 @@ TEST_CASE("scatter: photons from below a tilted face, as faces beside have them,
         tiny::lit_surface(rough(tiny::mirror({1, 0.8f, 0.3f}), 0.45f), {0.4f, 0, 0.9f});
     at.shading_normal = glm::normalize(glm::vec3(0.1f, 0, 1));
     at.cosine = glm::dot(at.back, at.shading_normal);
-    const GatheredLobes lobes(at.bsdf, at.shading_normal, at.normal, at.back);
+    const GatheredLobes lobes(at);
     for (const float above : {1e-7f, 1e-5f, 1e-3f, 0.01f, 0.09f}) {
         const float slope = std::asin(above) - std::atan(0.1f);
         const glm::vec3 in(std::cos(slope), 0, std::sin(slope));
-        const Rgb alone = reflected_by_facets(at.bsdf, at.shading_normal, in, at.back);
+        const Rgb alone = eval(at.bsdf().all[0].lobe, view_of(at, Depth::reflection), in);
         CAPTURE(above, in.z);
         CHECK(max_channel(lobes(in)) <= 1.001f * max_channel(alone));
     }

@@ -41,7 +41,7 @@ TEST_CASE("specular targets hold every face with a specular lobe, and no scene w
     CHECK(targets.size() == 2); // the balls
     for (FaceId face = 0; face < mesh.face_count(); ++face) {
         const Bsdf& bsdf = ready->render->bsdfs[mesh.material_of_face[face]];
-        const bool specular = bsdf.reflection == Reflection::mirror || bsdf.glass > 0;
+        const bool specular = bsdf.is_specular;
         const bool held = std::any_of(targets.begin(), targets.end(), [&](const TargetSphere& at) {
             return holds(at, mesh, face);
         });

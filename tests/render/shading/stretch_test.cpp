@@ -1,6 +1,7 @@
 #include "common/math/sampling.h"
 #include "render/shading/interaction.h"
 #include "render/shading/stretch.h"
+#include "tests/support/lit_surface.h"
 #include "tests/support/tiny_scenes.h"
 
 #include <catch2/catch.hpp>
@@ -43,7 +44,12 @@ Interaction seen(const Scene& scene)
     Ray ray;
     ray.origin = {0.6f, 0.3f, 1};
     ray.direction = glm::normalize(glm::vec3(0.1f, 0.2f, -1));
-    return interact(*ready->render, ray, ready->render->rays.nearest(ray).value());
+    return tiny::kept(interact(*ready->render, ray, ready->render->rays.nearest(ray).value()));
+}
+
+Facets facets(const Scene& scene)
+{
+    return std::get<MicrofacetReflection>(seen(scene).bsdf().all[0].lobe).facets;
 }
 
 } // namespace
@@ -66,20 +72,20 @@ TEST_CASE("stretch: a picture says the direction, before the rotation, and the s
     Scene scene = brushed_quad();
     add_picture(scene, 128, 255, 128); // upwards, half
     CHECK(glm::distance(along_of(scene), {0, 1, 0}) < 0.01f);
-    CHECK(seen(scene).bsdf.alpha_along ==
+    CHECK(facets(scene).alpha_along ==
           Approx(0.16f + 0.84f * (0.8f * 128 / 255) * (0.8f * 128 / 255)));
     scene.materials[0].anisotropy_rotation = 0.5f * kPi;
     CHECK(glm::distance(along_of(scene), {-1, 0, 0}) < 0.01f);
     add_picture(scene, 255, 128, 0); // no strength
-    CHECK_FALSE(seen(scene).bsdf.is_stretched());
+    CHECK_FALSE(seen(scene).bsdf().is_directed);
 }
 
 TEST_CASE("stretch: a ray sees it across the shading normal; no direction, no stretch", "[shading]")
 {
     Scene scene = brushed_quad();
     const Interaction at = seen(scene);
-    CHECK(at.bsdf.is_stretched());
-    CHECK(glm::distance(at.bsdf.along, {1, 0, 0}) < 1e-5f);
+    CHECK(at.bsdf().is_directed);
+    CHECK(glm::distance(at.tangent, {1, 0, 0}) < 1e-5f);
 
     scene.images.push_back({"bumps", 1, 1, {204, 128, 230, 255}}); // tilted along it
     TextureSlot slot;
@@ -87,11 +93,11 @@ TEST_CASE("stretch: a ray sees it across the shading normal; no direction, no st
     scene.materials[0].textures = {slot};
     const Interaction tilted = seen(scene);
     REQUIRE(tilted.shading_normal != tilted.normal);
-    CHECK(std::abs(glm::dot(tilted.bsdf.along, tilted.shading_normal)) < 1e-5f);
-    CHECK(glm::length(tilted.bsdf.along) == Approx(1));
+    CHECK(std::abs(glm::dot(tilted.tangent, tilted.shading_normal)) < 1e-5f);
+    CHECK(glm::length(tilted.tangent) == Approx(1));
 
     scene = brushed_quad();
     scene.mesh.attributes.uv[0].clear();
-    CHECK_FALSE(seen(scene).bsdf.is_stretched());
-    CHECK(seen(scene).bsdf.alpha == Approx(0.16f));
+    CHECK(seen(scene).tangent == glm::vec3(0));
+    CHECK(facets(scene).alpha == Approx(0.16f));
 }

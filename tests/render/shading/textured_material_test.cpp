@@ -33,7 +33,7 @@ Rgb diffuse_at(const tiny::ReadyScene& ready, float x, float y)
     ray.direction = {0, 0, -1};
     const std::optional<RayHit> hit = ready.render->rays.nearest(ray);
     REQUIRE(hit);
-    return interact(*ready.render, ray, *hit).bsdf.diffuse;
+    return interact(*ready.render, ray, *hit).bsdf().diffuse;
 }
 
 } // namespace

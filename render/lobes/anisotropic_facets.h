@@ -7,13 +7,13 @@ namespace hipmap {
 /// GGX facets that are wider along one direction than across it (Burley 2012; Heitz 2014),
 /// docs/light_transport.md (31).  All directions are unit; cosines are those to the normal, above
 /// zero.  With both widths the same they are those of ggx.h.
-struct StretchedFacets {
+struct AnisotropicFacets {
     glm::vec3 along, across, normal; ///< right angles between them
     float alpha_along, alpha_across; ///< widths, above zero
 
     /// along: across the normal.
-    StretchedFacets(const glm::vec3& shading_normal, const glm::vec3& wide, float wide_alpha,
-                    float narrow_alpha)
+    AnisotropicFacets(const glm::vec3& shading_normal, const glm::vec3& wide, float wide_alpha,
+                      float narrow_alpha)
         : along(wide), across(glm::cross(shading_normal, wide)), normal(shading_normal),
           alpha_along(wide_alpha), alpha_across(narrow_alpha)
     {

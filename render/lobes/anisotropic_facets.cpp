@@ -1,10 +1,10 @@
-#include "render/shading/stretched_facets.h"
+#include "render/lobes/anisotropic_facets.h"
 
 #include "common/math/sampling.h"
 
 namespace hipmap {
 
-float StretchedFacets::slope(const glm::vec3& direction) const
+float AnisotropicFacets::slope(const glm::vec3& direction) const
 {
     const float x = alpha_along * glm::dot(direction, along);
     const float y = alpha_across * glm::dot(direction, across);
@@ -12,7 +12,7 @@ float StretchedFacets::slope(const glm::vec3& direction) const
     return std::sqrt(x * x + y * y + z * z);
 }
 
-float StretchedFacets::distribution(const glm::vec3& half) const
+float AnisotropicFacets::distribution(const glm::vec3& half) const
 {
     const float z = glm::dot(half, normal);
     if (!(z > 0))
@@ -23,33 +23,33 @@ float StretchedFacets::distribution(const glm::vec3& half) const
     return 1 / (kPi * alpha_along * alpha_across * spread * spread);
 }
 
-float StretchedFacets::spread(const glm::vec3& in, const glm::vec3& out,
-                              const glm::vec3& half) const
+float AnisotropicFacets::spread(const glm::vec3& in, const glm::vec3& out,
+                                const glm::vec3& half) const
 {
     const float visibility =
         0.5f / (glm::dot(out, normal) * slope(in) + glm::dot(in, normal) * slope(out));
     return distribution(half) * visibility;
 }
 
-float StretchedFacets::shadowing(const glm::vec3& in, float cos_in, const glm::vec3& out,
-                                 float cos_out) const
+float AnisotropicFacets::shadowing(const glm::vec3& in, float cos_in, const glm::vec3& out,
+                                   float cos_out) const
 {
     const float slope_out = slope(out);
     return cos_in * (cos_out + slope_out) / (cos_out * slope(in) + cos_in * slope_out);
 }
 
-float StretchedFacets::reflected_density(const glm::vec3& out, const glm::vec3& half) const
+float AnisotropicFacets::reflected_density(const glm::vec3& out, const glm::vec3& half) const
 {
     return 0.5f * distribution(half) / (glm::dot(out, normal) + slope(out));
 }
 
-float StretchedFacets::density(const glm::vec3& out, const glm::vec3& half) const
+float AnisotropicFacets::density(const glm::vec3& out, const glm::vec3& half) const
 {
     const float visible = glm::dot(out, half);
     return visible > 0 ? 4 * visible * reflected_density(out, half) : 0;
 }
 
-glm::vec3 StretchedFacets::sample(const glm::vec3& out, const glm::vec2& u) const
+glm::vec3 AnisotropicFacets::sample(const glm::vec3& out, const glm::vec2& u) const
 {
     // As `sample_facet`, with two widths.
     const glm::vec3 widths(alpha_along, alpha_across, 1);

@@ -1,4 +1,4 @@
-#include "render/shading/ggx.h"
+#include "render/lobes/ggx.h"
 
 #include "common/math/frame.h"
 #include "common/math/sampling.h"

@@ -1,7 +1,7 @@
-#include "render/shading/energy_compensation.h"
+#include "render/lobes/multiple_scattering.h"
 
 #include "common/math/sampling.h"
-#include "render/shading/glossy_albedo.h"
+#include "render/lobes/glossy_albedo.h"
 
 namespace hipmap {
 
@@ -20,7 +20,7 @@ float average_lost(float alpha)
 
 } // namespace
 
-Rgb regained_by(const Rgb& color, float alpha)
+Rgb multiple_factor(const Rgb& color, float alpha)
 {
     const float loss = average_lost(alpha);
     if (!(loss > 0))
@@ -29,14 +29,14 @@ Rgb regained_by(const Rgb& color, float alpha)
     return average * average * (1 - loss) / (1.0f - average * loss) / (kPi * loss);
 }
 
-Rgb regained_lobe(const Bsdf& bsdf, float cos_in, float cos_out)
+Rgb multiple_scattering(const Rgb& factor, float cos_in, float cos_out, float alpha)
 {
-    return bsdf.regained * (lost(cos_in, bsdf.alpha) * lost(cos_out, bsdf.alpha));
+    return factor * (lost(cos_in, alpha) * lost(cos_out, alpha));
 }
 
-Rgb regained_albedo(const Bsdf& bsdf, float cosine)
+Rgb multiple_albedo(const Rgb& factor, float cosine, float alpha)
 {
-    return bsdf.regained * (lost(cosine, bsdf.alpha) * average_lost(bsdf.alpha) * kPi);
+    return factor * (lost(cosine, alpha) * average_lost(alpha) * kPi);
 }
 
 } // namespace hipmap

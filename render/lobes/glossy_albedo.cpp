@@ -1,7 +1,7 @@
-#include "render/shading/glossy_albedo.h"
+#include "render/lobes/glossy_albedo.h"
 
 #include "common/math/sampling.h"
-#include "render/shading/ggx.h"
+#include "render/lobes/ggx.h"
 
 #include <array>
 

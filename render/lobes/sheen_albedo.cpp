@@ -1,4 +1,4 @@
-#include "render/shading/sheen.h"
+#include "render/lobes/sheen_albedo.h"
 
 #include "common/math/sampling.h"
 

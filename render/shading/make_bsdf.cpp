@@ -1,0 +1,250 @@
+#include "render/shading/make_bsdf.h"
+
+#include "render/lobes/multiple_scattering.h"
+#include "render/lobes/sheen_albedo.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hipmap {
+
+namespace {
+
+/// No real interface reflects less than this at normal incidence: where the file asks for less, the
+/// reflection is being turned off, and its grazing part goes with it (Blender's Specular 0 is
+/// diffuse).
+constexpr float kLeastReflectance = 0.02f;
+
+/// The diffuse lobe below anisotropic facets loses this part of the difference of their widths,
+/// because the coat's albedo is known for one width alone: so nothing sends on more than it gets.
+constexpr float kAnisotropicLoss = 0.15f;
+
+/// An anisotropic reflection is no mirror's, nor is that of a coat that may have a normal of its
+/// own: across it is at least so rough.
+constexpr float kLeastSpreadRoughness = 0.03f;
+
+/// A material of glTF's metallic-roughness model at a point.
+struct MetallicRoughness {
+    const Material& material;
+    const MaterialPoint& at;
+    float roughness;        ///< of its reflection
+    Facets facets;          ///< of reflection and glass; alpha 0: smooth
+    float opaque;           ///< share that is neither metal nor glass
+    float glass;            ///< share that is a dielectric that transmits
+    SchlickFresnel fresnel; ///< of the coat over the diffuse lobe and of metal, by their shares
+
+    bool has_reflection() const { return !fresnel.is_zero(); }
+};
+
+/// Reflectance of the dielectric over a diffuse lobe, docs/light_transport.md (2).
+SchlickFresnel coat_fresnel(const Material& material, const MaterialPoint& at)
+{
+    const float index_step = (material.ior - 1) / (material.ior + 1);
+    const Rgb f0 = glm::min(index_step * index_step * at.specular_color, Rgb(1)) * at.specular;
+    return {f0, Rgb(at.specular * std::min(1.0f, max_channel(f0) / kLeastReflectance))};
+}
+
+Layers layers_of(const MetallicRoughness& of)
+{
+    const MaterialPoint& at = of.at;
+    Layers out;
+    const SchlickFresnel coat = coat_fresnel(of.material, at);
+    out.coated = of.opaque > 0 && !coat.is_zero();
+    if (out.coated)
+        out.coat = coat;
+    out.coat_alpha = of.facets.alpha;
+    if (at.transmission == 0) {
+        out.sheen = max_channel(at.sheen_color);
+        out.sheen_alpha = std::clamp(at.sheen_roughness, kLeastSheenAlpha, 1.0f);
+        out.clearcoat = std::max(0.0f, at.clearcoat);
+    }
+    return out;
+}
+
+MetallicRoughness metallic_roughness(const Material& material, const MaterialPoint& at)
+{
+    MetallicRoughness out{.material = material,
+                          .at = at,
+                          .roughness = at.anisotropy > 0
+                                           ? std::max(at.roughness, kLeastSpreadRoughness)
+                                           : at.roughness,
+                          .facets = {},
+                          .opaque = (1 - at.metallic) * (1 - at.transmission),
+                          .glass = (1 - at.metallic) * at.transmission,
+                          .fresnel = {}};
+    const SchlickFresnel coat = out.opaque > 0 ? coat_fresnel(material, at) : SchlickFresnel{};
+    out.fresnel = {at.metallic * at.base_color + out.opaque * coat.f0,
+                   at.metallic + out.opaque * coat.f90};
+    out.facets.alpha = alpha_of(out.roughness);
+    if (at.anisotropy > 0 &&
+        (out.has_reflection() || out.glass > 0)) // docs/light_transport.md (31)
+        out.facets.alpha_along =
+            out.facets.alpha + (1 - out.facets.alpha) * at.anisotropy * at.anisotropy;
+    return out;
+}
+
+/// docs/light_transport.md (1): the diffuse base and what passes it.
+void add_diffuse(const MetallicRoughness& of, DiffuseModel model, Bsdf& out)
+{
+    const MaterialPoint& at = of.at;
+    float kept = 1;
+    if (of.facets.alpha_along > 0)
+        kept -= kAnisotropicLoss * (of.facets.alpha_along - of.facets.alpha);
+    const Rgb below = kept * of.opaque / glm::max(out.layers.diffuse_average, Rgb(1e-6f));
+    const float passed = at.transmission == 0 ? std::max(0.0f, at.diffuse_transmission) : 0.0f;
+    out.diffuse = below * at.base_color * (1 - passed);
+    if (!is_black(out.diffuse) && model == DiffuseModel::burley)
+        add({Burley{out.diffuse, at.roughness}, Depth::diffuse, Lobes::gathered}, out);
+    else if (!is_black(out.diffuse))
+        add({Lambert{out.diffuse}, Depth::diffuse, Lobes::gathered}, out);
+    out.diffuse_transmitted = below * passed * at.diffuse_transmission_color;
+    if (!is_black(out.diffuse_transmitted))
+        add({DiffuseTransmission{out.diffuse_transmitted}, Depth::diffuse, Lobes::gathered}, out);
+}
+
+void add_reflection(const MetallicRoughness& of, Bsdf& out)
+{
+    if (!of.has_reflection())
+        return;
+    const Lobes handled = handled_at(of.roughness);
+    if (handled == Lobes::specular) {
+        add({SmoothMirror{of.fresnel}, Depth::reflection, handled}, out);
+        return;
+    }
+    MicrofacetReflection lobe{of.fresnel, of.facets};
+    if (of.material.energy_compensation)
+        lobe.multiple = multiple_factor(of.at.base_color, of.facets.alpha) * of.at.metallic;
+    add({lobe, Depth::reflection, handled}, out);
+}
+
+void add_glass(const MetallicRoughness& of, Bsdf& out)
+{
+    if (!(of.glass > 0))
+        return;
+    const Rgb reflection = glm::min(of.at.specular_color, Rgb(1)) * of.at.specular;
+    out.dispersion = of.material.dispersion;
+    out.rough_glass = of.facets.alpha > 0;
+    if (out.rough_glass)
+        add({RoughDielectric{of.glass, of.at.base_color, reflection, of.facets}, Depth::reflection,
+             Lobes::followed},
+            out);
+    else
+        add({SmoothDielectric{of.glass, of.at.base_color, reflection}, Depth::reflection,
+             Lobes::specular},
+            out);
+}
+
+float clearcoat_roughness(const Material& material, const MaterialPoint& at)
+{
+    return tilts(material) ? std::max(at.clearcoat_roughness, kLeastSpreadRoughness)
+                           : at.clearcoat_roughness;
+}
+
+void add_clearcoat(const MetallicRoughness& of, Bsdf& out)
+{
+    if (!(out.layers.clearcoat > 0))
+        return;
+    const Lobes handled = handled_at(clearcoat_roughness(of.material, of.at));
+    const SchlickFresnel fresnel = clearcoat_fresnel(out.layers.clearcoat);
+    if (handled == Lobes::specular)
+        add({SmoothMirror{fresnel}, Depth::clearcoat, handled}, out);
+    else
+        add({MicrofacetReflection{fresnel, {out.layers.clearcoat_alpha}}, Depth::clearcoat,
+             handled},
+            out);
+}
+
+void make_metallic_roughness(const Material& material, const MaterialPoint& at, DiffuseModel model,
+                             Bsdf& out)
+{
+    const MetallicRoughness of = metallic_roughness(material, at);
+    out.layers = layers_of(of);
+    if (out.layers.clearcoat > 0)
+        out.layers.clearcoat_alpha = alpha_of(clearcoat_roughness(material, at));
+    finish(out.layers);
+    out.ior = of.facets.alpha > 0 ? std::max(material.ior, kLeastRoughIndex) : material.ior;
+    add_diffuse(of, model, out);
+    add_reflection(of, out);
+    add_glass(of, out);
+    if (out.layers.sheen > 0)
+        add({Sheen{at.sheen_color, out.layers.sheen_alpha}, Depth::sheen, Lobes::gathered}, out);
+    add_clearcoat(of, out);
+}
+
+/// docs/light_transport.md (35).
+void make_phong(const Material& material, const MaterialPoint& at, Bsdf& out)
+{
+    out.diffuse = at.base_color * (1.0f - material.phong_specular);
+    if (!is_black(out.diffuse))
+        add({Lambert{out.diffuse}, Depth::diffuse, Lobes::gathered}, out);
+    if (is_black(material.phong_specular))
+        return;
+    const Lobes handled = handled_at(phong_roughness(material.phong_exponent));
+    if (handled == Lobes::specular)
+        add({PhongMirror{material.phong_specular}, Depth::reflection, handled}, out);
+    else
+        add({Phong{material.phong_specular, material.phong_exponent}, Depth::reflection, handled},
+            out);
+}
+
+/// docs/light_transport.md (36).
+void make_schlick(const Material& material, const MaterialPoint& at, Bsdf& out)
+{
+    const float roughness = std::sqrt(std::sqrt(at.roughness));
+    const float alpha = alpha_of(roughness);
+    const SchlickShares shares = schlick_shares(alpha * alpha);
+    out.diffuse = shares.even * at.base_color;
+    if (!is_black(out.diffuse))
+        add({Lambert{out.diffuse}, Depth::diffuse, Lobes::gathered}, out);
+    const SchlickFresnel fresnel{at.base_color, Rgb(1)};
+    if (alpha > 0)
+        add({Schlick{fresnel, alpha, std::clamp(material.isotropy, kLeastIsotropy, 1.0f)},
+             Depth::reflection, handled_at(roughness)},
+            out);
+    if (shares.mirror > 0)
+        add({SmoothMirror{{shares.mirror * fresnel.f0, shares.mirror * fresnel.f90}},
+             Depth::reflection, Lobes::specular},
+            out);
+}
+
+bool is_diffuse_alone(const Bsdf& bsdf)
+{
+    const std::size_t diffuse = is_black(bsdf.diffuse) ? 0 : 1;
+    return bsdf.count == diffuse && !bsdf.layers.any;
+}
+
+} // namespace
+
+Bsdf make_bsdf(const Material& material, const MaterialPoint& at, DiffuseModel model)
+{
+    Bsdf out;
+    if (!material.boundary)
+        return out; // no surface
+    out.absorption = material.absorption;
+    out.emission = at.emission;
+    out.emits_behind = material.double_sided;
+    switch (material.reflection_model) {
+    case ReflectionModel::metallic_roughness:
+        make_metallic_roughness(material, at, model, out);
+        break;
+    case ReflectionModel::phong:
+        make_phong(material, at, out);
+        break;
+    case ReflectionModel::schlick:
+        make_schlick(material, at, out);
+        break;
+    }
+    out.is_diffuse = is_diffuse_alone(out);
+    return out;
+}
+
+std::vector<Bsdf> make_bsdfs(const std::vector<Material>& materials, DiffuseModel model)
+{
+    std::vector<Bsdf> out;
+    out.reserve(materials.size());
+    for (const Material& material : materials)
+        out.push_back(make_bsdf(material, material_factors(material), model));
+    return out;
+}
+
+} // namespace hipmap

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "common/scene/scene.h"
+#include "render/lobes/bsdf.h"
+#include "render/shading/textured_material.h"
+
+#include <vector>
+
+namespace hipmap {
+
+/// Up to this roughness a reflection is a mirror's and glass is clear: the lobe is narrower than a
+/// pixel.
+inline constexpr float kMirrorRoughness = 0.02f;
+
+/// Up to this roughness a glossy reflection is followed, as a mirror's is; above it is gathered
+/// from photons.  Rough glass is always followed.  For photons, eye paths and path tracer alike.
+inline constexpr float kFollowedRoughness = 0.3f;
+
+/// Rough glass of exactly the index of its surroundings would be no surface at all.
+inline constexpr float kLeastRoughIndex = 1.001f;
+
+/// GGX width of facets; 0: a mirror.
+inline float alpha_of(float roughness)
+{
+    return roughness > kMirrorRoughness ? roughness * roughness : 0;
+}
+
+/// What becomes of an opaque reflection.
+inline Lobes handled_at(float roughness)
+{
+    if (alpha_of(roughness) == 0)
+        return Lobes::specular;
+    return roughness <= kFollowedRoughness ? Lobes::followed : Lobes::gathered;
+}
+
+/// The lobes and layers of a material at a point.  A material without a boundary has none.
+Bsdf make_bsdf(const Material& material, const MaterialPoint& at, DiffuseModel model);
+
+/// [M] of each material of the scene, by its factors alone.
+std::vector<Bsdf> make_bsdfs(const std::vector<Material>& materials, DiffuseModel model);
+
+} // namespace hipmap
