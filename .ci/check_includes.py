@@ -16,7 +16,8 @@ from source_files import lines_of, source_files
 LEAVES = ["common", "common/math", "common/file", "common/image"]
 COMMON = ["common/scene", "common/rays", "common/partition", "common/command_line"]
 PREPROCESS = ["preprocess/mesh", "preprocess/partition", "preprocess/colouring"]
-RENDER = ["render/lobes", "render/media", "render/shading", "render/effects", "render/paths", "render/photons", "render/maps",
+RENDER = ["render/lobes", "render/media", "render/lights", "render/shading", "render/effects", "render/paths",
+          "render/photons", "render/maps",
           "render/film", "render/integrator"]
 
 INCLUDE = re.compile(r'\s*#\s*include\s*"([^"]+)"')

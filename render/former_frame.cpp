@@ -7,7 +7,7 @@ namespace hipmap {
 
 namespace {
 
-std::string world_of(const Scene& scene, const Partition& partition, const SkyPicture& sky)
+std::string world_of(const Scene& scene, const Partition& partition, const EnvironmentMap& sky)
 {
     const Fingerprint still = still_fingerprint(scene);
     std::string out;
@@ -20,7 +20,7 @@ std::string world_of(const Scene& scene, const Partition& partition, const SkyPi
 } // namespace
 
 PhotonCache& cache_for(FormerFrame& former, const Scene& scene, const Partition& partition,
-                       const SkyPicture& sky, double most_mib)
+                       const EnvironmentMap& sky, double most_mib)
 {
     std::string world = world_of(scene, partition, sky);
     const bool first = former.world.empty(), same = former.world == world;

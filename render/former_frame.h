@@ -2,7 +2,7 @@
 
 #include "render/integrator/photon_cache.h"
 #include "render/integrator/run_passes.h"
-#include "render/shading/sky_picture.h"
+#include "render/lights/environment_map.h"
 
 #include <string>
 
@@ -29,6 +29,6 @@ struct FormerFrame {
 /// has changed.  It takes photons up in the first frame, and in one where nothing else has moved
 /// since the frame before: if things go on moving, no memory is spent.
 PhotonCache& cache_for(FormerFrame& former, const Scene& scene, const Partition& partition,
-                       const SkyPicture& sky, double most_mib);
+                       const EnvironmentMap& sky, double most_mib);
 
 } // namespace hipmap

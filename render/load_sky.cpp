@@ -8,7 +8,7 @@
 
 namespace hipmap {
 
-SkyPicture load_sky(const Scene& scene, double turn_deg)
+EnvironmentMap load_sky(const Scene& scene, double turn_deg)
 {
     if (scene.environment_picture.empty())
         return {};
@@ -23,8 +23,8 @@ SkyPicture load_sky(const Scene& scene, double turn_deg)
                 ") is below zero; a sky has no such radiance, write the picture again");
     }
     const double whole_turn_deg = scene.environment_turn_deg + turn_deg;
-    return make_sky_picture(picture, scene.environment_strength,
-                            static_cast<float>(whole_turn_deg * std::numbers::pi / 180));
+    return make_environment_map(picture, scene.environment_strength,
+                                static_cast<float>(whole_turn_deg * std::numbers::pi / 180));
 }
 
 } // namespace hipmap

@@ -3,8 +3,8 @@
 #include "common/partition/partition.h"
 #include "common/scene/load_scene.h"
 #include "render/film/render_state.h"
+#include "render/lights/environment_map.h"
 #include "render/options.h"
-#include "render/shading/sky_picture.h"
 #include "render/shutter.h"
 
 namespace hipmap {
@@ -18,7 +18,7 @@ struct PreparedFrame {
     Partition partition;
     ShutterMotion motion;
     EffectPlan effects;
-    SkyPicture sky;
+    EnvironmentMap sky;
     std::vector<Setting> settings;    ///< all that its passes depend on
     std::optional<RenderState> found; ///< state to resume
     double seconds = 0;               ///< reading all of it

@@ -368,7 +368,7 @@ std::vector<Setting> values_of(const RenderArguments& arguments)
 }
 
 std::vector<Setting> settings_of(const RenderArguments& arguments, const Scene& scene,
-                                 const Partition& partition, const SkyPicture& sky)
+                                 const Partition& partition, const EnvironmentMap& sky)
 {
     const Fingerprint content = content_fingerprint(scene);
     std::vector<Setting> out = {{"scene", hex(content.words[0]) + hex(content.words[1])},

@@ -2,8 +2,8 @@
 
 #include "common/command_line/option_table.h"
 #include "common/partition/partition.h"
+#include "render/lights/environment_map.h"
 #include "render/options.h"
-#include "render/shading/sky_picture.h"
 
 namespace hipmap {
 
@@ -25,6 +25,6 @@ std::vector<Setting> values_of(const RenderArguments& arguments);
 /// passes of one image.  Scene, partition and sky are hashes; options that only change these are
 /// left out.  arguments: of a frame, completed.  Cost: linear in the scene.
 std::vector<Setting> settings_of(const RenderArguments& arguments, const Scene& scene,
-                                 const Partition& partition, const SkyPicture& sky);
+                                 const Partition& partition, const EnvironmentMap& sky);
 
 } // namespace hipmap

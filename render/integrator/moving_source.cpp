@@ -26,7 +26,7 @@ PassSource make_moving_source(const MovingScene& moving, const RenderOptions& op
         const Scene scene = moving.at(shutter_share(seed, pass));
         const Partition partition =
             partition_in_motion(moving.still.partition, moving.still.mesh(), scene.mesh);
-        const RenderScene now(scene, partition, moving.still.lights.sky);
+        const RenderScene now(scene, partition, moving.still.environment_map);
         return render_in(now, pass, control);
     };
     return source;

@@ -5,8 +5,8 @@
 
 namespace hipmap {
 
-/// The chance with which each set of lobes sends a ray of its own at a surface, which may find the
-/// lights too; 0: the set is left out of the light sampled.
+/// The probability with which each set of lobes sends a ray of its own at a surface, which may find
+/// the lights too; 0: the set is left out of the light sampled.
 struct LobeRays {
     float gathered = 0.0f;
     float followed = 0.0f;
@@ -15,9 +15,9 @@ struct LobeRays {
 /// Where a ray comes from.
 struct RaySource {
     LightReceiver at;
-    float density = 0.0f; ///< chance per solid angle that lobes sent it; 0: a mirror, glass or the
-                          ///<   eye did, and sampling the lights could not have found its light
-    bool eye = false;     ///< it comes straight from the eye, which does not see lamps
+    float density = 0.0f; ///< pdf per solid angle with which lobes sent it; 0: a mirror, glass or
+                          ///<   the eye did, and sampling the lights could not have found its light
+    bool eye = false;     ///< it comes straight from the eye, which does not see analytic lights
 };
 
 /// How far a ray goes: infinitely if it hits nothing.
@@ -31,50 +31,41 @@ RaySource source_at(const Interaction& at, float density);
 float hit_weight(const RenderScene& scene, const SurfacePoint& on_light, const glm::vec3& direction,
                  float distance, const RaySource& source);
 
-/// `met_lamps` where there are lamps with a size, of a ray that is not the eye's.
-Rgb lamps_on_way(const RenderScene& scene, const Ray& ray, float distance, const Rgb& absorption,
-                 const RaySource& source);
+/// `met_lights` where rays can run into analytic lights.
+Rgb lights_on_way(const RenderScene& scene, const Ray& ray, float distance, const Rgb& absorption,
+                  const RaySource& source);
 
-/// Radiance along a ray from the lamps with a size that lie on its way of `distance`; infinite: it
-/// leaves the scene and may run into suns.  Each counts as `hit_weight` has it.  Lamps hide
-/// nothing. absorption: of what the ray travels in.
-inline Rgb met_lamps(const RenderScene& scene, const Ray& ray, float distance,
-                     const Rgb& absorption, const RaySource& source)
+/// Radiance along a ray from the analytic lights that lie on its way of `distance`; infinite: it
+/// leaves the scene and may run into suns.  Each counts as `hit_weight` has it.  These lights hide
+/// nothing.  absorption: of what the ray travels in.
+inline Rgb met_lights(const RenderScene& scene, const Ray& ray, float distance,
+                      const Rgb& absorption, const RaySource& source)
 {
-    return has_sized_lamps(scene.lights) && !source.eye
-               ? lamps_on_way(scene, ray, distance, absorption, source)
+    return has_met_lights(scene.lights) && !source.eye
+               ? lights_on_way(scene, ray, distance, absorption, source)
                : Rgb(0);
 }
 
-/// The same through the media of the scene, which must have some, until a surface hides the lamps.
-/// inside: what the ray starts in.
-Rgb met_lamps_in_media(const RenderScene& scene, const Ray& ray, const Interiors& inside,
-                       const RaySource& source);
+/// `met_lights` through the media of the scene, which must have some, until a surface hides the
+/// lights.  inside: what the ray starts in.
+Rgb met_lights_in_media(const RenderScene& scene, const Ray& ray, const Interiors& inside,
+                        const RaySource& source);
 
-/// Radiance of the sky along a ray that leaves the scene, counted as `hit_weight` has it.
-Rgb met_sky(const RenderScene& scene, const glm::vec3& direction, const RaySource& source);
+/// Radiance of the environment along a ray that leaves the scene, counted as `hit_weight` has it.
+Rgb met_environment(const RenderScene& scene, const glm::vec3& direction, const RaySource& source);
 
-/// Radiance towards `at.back` of light straight from lamps: all of them, or all suns and some of
-/// the others, chosen by a tree; those with a size weighed against the rays of the lobes.
-Rgb lamp_light(const RenderScene& scene, const Interaction& at, const LobeRays& rays,
-               RandomSequence& random);
-
-/// The same from the emissive faces by one point on them, weighed by the power heuristic against
-/// the rays of the lobes.  Zero if there are none.
+/// Radiance towards `at.back` of light straight from the emissive faces, by one point on them,
+/// weighed by the power heuristic against the rays of the lobes.  Zero if there are none.
 Rgb emissive_light(const RenderScene& scene, const Interaction& at, const LobeRays& rays,
                    RandomSequence& random);
 
-/// The same from a picture of the sky.  Zero if it is uniform: rays of the lobes find that.
-Rgb sky_light(const RenderScene& scene, const Interaction& at, const LobeRays& rays,
-              RandomSequence& random);
-
-/// From all of them.
+/// Radiance towards `at.back` of light straight from the lights of a scene with any kinds of them.
 Rgb light_of_all_kinds(const RenderScene& scene, const Interaction& at, const LobeRays& rays,
                        RandomSequence& random);
 
-/// The same, where there may be emissive faces alone.  Light straight from the lights is this and
-/// what the rays of the lobes find, by `hit_weight` and `met_lamps`, docs/light_transport.md (11).
-/// Thread-safe.
+/// Radiance towards `at.back` of light straight from the lights, all or some of them sampled.  With
+/// what the rays of the lobes find, by `hit_weight`, `met_lights` and `met_environment`, it is all
+/// direct light, docs/light_transport.md (11).  Thread-safe.
 inline Rgb sampled_light(const RenderScene& scene, const Interaction& at, const LobeRays& rays,
                          RandomSequence& random)
 {
@@ -82,7 +73,7 @@ inline Rgb sampled_light(const RenderScene& scene, const Interaction& at, const 
                                    : light_of_all_kinds(scene, at, rays, random);
 }
 
-/// What the one ray that the gathered lobes send finds of emissive faces and sky: with
+/// What the one ray that the gathered lobes send finds of lights: with
 /// `sampled_light` at {.gathered = 1}, an unbiased estimate of all direct light in these lobes.
 Rgb found_light(const RenderScene& scene, const Interaction& at, RandomSequence& random);
 

@@ -44,7 +44,7 @@ void cross_air(const RenderScene& scene, const std::optional<RayHit>& hit, bool 
 {
     if (sees_lights)
         light += path.weight *
-                 met_lamps(scene, path.ray, distance_of(hit), path.absorption, path.source);
+                 met_lights(scene, path.ray, distance_of(hit), path.absorption, path.source);
     if (hit)
         absorb(path.absorption, hit->distance, path.weight);
 }

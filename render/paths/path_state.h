@@ -36,13 +36,13 @@ struct Reached {
     bool scattered = false;    ///< by a medium
 };
 
-/// Where there are no media: adds the lamps on the way to a hit to `light`, if the path sees
+/// Where there are no media: adds the lights on the way to a hit to `light`, if the path sees
 /// lights, and takes what glass absorbs from the weight.
 void cross_air(const RenderScene& scene, const std::optional<RayHit>& hit, bool sees_lights,
                PathState& path, Rgb& light);
 
-/// Brings the path to the next surface.  Adds to `light` what its weight leaves of the lamps on the
-/// way and of the sky behind, if it sees lights: each counts as `hit_weight` has it.
+/// Brings the path to the next surface.  Adds to `light` what its weight leaves of the lights on
+/// the way and of the environment behind, if it sees lights: each counts as `hit_weight` has it.
 /// through_media: () -> Reached, asked where the scene has media: takes from the weight
 /// what they hold back, and keeps `inside`.  Thread-safe.
 template <typename Through>
@@ -52,7 +52,7 @@ inline Reached reach(const RenderScene& scene, PathState& path, bool sees_lights
     Reached out;
     if (scene.has_media()) {
         if (sees_lights)
-            light += path.weight * met_lamps_in_media(scene, path.ray, path.inside, path.source);
+            light += path.weight * met_lights_in_media(scene, path.ray, path.inside, path.source);
         out = through_media();
     } else {
         out.hit = scene.rays.nearest(path.ray);
@@ -60,7 +60,7 @@ inline Reached reach(const RenderScene& scene, PathState& path, bool sees_lights
             cross_air(scene, out.hit, sees_lights, path, light);
     }
     if (sees_lights && !out.hit && !out.scattered)
-        light += path.weight * met_sky(scene, path.ray.direction, path.source);
+        light += path.weight * met_environment(scene, path.ray.direction, path.source);
     return out;
 }
 

@@ -1,6 +1,6 @@
 #include "render/photons/trace_photons.h"
 
-#include "render/photons/aimed_emission.h"
+#include "render/lights/emission.h"
 #include "render/photons/light_path.h"
 
 #include <tbb/parallel_for.h>
@@ -83,13 +83,13 @@ TracedPhotons trace_without_aim(const RenderScene& scene, const PhotonOptions& o
     const Wanted wanted = wanted_without_aim(options);
     if (!wanted.direct && !wanted.caustic && !wanted.indirect && !wanted.volume)
         return {};
-    const double glow = options.media ? max_channel(scene.media->glow_power) : 0;
-    const EmissionPlan plan = plan_emission(scene.lights, options.paths, glow);
+    const Emitters emitters = options.media ? Emitters::all : Emitters::all_but_media;
+    const EmissionPlan plan = plan_emission(scene.lights, options.paths, emitters);
     TracedPhotons out = trace_paths(plan.paths, [&](std::uint64_t i, TracedPhotons& photons) {
         const LightShare share = share_of(plan, i);
         RandomSequence random(options.seed, RandomStream::photons, options.pass, share.light,
-                              share.place);
-        const EmittedPath start = emit_path(scene, plan, i, random);
+                              share.path.place);
+        const EmittedPath start = emit_path(scene.lights, share, random);
         trace_light_path(scene, wanted, start, random, photons);
     });
     out.emitted = plan.paths;
@@ -106,12 +106,13 @@ TracedPhotons trace_photons(const RenderScene& scene, const PhotonOptions& optio
         return out;
     Wanted wanted{false, true, false, options.link_bounces};
     wanted.volume = options.media;
-    const EmissionPlan aimed = plan_emission(scene.lights, options.caustic_paths);
+    const EmissionPlan aimed =
+        plan_emission(scene.lights, options.caustic_paths, Emitters::all_but_media);
     TracedPhotons caustics = trace_paths(aimed.paths, [&](std::uint64_t i, TracedPhotons& photons) {
         const LightShare share = share_of(aimed, i);
         RandomSequence random(options.seed, RandomStream::caustics, options.pass, share.light,
-                              share.place);
-        const EmittedPath start = emit_aimed_path(scene, aimed, targets, i, random);
+                              share.path.place);
+        const EmittedPath start = emit_aimed_path(scene.lights, share, targets, random);
         if (max_channel(start.power) > 0)
             trace_light_path(scene, wanted, start, random, photons);
     });

@@ -3,7 +3,6 @@
 #include "render/effects/light_classes.h"
 #include "render/photons/photon.h"
 #include "render/photons/volume_photon.h"
-#include "render/shading/emission.h"
 #include "render/shading/render_scene.h"
 
 #include <cstdint>

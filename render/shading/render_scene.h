@@ -3,8 +3,8 @@
 #include "common/partition/partition.h"
 #include "common/rays/embree_scene.h"
 #include "common/scene/scene.h"
+#include "render/lights/collect_lights.h"
 #include "render/media/media_set.h"
-#include "render/shading/lights.h"
 #include "render/shading/make_bsdf.h"
 #include "render/shading/specular_targets.h"
 
@@ -26,17 +26,19 @@ struct RenderScene {
     std::vector<std::uint8_t> plain; ///< [M] 1: neither, unstretched, and faces stop all light
     bool all_plain = false;          ///< all materials are
     std::vector<TargetSphere> specular_targets; ///< that light is aimed at to make caustics
+    std::optional<MediaSet> media;  ///< none: nothing but surfaces and glass that absorbs
+    EnvironmentMap environment_map; ///< empty: none
+    SurfaceEmission surface_emission;
     LightSet lights;
-    std::optional<MediaSet> media; ///< none: nothing but surfaces and glass that absorbs
-    bool lit_by_faces = false;     ///< there are no lamps and no picture of the sky
+    bool lit_by_faces = false; ///< no light but emissive meshes and media emits
     bool clear = false; ///< nothing lies between surfaces: no medium, no glass that absorbs, no
-                        ///<   lamp with a size
+                        ///<   light that rays can run into
     bool directional = false; ///< photons are weighed by the direction they came from: some surface
                               ///<   gathers by a lobe that is not separable
 
-    /// sky: the picture that the scene names, or an empty one.
-    RenderScene(const Scene& from_scene, const Partition& from_partition, SkyPicture sky = {});
-    RenderScene(RenderScene&&) = delete; // media borrow the rays
+    /// map: the environment map that the scene names, or an empty one.
+    RenderScene(const Scene& from_scene, const Partition& from_partition, EnvironmentMap map = {});
+    RenderScene(RenderScene&&) = delete; // media borrow the rays, lights the rest
 
     const TriangleMesh& mesh() const { return scene.mesh; }
     bool has_media() const { return !kMattOnly && media.has_value(); }
@@ -51,21 +53,19 @@ struct RenderScene {
     bool is_lit_by_faces() const { return kMattOnly || lit_by_faces; }
 };
 
-/// Radiance that a point of a face emits from the sides that shine.
+/// Radiance that a point of a face emits from the sides that emit.
 Rgb emission_at(const RenderScene& scene, FaceId face, const glm::vec2& barycentric);
 
-/// The same on average over what the face covers there.
-Rgb pictured_radiance(const RenderScene& scene, const EmissivePoint& light);
-
-/// What a point drawn on an emissive face sends of that towards `direction` (unit, away from it).
-inline Rgb light_radiance(const RenderScene& scene, const EmissivePoint& light,
-                          const glm::vec3& direction)
+/// Whether the side of a face that `direction` leaves (unit, away from the face) may emit.
+inline bool emits_towards(const Bsdf& bsdf, const SurfacePoint& point, const glm::vec3& direction)
 {
-    const MaterialId material = scene.mesh().material_of_face[light.surface.face];
-    const Bsdf& bsdf = scene.bsdfs[material];
-    if (!shines_towards(bsdf, light.surface, direction))
-        return Rgb(0);
-    return scene.is_plain(material) ? bsdf.emission : pictured_radiance(scene, light);
+    return bsdf.emits_behind || glm::dot(direction, point.geometric_normal) > 0;
+}
+
+/// Radiance that a face emits towards `direction` (unit, away from the face).
+inline Rgb emitted_radiance(const Bsdf& bsdf, const SurfacePoint& point, const glm::vec3& direction)
+{
+    return emits_towards(bsdf, point, direction) ? bsdf.emission : Rgb(0);
 }
 
 } // namespace hipmap

@@ -45,7 +45,7 @@ Rgb found_by(const RenderScene& scene, const Interaction& at, Lobes lobes, bool 
     const Ray ray = scattered_ray(at, sample);
     const std::optional<RayHit> hit = scene.rays.nearest(ray);
     if (!hit)
-        return sample.weight * scene.lights.environment;
+        return sample.weight * scene.scene.environment;
     const Interaction on = interact(scene, ray, *hit);
     const float part = weighed ? hit_weight(scene, on.point, ray.direction, hit->distance,
                                             source_at(at, sample.density))

@@ -1,5 +1,6 @@
 #include "common/math/sampling.h"
 #include "render/integrator/path_tracer.h"
+#include "render/lights/emission.h"
 #include "render/photons/trace_photons.h"
 #include "tests/support/form_factor.h"
 #include "tests/support/statistics.h"
@@ -55,11 +56,11 @@ TEST_CASE("emissive pictures: light paths carry the power of what shines, from t
           "[integrator]")
 {
     const auto ready = tiny::ready(half_lit_floor());
-    const EmissionPlan plan = plan_emission(ready->render->lights, 20000);
+    const EmissionPlan plan = plan_emission(ready->render->lights, 20000, Emitters::all);
     RunningMean power;
     for (std::uint64_t i = 0; i < plan.paths; ++i) {
         RandomSequence random(5, RandomStream::photons, 0, i);
-        const EmittedPath path = emit_path(*ready->render, plan, i, random);
+        const EmittedPath path = emit_path(ready->render->lights, share_of(plan, i), random);
         power.add(path.power.y * static_cast<double>(plan.paths));
         if (path.power.y > 0)
             CHECK(path.ray.origin.x > -1e-5f);

@@ -200,7 +200,8 @@ TEST_CASE("trace photons: a closed glass ball absorbs by Beer and Lambert", "[ph
     scene.lights = {sun};
     const auto ready = tiny::ready(scene);
     const TracedPhotons traced = trace_photons(*ready->render, {100000, 1, 0, true});
-    const double radius2 = std::pow(ready->render->lights.radius, 2);
+    const double radius2 =
+        std::pow(std::get<SunLight>(ready->render->lights.lights[0]).scene.radius, 2);
     for (int c = 0; c < 3; ++c) {
         // The sun's disc is larger than the slab: what misses it escapes whole.
         const double absorbed = 1 - std::exp(-0.5 * scene.materials[0].absorption[c]);

@@ -1,9 +1,5 @@
-#include "common/math/frame.h"
-#include "common/math/sampling.h"
 #include "render/integrator/path_tracer.h"
 #include "render/paths/direct_light.h"
-#include "render/photons/aimed_emission.h"
-#include "render/shading/lamps.h"
 #include "render/shading/scatter.h"
 #include "tests/support/means_of_images.h"
 #include "tests/support/render_image.h"
@@ -17,7 +13,7 @@ using namespace hipmap;
 namespace {
 
 /// A ball, a ball that is a spot, a sun, a sheared rectangle and an ellipse over the floor.
-Scene with_lamp(Scene scene, int kind)
+Scene with_light(Scene scene, int kind)
 {
     PunctualLight light;
     light.position = {0.1f, 0.25f, 0.05f};
@@ -47,7 +43,7 @@ Scene with_lamp(Scene scene, int kind)
     return scene;
 }
 
-/// Twenty dark lamps more, so that a tree chooses.
+/// Twenty dim lights more, so that a tree chooses.
 Scene among_many(Scene scene)
 {
     for (int i = 0; i < 20; ++i) {
@@ -68,7 +64,7 @@ Interaction on_floor(const RenderScene& scene)
     return interact(scene, ray, *scene.rays.nearest(ray));
 }
 
-/// Light that one ray of the lobes finds; `weighed` leaves out the share of the lamp samples.
+/// Light that one ray of the lobes finds; `weighed` leaves out the share of the light samples.
 Rgb found_by(const RenderScene& scene, const Interaction& at, Lobes lobes, bool weighed,
              RandomSequence& random)
 {
@@ -78,19 +74,20 @@ Rgb found_by(const RenderScene& scene, const Interaction& at, Lobes lobes, bool 
     const Ray ray = scattered_ray(at, sample);
     const RaySource source = weighed ? source_at(at, sample.density) : RaySource{};
     return sample.weight *
-           met_lamps(scene, ray, distance_of(scene.rays.nearest(ray)), Rgb(0), source);
+           met_lights(scene, ray, distance_of(scene.rays.nearest(ray)), Rgb(0), source);
 }
 
 } // namespace
 
-TEST_CASE("lamps: samples and rays that run into them together are rays alone", "[integrator]")
+TEST_CASE("analytic lights: samples and rays that run into them together are rays alone",
+          "[integrator]")
 {
     const int kind = GENERATE(0, 1, 2, 3, 4);
     const bool many = GENERATE(false, true);
     Scene scene = tiny::matt_floor();
     scene.materials[0].specular = 1;
     scene.materials[0].roughness = 0.25f;
-    scene = with_lamp(scene, kind);
+    scene = with_light(scene, kind);
     if (many)
         scene = among_many(scene);
     const auto ready = tiny::ready(scene);
@@ -106,85 +103,18 @@ TEST_CASE("lamps: samples and rays that run into them together are rays alone", 
         together.add(both.y);
         alone.add(lobes.y);
     }
-    INFO("lamp " << kind << ": " << together.mean() << " and " << alone.mean());
+    INFO("kind " << kind << ": " << together.mean() << " and " << alone.mean());
     CHECK(std::abs(together.mean() - alone.mean()) <
           kMostZ * std::hypot(together.standard_error(), alone.standard_error()));
     CHECK(alone.standard_error() < 0.03 * alone.mean());
     CHECK(together.standard_error() < alone.standard_error());
 }
 
-TEST_CASE("lamps: the density of a sample is that of a ray that runs into it", "[integrator]")
-{
-    const int kind = GENERATE(0, 1, 2, 3, 4);
-    const auto ready = tiny::ready(with_lamp(tiny::matt_floor(), kind));
-    const LightSet& lights = ready->render->lights;
-    const glm::vec3 position(-0.2f, 0, 0.1f);
-    RandomSequence random(7, RandomStream::eye_paths, 0, 0);
-    RunningMean solid_angle;
-    for (int i = 0; i < 2000; ++i) {
-        const std::optional<LampSample> sample = sample_lamp(lights, 0, position, random.next2());
-        REQUIRE(sample);
-        Ray ray;
-        ray.origin = position;
-        ray.direction = sample->direction;
-        // Rays at the very edge may miss.
-        const std::optional<LampHit> hit = meet_lamp(lights, 0, ray);
-        solid_angle.add(1 / sample->density);
-        if (hit) {
-            CHECK(hit->density == Approx(sample->density).epsilon(1e-3));
-            const Rgb light = hit->radiance / hit->density;
-            CHECK(light.y == Approx(sample->light.y).epsilon(2e-3));
-        }
-    }
-    // The mean of 1/density is the solid angle that an even search finds.
-    RunningMean found;
-    for (int i = 0; i < 200'000; ++i) {
-        Ray ray;
-        ray.origin = position;
-        ray.direction = sample_sphere(random.next2());
-        found.add(meet_lamp(lights, 0, ray) ? 4 * kPi : 0);
-    }
-    CHECK(std::abs(found.mean() - solid_angle.mean()) <
-          kMostZ * std::hypot(found.standard_error(), solid_angle.standard_error()) +
-              1e-5 * found.mean());
-}
-
-TEST_CASE("lamps: plain and aimed light paths bring the same power to a ball", "[integrator]")
-{
-    const int kind = GENERATE(0, 1, 2, 3, 4);
-    Scene scene = with_lamp(tiny::matt_floor(), kind);
-    TriangleMesh ball = tiny::uv_sphere(16, 8);
-    tiny::scale(ball, 0.12f);
-    tiny::move(ball, {-0.1f, 0.05f, 0});
-    tiny::add(scene, ball, tiny::mirror(Rgb(1)));
-    const auto ready = tiny::ready(scene);
-    const std::vector<TargetSphere> targets = ready->render->specular_targets;
-    const auto power_of = [&](bool aimed) {
-        RunningMean power;
-        const EmissionPlan plan = plan_emission(ready->render->lights, 40'000);
-        for (std::uint64_t i = 0; i < plan.paths; ++i) {
-            RandomSequence random(3, RandomStream::photons, 0, i);
-            const EmittedPath path = aimed
-                                         ? emit_aimed_path(*ready->render, plan, targets, i, random)
-                                         : emit_path(*ready->render, plan, i, random);
-            const std::optional<RayHit> hit = ready->render->rays.nearest(path.ray);
-            const bool met = hit && ready->scene.mesh.material_of_face[hit->face] == 1;
-            power.add(met ? path.power.y * static_cast<double>(plan.paths) : 0);
-        }
-        return power;
-    };
-    const RunningMean plain = power_of(false), aimed = power_of(true);
-    INFO("lamp " << kind << ": " << plain.mean() << " and " << aimed.mean());
-    CHECK(plain.mean() > 0);
-    CHECK(std::abs(plain.mean() - aimed.mean()) <
-          kMostZ * std::hypot(plain.standard_error(), aimed.standard_error()));
-}
-
-TEST_CASE("lamps: the eye does not see them, a mirror shows them", "[integrator]")
+TEST_CASE("analytic lights: the eye does not see them, a mirror shows them", "[integrator]")
 {
     Scene scene = tiny::matt_floor();
     scene.materials[0] = tiny::mirror(Rgb(1));
-    const auto ready = tiny::ready(with_lamp(scene, 0));
+    const auto ready = tiny::ready(with_light(scene, 0));
     RandomSequence random(7, RandomStream::eye_paths, 0, 0);
     Ray up;
     up.origin = {0.1f, 0.05f, 0.05f};
@@ -197,11 +127,12 @@ TEST_CASE("lamps: the eye does not see them, a mirror shows them", "[integrator]
     CHECK(trace_path(*ready->render, down, random).y == Approx(radiance).epsilon(1e-4));
 }
 
-TEST_CASE("lamps: the integrators agree on a room with a glass ball, lit by lamps with a size",
-          "[integrator]")
+TEST_CASE(
+    "analytic lights: the integrators agree on a room with a glass ball, lit by analytic lights",
+    "[integrator]")
 {
     const int kind = GENERATE(0, 4);
-    Scene scene = with_lamp(
+    Scene scene = with_light(
         tiny::with_glass_and_mirror(tiny::box(tiny::matt({0.7f, 0.6f, 0.5f})), Rgb(0.9f)), kind);
     const auto ready = tiny::ready(scene);
     ImageOptions options;

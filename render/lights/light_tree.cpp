@@ -1,4 +1,4 @@
-#include "render/shading/light_tree.h"
+#include "render/lights/light_tree.h"
 
 #include <algorithm>
 #include <array>
@@ -128,8 +128,8 @@ LightTree build_light_tree(const std::vector<LightBounds>& lights)
 std::optional<ChosenLight> choose_light(const LightTree& tree, const LightReceiver& at, double u)
 {
     std::uint32_t here = 0;
-    double chance = importance(tree.nodes[0].bounds, at) > 0 ? 1 : 0;
-    while (chance > 0 && tree.nodes[here].second != 0) {
+    double probability = importance(tree.nodes[0].bounds, at) > 0 ? 1 : 0;
+    while (probability > 0 && tree.nodes[here].second != 0) {
         const std::uint32_t second = tree.nodes[here].second;
         const double a = importance(tree.nodes[here + 1].bounds, at);
         const double b = importance(tree.nodes[second].bounds, at);
@@ -138,27 +138,27 @@ std::optional<ChosenLight> choose_light(const LightTree& tree, const LightReceiv
         const double first = a / (a + b);
         const bool to_first = u < first;
         u = std::min(to_first ? u / first : (u - first) / (1 - first), kBelowOne);
-        chance *= to_first ? first : 1 - first;
+        probability *= to_first ? first : 1 - first;
         here = to_first ? here + 1 : second;
     }
-    if (!(chance > 0))
+    if (!(probability > 0))
         return std::nullopt;
-    return ChosenLight{tree.nodes[here].light, chance};
+    return ChosenLight{tree.nodes[here].light, probability};
 }
 
-double chance_of(const LightTree& tree, const LightReceiver& at, std::uint32_t light)
+double probability_of(const LightTree& tree, const LightReceiver& at, std::uint32_t light)
 {
-    double chance = 1;
+    double probability = 1;
     std::uint32_t here = tree.leaf_of[light];
-    while (here != 0 && chance > 0) {
+    while (here != 0 && probability > 0) {
         const std::uint32_t parent = tree.nodes[here].parent;
         const double a = importance(tree.nodes[parent + 1].bounds, at);
         const double b = importance(tree.nodes[tree.nodes[parent].second].bounds, at);
         const double first = a + b > 0 ? a / (a + b) : 0;
-        chance *= here == parent + 1 ? first : (a + b > 0 ? 1 - first : 0);
+        probability *= here == parent + 1 ? first : (a + b > 0 ? 1 - first : 0);
         here = parent;
     }
-    return chance > 0 && importance(tree.nodes[0].bounds, at) > 0 ? chance : 0;
+    return probability > 0 && importance(tree.nodes[0].bounds, at) > 0 ? probability : 0;
 }
 
 } // namespace hipmap

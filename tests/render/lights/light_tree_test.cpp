@@ -1,6 +1,6 @@
 #include "common/math/random.h"
 #include "common/math/sampling.h"
-#include "render/shading/light_tree.h"
+#include "render/lights/light_tree.h"
 #include "tests/support/statistics.h"
 
 #include <catch2/catch.hpp>
@@ -44,7 +44,7 @@ double sum_of_chances(const LightTree& tree, const LightReceiver& at, std::size_
 {
     double sum = 0;
     for (std::uint32_t i = 0; i < lights; ++i)
-        sum += chance_of(tree, at, i);
+        sum += probability_of(tree, at, i);
     return sum;
 }
 
@@ -59,7 +59,7 @@ double share_chosen(const LightTree& tree, const LightReceiver& at, int numbers)
 
 } // namespace
 
-TEST_CASE("light tree: chances of lamps that shine everywhere add up to one", "[shading]")
+TEST_CASE("light tree: probabilities of lights that emit everywhere add up to one", "[lights]")
 {
     RandomSequence random(3, RandomStream::pictures, 0, 0);
     std::vector<LightBounds> lights = many_lights(300, random);
@@ -73,7 +73,7 @@ TEST_CASE("light tree: chances of lamps that shine everywhere add up to one", "[
     }
 }
 
-TEST_CASE("light tree: chances of all lights are what numbers choose a light", "[shading]")
+TEST_CASE("light tree: probabilities of all lights are what numbers choose a light", "[lights]")
 {
     RandomSequence random(4, RandomStream::pictures, 0, 0);
     for (const std::size_t count : {1u, 2u, 7u, 200u}) {
@@ -91,7 +91,7 @@ TEST_CASE("light tree: chances of all lights are what numbers choose a light", "
     }
 }
 
-TEST_CASE("light tree: each light is chosen as often as its chance says", "[shading]")
+TEST_CASE("light tree: each light is chosen as often as its probability says", "[lights]")
 {
     RandomSequence random(5, RandomStream::pictures, 0, 0);
     const std::vector<LightBounds> lights = many_lights(40, random);
@@ -104,15 +104,15 @@ TEST_CASE("light tree: each light is chosen as often as its chance says", "[shad
         if (!chosen)
             continue;
         found[chosen->light] += 1;
-        CHECK(chosen->chance == Approx(chance_of(tree, at, chosen->light)).epsilon(1e-9));
+        CHECK(chosen->probability == Approx(probability_of(tree, at, chosen->light)).epsilon(1e-9));
     }
     for (std::uint32_t i = 0; i < lights.size(); ++i) {
-        const double expected = kDraws * chance_of(tree, at, i);
+        const double expected = kDraws * probability_of(tree, at, i);
         CHECK(std::abs(found[i] - expected) <= kMostZ * std::sqrt(expected) + 1);
     }
 }
 
-TEST_CASE("light tree: no light that reaches a receiver is left without a chance", "[shading]")
+TEST_CASE("light tree: no light that reaches a receiver is left without a probability", "[lights]")
 {
     RandomSequence random(6, RandomStream::pictures, 0, 0);
     const std::vector<LightBounds> lights = many_lights(200, random);
@@ -124,19 +124,19 @@ TEST_CASE("light tree: no light that reaches a receiver is left without a chance
             // A corner of the panel, of which the other side is as good as any.
             const glm::vec3 way = lights[l].box.low - at.position;
             const float leaving = -glm::dot(way, lights[l].axis);
-            const bool shines =
+            const bool emits =
                 lights[l].cos_spread < 0 || (lights[l].both_sides ? leaving != 0 : leaving > 0);
             const bool above = at.normal == glm::vec3(0) || glm::dot(way, at.normal) > 0;
-            if (!shines || !above)
+            if (!emits || !above)
                 continue;
             ++reaching;
-            CHECK(chance_of(tree, at, l) > 0);
+            CHECK(probability_of(tree, at, l) > 0);
         }
     }
     CHECK(reaching > 5000);
 }
 
-TEST_CASE("light tree: lights in one place, and a receiver in it, do no harm", "[shading]")
+TEST_CASE("light tree: lights in one place, and a receiver in it, do no harm", "[lights]")
 {
     std::vector<LightBounds> lights(5);
     for (LightBounds& light : lights) {
@@ -146,7 +146,7 @@ TEST_CASE("light tree: lights in one place, and a receiver in it, do no harm", "
     }
     const LightTree tree = build_light_tree(lights);
     CHECK_FALSE(choose_light(tree, {{1, 2, 3}, {0, 1, 0}}, 0.5));
-    CHECK(chance_of(tree, {{1, 2, 3}, {}}, 3) == 0);
+    CHECK(probability_of(tree, {{1, 2, 3}, {}}, 3) == 0);
     CHECK(sum_of_chances(tree, {{1, 1, 3}, {0, 1, 0}}, 5) == Approx(1));
     CHECK(build_light_tree({}).empty());
     // As near as floats can be: nothing overflows.
@@ -154,10 +154,10 @@ TEST_CASE("light tree: lights in one place, and a receiver in it, do no harm", "
     CHECK(sum_of_chances(tree, {near, {}}, 5) == Approx(1));
 }
 
-TEST_CASE("light tree: one sample by it is far steadier than one by power", "[shading]")
+TEST_CASE("light tree: one sample by it is far steadier than one by power", "[lights]")
 {
-    // Irradiance at points of the floor of a long hall below lamps of equal power: the relative
-    // variance of one light's contribution over its chance, summed exactly.
+    // Irradiance at points of the floor of a long hall below lights of equal power: the relative
+    // variance of one light's contribution over its probability, summed exactly.
     std::vector<LightBounds> lights;
     for (int i = 0; i < 200; ++i) {
         LightBounds light;
@@ -175,7 +175,7 @@ TEST_CASE("light tree: one sample by it is far steadier than one by power", "[sh
             const glm::dvec3 way = lights[l].box.low - at.position;
             const double light = way.y / std::pow(glm::dot(way, way), 1.5);
             sum += light;
-            tree_square += light * light / chance_of(tree, at, l);
+            tree_square += light * light / probability_of(tree, at, l);
             power_square += light * light * static_cast<double>(lights.size());
         }
         by_tree += tree_square / (sum * sum) - 1;

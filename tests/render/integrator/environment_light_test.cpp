@@ -1,3 +1,4 @@
+#include "render/lights/emission.h"
 #include "render/paths/direct_light.h"
 #include "tests/support/means_of_images.h"
 #include "tests/support/render_image.h"
@@ -38,7 +39,7 @@ std::unique_ptr<tiny::ReadyScene> under(const Image& picture, Scene scene)
 {
     auto out = tiny::ready(std::move(scene));
     out->render = std::make_unique<RenderScene>(out->scene, out->partition,
-                                                make_sky_picture(picture, 1, 0.4f));
+                                                make_environment_map(picture, 1, 0.4f));
     return out;
 }
 
@@ -82,11 +83,11 @@ TEST_CASE("sky light: photons from a picture carry its power", "[integrator]")
     const SunnySky sky = sunny_sky(0.1f, 500);
     const auto ready = under(sky.picture, tiny::matt_floor());
     const LightSet& lights = ready->render->lights;
-    const EmissionPlan plan = plan_emission(lights, 40'000);
+    const EmissionPlan plan = plan_emission(lights, 40'000, Emitters::all);
     RunningMean power; // that comes down onto the floor
     for (std::uint64_t i = 0; i < plan.paths; ++i) {
         RandomSequence random(5, RandomStream::photons, 0, i);
-        const EmittedPath path = emit_path(*ready->render, plan, i, random);
+        const EmittedPath path = emit_path(lights, share_of(plan, i), random);
         const bool down = path.ray.direction.y < 0 && ready->render->rays.nearest(path.ray);
         power.add(down ? path.power.y * static_cast<double>(plan.paths) : 0);
     }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/shading/light_bounds.h"
+#include "render/lights/light_bounds.h"
 
 #include <cstdint>
 #include <optional>
@@ -30,15 +30,17 @@ LightTree build_light_tree(const std::vector<LightBounds>& lights);
 
 struct ChosenLight {
     std::uint32_t light = 0;
-    double chance = 0.0; ///< above zero
+    double probability = 0.0; ///< above zero
 };
 
-/// Goes down the tree, at each node by the importance of its children to the receiver.  u: [0, 1).
-/// Nothing: no light can reach it.  The tree is not empty.  docs/light_transport.md (25).
+/// Chooses a light: goes down the tree, at each node by the importance of its children to the
+/// receiver.  u: [0, 1).  Nothing: no light can reach the receiver.  The tree is not empty.
+/// docs/light_transport.md (25).
 std::optional<ChosenLight> choose_light(const LightTree& tree, const LightReceiver& at, double u);
 
-/// The chance with which that chooses the light.  Chances of all lights add up to one, or to zero.
-double chance_of(const LightTree& tree, const LightReceiver& at, std::uint32_t light);
+/// The probability with which `choose_light` chooses the light.  The probabilities of all lights
+/// add up to one, or to zero if no light can reach the receiver.
+double probability_of(const LightTree& tree, const LightReceiver& at, std::uint32_t light);
 
 /// Calls visit(light) for every light whose box a ray may run into.  direction: unit.
 template <typename Visit>

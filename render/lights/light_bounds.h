@@ -12,30 +12,30 @@ struct LightReceiver {
     glm::vec3 normal{0.0f};   ///< unit, on the side that light may come from; zero: from all sides
 };
 
-/// What some lights send at most: from where, how much, and whither.
+/// A bound of what some lights emit: from where, how much, and in which directions.
 struct LightBounds {
     Bounds<glm::vec3> box;
     glm::vec3 axis{0, 0, 1}; ///< unit; of a cone that holds the directions the lights face
     float cos_spread = 1.0f; ///< of the cone's half angle, 0 to pi
     float cos_reach = 0.0f;  ///< of the angle beyond the cone that light reaches, 0 to pi/2
-    bool both_sides = false; ///< the same along the opposite directions
+    bool both_sides = false; ///< they emit along the opposite directions too
     double power = 0.0;      ///< in any unit that all have in common
 };
 
-/// Bounds of both.  O(1).
+/// Bounds of two groups of lights together.  O(1).
 LightBounds together(const LightBounds& a, const LightBounds& b);
 
-/// About how much of the lights' power may arrive at a receiver, docs/light_transport.md (25): the
-/// chance to look there is to be in proportion.  Zero only if none can, but for the receiver's
-/// being in the very place of a light without size.
+/// An estimate of how much of the lights' power may arrive at a receiver, docs/light_transport.md
+/// (25): the probability to choose them is in proportion to it.  Zero only if no light can arrive,
+/// or if the receiver is in the very place of a light without size.
 double importance(const LightBounds& lights, const LightReceiver& at);
 
 /// Whether a ray may run into what is in the box: into the sphere around it.  direction: unit.
 bool may_meet(const Bounds<glm::vec3>& box, const glm::vec3& origin, const glm::vec3& direction);
 
 /// What a group of lights costs a sampler that cannot tell them apart, up to a factor: power times
-/// the square of its size times the solid angle it shines into.  Source: Conty Estevez and Kulla
-/// 2018, section 4.4; by the diagonal instead of the area of the box, which is zero for lamps in a
+/// the square of its size times the solid angle it emits into.  Source: Conty Estevez and Kulla
+/// 2018, section 4.4; by the diagonal instead of the area of the box, which is zero for lights in a
 /// row.
 double spread_cost(const LightBounds& lights);
 

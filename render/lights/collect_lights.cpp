@@ -1,0 +1,98 @@
+#include "render/lights/collect_lights.h"
+
+#include "common/math/bounds.h"
+#include "common/math/sampling.h"
+
+#include <map>
+#include <utility>
+
+namespace hipmap {
+
+namespace {
+
+SceneSphere sphere_around(const TriangleMesh& mesh)
+{
+    Bounds<glm::vec3> box;
+    for (const glm::uvec3& corners : mesh.corners)
+        for (int c = 0; c < 3; ++c)
+            box.add(mesh.positions[corners[c]]);
+    return box.empty() ? SceneSphere{}
+                       : SceneSphere{box.centre(), 0.5f * glm::length(box.extent())};
+}
+
+Light light_from(const PunctualLight& light, const SceneSphere& sphere)
+{
+    if (light.kind == LightKind::directional)
+        return SunLight{light.direction, light.intensity, light.half_angle, sphere};
+    const SpotCone cone{light.direction, light.cos_inner, light.cos_outer};
+    const bool is_spot = light.kind == LightKind::spot;
+    if (light.radius > 0)
+        return SphereLight{light.position, light.radius, light.intensity,
+                           is_spot ? std::optional(cone) : std::nullopt};
+    if (is_spot)
+        return SpotLight{light.position, light.intensity, cone};
+    return PointLight{light.position, light.intensity};
+}
+
+Light light_from(const AreaLight& light)
+{
+    return PlanarLight{light.is_disc ? PlanarLight::Shape::ellipse : PlanarLight::Shape::rectangle,
+                       light.centre,
+                       light.half_right,
+                       light.half_up,
+                       light.direction,
+                       light.radiance};
+}
+
+std::vector<FacePower> powers_of_faces(const SurfaceEmission& surfaces)
+{
+    const TriangleMesh& mesh = *surfaces.mesh;
+    std::vector<FacePower> out;
+    for (FaceId face = 0; face < mesh.face_count(); ++face) {
+        const SurfaceEmission::OfMaterial& material = surfaces.of_face(face);
+        if (is_black(material.radiance))
+            continue;
+        const double sides = material.both_sides ? 2 : 1;
+        const glm::dvec3 power =
+            sides * kPi * glm::dvec3(surfaces.mean(face)) * face_area(mesh, face);
+        if (power.x > 0 || power.y > 0 || power.z > 0)
+            out.push_back({face, power});
+    }
+    return out;
+}
+
+/// A light for each object, in the order of their numbers.
+void add_emissive_meshes(const SurfaceEmission& surfaces, const std::vector<FacePower>& faces,
+                         std::vector<Light>& lights)
+{
+    std::map<ObjectId, std::vector<FacePower>> objects;
+    for (const FacePower& face : faces)
+        objects[surfaces.mesh->object_of_face[face.face]].push_back(face);
+    for (const auto& [object, its_faces] : objects)
+        lights.push_back(make_emissive_mesh(surfaces, its_faces));
+}
+
+} // namespace
+
+LightSet collect_lights(const Scene& scene, const LightSources& sources)
+{
+    const SceneSphere sphere = sphere_around(scene.mesh);
+    std::vector<Light> lights;
+    for (const PunctualLight& light : scene.lights)
+        lights.push_back(light_from(light, sphere));
+    for (const AreaLight& light : scene.area_lights)
+        lights.push_back(light_from(light));
+    const std::vector<FacePower> powers = powers_of_faces(sources.surfaces);
+    add_emissive_meshes(sources.surfaces, powers, lights);
+    if (sources.environment_map != nullptr && !sources.environment_map->empty())
+        lights.push_back(ImageEnvironment{sources.environment_map, sphere});
+    else if (!is_black(scene.environment))
+        lights.push_back(ConstantEnvironment{scene.environment, sphere});
+    if (sources.media != nullptr && sources.media->glows)
+        lights.push_back(GlowingMedia{sources.media});
+    EmissiveMesh faces = make_emissive_mesh(sources.surfaces, powers);
+    grow_tree(faces);
+    return make_light_set(std::move(lights), std::move(faces));
+}
+
+} // namespace hipmap

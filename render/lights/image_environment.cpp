@@ -1,0 +1,75 @@
+#include "render/lights/image_environment.h"
+
+#include <limits>
+
+namespace hipmap {
+
+namespace {
+
+/// Light along a direction drawn by the map.
+struct DrawnLight {
+    glm::vec3 from{0.0f}; ///< unit, away from the scene
+    float pdf = 0.0f;     ///< per solid angle
+    Rgb irradiance{0.0f}; ///< W/m2 across the direction, divided by the pdf
+};
+
+DrawnLight draw(const ImageEnvironment& light, RandomSequence& random)
+{
+    DrawnLight out;
+    out.from = sample_direction(*light.map, random.next2());
+    const MapPoint point = at_direction(*light.map, out.from);
+    out.pdf = point.pdf;
+    if (point.pdf > 0)
+        out.irradiance = point.radiance / point.pdf;
+    return out;
+}
+
+} // namespace
+
+std::optional<LightSample> sample_li(const ImageEnvironment& light, const LightReceiver&,
+                                     RandomSequence& random)
+{
+    const DrawnLight drawn = draw(light, random);
+    if (!(drawn.pdf > 0))
+        return std::nullopt;
+    LightSample out;
+    out.is_far = true;
+    out.direction = drawn.from;
+    out.pdf = drawn.pdf;
+    out.light = drawn.irradiance;
+    return out;
+}
+
+std::optional<LightHit> intersect(const ImageEnvironment& light, const Ray& ray)
+{
+    const MapPoint point = at_direction(*light.map, ray.direction);
+    return LightHit{std::numeric_limits<float>::infinity(), point.radiance, point.pdf};
+}
+
+EmittedPath sample_emission(const ImageEnvironment& light, const PathPlace&, RandomSequence& random)
+{
+    const DrawnLight drawn = draw(light, random);
+    EmittedPath out;
+    out.ray = ray_into(light.scene, -drawn.from, random.next2());
+    out.power = drawn.irradiance * light.scene.disc_area();
+    return out;
+}
+
+EmittedPath sample_aimed_emission(const ImageEnvironment& light, const PathPlace&,
+                                  const std::vector<TargetSphere>& targets, RandomSequence& random)
+{
+    const DrawnLight drawn = draw(light, random);
+    return aimed_path_along(light.scene, -drawn.from, drawn.irradiance, targets, random);
+}
+
+glm::dvec3 power(const ImageEnvironment& light)
+{
+    return double{light.scene.disc_area()} * light.map->flux;
+}
+
+double path_power(const ImageEnvironment& light)
+{
+    return light.scene.disc_area() * light.map->brightest_flux;
+}
+
+} // namespace hipmap

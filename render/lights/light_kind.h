@@ -1,0 +1,71 @@
+#pragma once
+
+#include "common/math/random.h"
+#include "common/math/rgb.h"
+#include "common/rays/embree_scene.h"
+#include "render/lights/aim.h"
+#include "render/lights/light_bounds.h"
+
+#include <cstdint>
+#include <optional>
+
+namespace hipmap {
+
+// Each kind of light is a plain struct in a file of its own, with a constant `kRole` and these free
+// functions, which any number of threads may call:
+//
+//   sample_li            draws a direction from a receiver towards the light
+//   intersect            finds the light along a ray, with the pdf by which sample_li draws the ray
+//   can_be_met           whether intersect finds it along some ray
+//   sample_emission      draws the start of a light path, with the whole power of the light
+//   sample_aimed_emission  draws the start of a light path towards target spheres
+//   power                W / metres_per_unit^2 that can reach the scene
+//   bounds               what a light tree knows of the light; none: it is beyond the scene
+//
+// A kind whose light paths differ in colour may also have
+//
+//   path_power           mean of the largest channel of the paths' power; else that of `power`
+//
+// To add a kind: write its file, add it to `Light` (light.h) and make it from the scene
+// (collect_lights.cpp).
+
+/// How light of a kind is found by paths from the eye.
+enum class LightRole : std::uint8_t {
+    analytic,    ///< no faces: direct light samples it; rays from surfaces may run into it, the
+                 ///<   eye does not see it
+    surface,     ///< faces of the scene: direct light samples one face of all such lights
+    environment, ///< beyond all faces: direct light samples it; every ray that leaves the scene
+                 ///<   sees it
+    medium,      ///< rays gather it on their way; photons of it count as scattered in a medium
+};
+
+/// Light that arrives at a receiver from a direction drawn.
+struct LightSample {
+    glm::vec3 direction{0.0f}; ///< unit, towards the light
+    bool is_far = false;       ///< it comes from beyond the scene
+    glm::vec3 point{0.0f};     ///< else from here
+    Rgb light{0.0f};           ///< W/m2 across the direction, divided by `pdf` unless that is 0
+    float pdf = 0.0f;          ///< of the direction, per solid angle; 0: the light has no size
+};
+
+/// A light that a ray runs into.
+struct LightHit {
+    float distance = 0.0f; ///< infinite for a light beyond the scene
+    Rgb radiance{0.0f};    ///< W/(m2 sr)
+    float pdf = 0.0f;      ///< per solid angle, that `sample_li` at the ray's origin draws this
+};
+
+/// The start of a light path.
+struct EmittedPath {
+    Ray ray;
+    Rgb power{0.0f}; ///< W / metres_per_unit^2
+    bool from_medium = false;
+};
+
+/// Which of its light's paths a path is, for lights that stratify them.
+struct PathPlace {
+    std::uint64_t place = 0; ///< below `paths`
+    std::uint64_t paths = 1;
+};
+
+} // namespace hipmap

@@ -1,0 +1,36 @@
+#include "render/lights/parallel_light.h"
+
+#include "common/math/frame.h"
+#include "common/math/sampling.h"
+
+namespace hipmap {
+
+float SceneSphere::disc_area() const
+{
+    return kPi * radius * radius;
+}
+
+Ray ray_into(const SceneSphere& scene, const glm::vec3& direction, const glm::vec2& u)
+{
+    const Frame frame(direction);
+    const glm::vec2 d = sample_disc(u) * scene.radius;
+    Ray ray;
+    ray.origin = scene.centre + frame.x * d.x + frame.y * d.y - direction * (2 * scene.radius);
+    ray.direction = direction;
+    return ray;
+}
+
+EmittedPath aimed_path_along(const SceneSphere& scene, const glm::vec3& direction,
+                             const Rgb& irradiance, const std::vector<TargetSphere>& targets,
+                             RandomSequence& random)
+{
+    const AimedPoint aimed = aim_parallel(targets, direction, random);
+    const float behind = glm::dot(aimed.position - scene.centre, direction) + 2 * scene.radius;
+    EmittedPath out;
+    out.ray.origin = aimed.position - direction * behind;
+    out.ray.direction = direction;
+    out.power = irradiance * aimed.weight;
+    return out;
+}
+
+} // namespace hipmap

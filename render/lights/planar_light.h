@@ -1,0 +1,44 @@
+#pragma once
+
+#include "render/lights/light_kind.h"
+
+#include <cstdint>
+
+namespace hipmap {
+
+/// An area light: a rectangle or an ellipse that emits to one side, Lambertian,
+/// docs/light_transport.md (26).
+struct PlanarLight {
+    static constexpr LightRole kRole = LightRole::analytic;
+    enum class Shape : std::uint8_t { rectangle, ellipse };
+
+    Shape shape = Shape::rectangle;
+    glm::vec3 centre{0.0f};        ///< scene units
+    glm::vec3 half_right{1, 0, 0}; ///< from the centre to the middle of a side, scene units
+    glm::vec3 half_up{0, 1, 0};    ///< need not be at right angles to half_right
+    glm::vec3 direction{0, 0, -1}; ///< unit, the side that emits
+    Rgb radiance{0.0f};            ///< W/(m2 sr)
+};
+
+/// Square scene units.
+double area(const PlanarLight& light);
+
+/// Draws evenly from the area.  Returns nothing from behind, or from within its plane.
+std::optional<LightSample> sample_li(const PlanarLight& light, const LightReceiver& at,
+                                     RandomSequence& random);
+
+/// Returns nothing from behind.
+std::optional<LightHit> intersect(const PlanarLight& light, const Ray& ray);
+inline bool can_be_met(const PlanarLight&)
+{
+    return true;
+}
+
+EmittedPath sample_emission(const PlanarLight& light, const PathPlace& path,
+                            RandomSequence& random);
+EmittedPath sample_aimed_emission(const PlanarLight& light, const PathPlace& path,
+                                  const std::vector<TargetSphere>& targets, RandomSequence& random);
+glm::dvec3 power(const PlanarLight& light);
+std::optional<LightBounds> bounds(const PlanarLight& light);
+
+} // namespace hipmap

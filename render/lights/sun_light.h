@@ -1,0 +1,41 @@
+#pragma once
+
+#include "render/lights/parallel_light.h"
+
+namespace hipmap {
+
+/// A sun: parallel light, or light from a disc in the sky, docs/light_transport.md (26).
+struct SunLight {
+    static constexpr LightRole kRole = LightRole::analytic;
+
+    glm::vec3 direction{0, 0, -1}; ///< unit, along which its light travels
+    Rgb irradiance{0.0f};          ///< W/m2 on a plane across the direction
+    float half_angle = 0.0f;       ///< half the angle that it fills, radians; 0: no size
+    SceneSphere scene;
+};
+
+/// Draws evenly from the disc.  A sun without a size draws no random number.
+std::optional<LightSample> sample_li(const SunLight& light, const LightReceiver& at,
+                                     RandomSequence& random);
+
+/// Returns nothing for a sun without a size.
+std::optional<LightHit> intersect(const SunLight& light, const Ray& ray);
+inline bool can_be_met(const SunLight& light)
+{
+    return light.half_angle > 0;
+}
+
+EmittedPath sample_emission(const SunLight& light, const PathPlace& path, RandomSequence& random);
+EmittedPath sample_aimed_emission(const SunLight& light, const PathPlace& path,
+                                  const std::vector<TargetSphere>& targets, RandomSequence& random);
+
+/// The power of all light through the discs of the scene's sphere.
+glm::dvec3 power(const SunLight& light);
+
+/// Returns nothing: it is beyond the scene.
+inline std::optional<LightBounds> bounds(const SunLight&)
+{
+    return std::nullopt;
+}
+
+} // namespace hipmap
