@@ -1,6 +1,7 @@
 #include "render/shutter.h"
 
 #include "common/scene/fingerprint.h"
+#include "common/scene/named_lights.h"
 
 #include <algorithm>
 #include <array>
@@ -34,16 +35,10 @@ void add_moved_objects(const TriangleMesh& then, const TriangleMesh& now,
 
 void add_moved_lights(const Scene& then, const Scene& now, std::vector<std::string>& names)
 {
-    for (std::size_t i = 0; i < then.lights.size(); ++i) {
-        const PunctualLight &a = then.lights[i], &b = now.lights[i];
-        if (a.position != b.position || a.direction != b.direction)
-            add_once(names, a.name);
-    }
-    for (std::size_t i = 0; i < then.area_lights.size(); ++i) {
-        const AreaLight &a = then.area_lights[i], &b = now.area_lights[i];
-        if (a.centre != b.centre || a.half_right != b.half_right || a.half_up != b.half_up)
-            add_once(names, a.name);
-    }
+    const std::vector<NamedLight> before = named_lights(then), after = named_lights(now);
+    for (std::size_t i = 0; i < before.size(); ++i)
+        if (before[i].placement != after[i].placement)
+            add_once(names, before[i].name);
     const Camera &a = then.cameras[then.camera], &b = now.cameras[now.camera];
     if (a.position != b.position || a.right != b.right || a.up != b.up)
         add_once(names, a.name);

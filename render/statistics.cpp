@@ -1,6 +1,7 @@
 #include "render/statistics.h"
 
 #include "common/image/picture_json.h"
+#include "common/scene/named_lights.h"
 #include "render/maps/hierarchical.h"
 #include "render/outputs.h"
 #include "render/settings.h"
@@ -98,7 +99,7 @@ Json scene_json(const RenderArguments& arguments, const Scene& scene)
     return {{"file", arguments.scene.string()},
             {"faces", scene.mesh.face_count()},
             {"materials", scene.materials.size()},
-            {"lights", scene.lights.size()},
+            {"lights", named_lights(scene).size()},
             {"camera", scene.cameras[scene.camera].name},
             {"metres_per_unit", scene.frame.metres_per_unit}};
 }

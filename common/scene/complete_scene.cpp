@@ -1,6 +1,7 @@
 #include "common/scene/complete_scene.h"
 
 #include "common/scene/framing_camera.h"
+#include "common/scene/named_lights.h"
 #include "common/scene/raw_scene.h"
 #include "common/scene/scene_names.h"
 
@@ -56,41 +57,28 @@ std::vector<std::size_t> count_material_faces(const Scene& scene)
     return faces;
 }
 
-const char* kind_name(LightKind kind)
+/// Lists the lights that emit, those of a kind together, and the others in `dark`.  Returns whether
+/// any emits.
+bool note_analytic_lights(const Scene& scene, std::vector<std::string>& dark, SceneAudit& audit)
 {
-    switch (kind) {
-    case LightKind::point:
-        return "point light ";
-    case LightKind::spot:
-        return "spot light ";
-    case LightKind::directional:
-        return "sun (directional light) ";
+    const std::vector<NamedLight> lights = named_lights(scene);
+    bool emits = false;
+    for (std::size_t begin = 0, end = 0; begin < lights.size(); begin = end) {
+        std::vector<std::string> names;
+        for (; end < lights.size() && lights[end].kind == lights[begin].kind; ++end)
+            (lights[end].emits ? names : dark).push_back(lights[end].name);
+        if (!names.empty())
+            audit.found.push_back(std::string(lights[begin].kind) + " " + list_names(names));
+        emits = emits || !names.empty();
     }
-    return "";
+    return emits;
 }
 
 /// Lists what shines; whether anything does.
 bool note_lights(const Scene& scene, const std::vector<std::size_t>& faces, SceneAudit& audit)
 {
-    bool shines = false;
     std::vector<std::string> dark;
-    for (const LightKind kind : {LightKind::point, LightKind::spot, LightKind::directional}) {
-        std::vector<std::string> names;
-        for (const PunctualLight& light : scene.lights)
-            if (light.kind == kind)
-                (is_black(light.intensity) ? dark : names).push_back(light.name);
-        if (!names.empty())
-            audit.found.push_back(std::string(kind_name(kind)) + list_names(names));
-        shines = shines || !names.empty();
-    }
-    for (const AreaLight& light : scene.area_lights) {
-        if (is_black(light.radiance)) {
-            dark.push_back(light.name);
-            continue;
-        }
-        audit.found.push_back("area light " + quote_name(light.name));
-        shines = true;
-    }
+    bool shines = note_analytic_lights(scene, dark, audit);
     for (std::size_t i = 0; i < scene.materials.size(); ++i) {
         if (is_black(scene.materials[i].emission) || faces[i] == 0)
             continue;

@@ -1,4 +1,5 @@
 #include "common/rays/camera_ray.h"
+#include "common/scene/named_lights.h"
 #include "common/scene/scene_names.h"
 #include "render/effects/effect_findings.h"
 #include "render/shading/material_traits.h"
@@ -15,15 +16,12 @@ std::string gathering_materials(const SceneFacts& facts)
         [](const Material&, const Bsdf& bsdf, bool) { return bsdf.gathers; });
 }
 
-/// Names of what shines and has a size, in quotes.
+/// Names of the lights that emit and have a size.
 std::vector<std::string> lights_with_size(const SceneFacts& facts)
 {
     std::vector<std::string> out;
-    for (const PunctualLight& light : facts.scene.lights)
-        if (!is_black(light.intensity) && (light.radius > 0 || light.half_angle > 0))
-            out.push_back(light.name);
-    for (const AreaLight& light : facts.scene.area_lights)
-        if (!is_black(light.radiance))
+    for (const NamedLight& light : named_lights(facts.scene))
+        if (light.emits && light.has_size)
             out.push_back(light.name);
     return out;
 }

@@ -1,5 +1,6 @@
 #include "render/effects/scene_facts.h"
 
+#include "common/scene/named_lights.h"
 #include "common/scene/scene_names.h"
 #include "render/media/nested_dielectrics.h"
 
@@ -37,13 +38,11 @@ SceneFacts gather_facts(const Scene& scene, const Partition& partition)
         facts.shines = facts.shines || !is_black(scene.materials[material].emission) ||
                        !is_black(scene.materials[material].medium_emission);
     }
-    facts.shines =
-        facts.shines || !is_black(scene.environment) || !scene.environment_picture.empty() ||
-        scene.around.glows() ||
-        std::any_of(scene.lights.begin(), scene.lights.end(),
-                    [](const PunctualLight& light) { return !is_black(light.intensity); }) ||
-        std::any_of(scene.area_lights.begin(), scene.area_lights.end(),
-                    [](const AreaLight& light) { return !is_black(light.radiance); });
+    const std::vector<NamedLight> lights = named_lights(scene);
+    facts.shines = facts.shines || !is_black(scene.environment) ||
+                   !scene.environment_picture.empty() || scene.around.glows() ||
+                   std::any_of(lights.begin(), lights.end(),
+                               [](const NamedLight& light) { return light.emits; });
     return facts;
 }
 
