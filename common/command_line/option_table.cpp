@@ -1,5 +1,7 @@
 #include "common/command_line/option_table.h"
 
+#include "common/input_error.h"
+
 #include <algorithm>
 
 namespace hipmap {
@@ -59,7 +61,46 @@ std::vector<std::string> sections_of(const std::vector<OptionRow>& rows)
     return out;
 }
 
+/// What stands on the command line for the value of a row's field now; empty: it has none.
+std::string value_text(const OptionRow& row)
+{
+    const SettingValue value = row.field.value ? row.field.value() : SettingValue();
+    return value == SettingValue() ? "" : std::visit(ShortText(), value);
+}
+
+const OptionRow& row_of(const std::vector<OptionRow>& rows, const std::string& name)
+{
+    return *std::find_if(rows.begin(), rows.end(),
+                         [&](const OptionRow& row) { return row.name == name; });
+}
+
+/// "global, shared or thesis".
+std::string alternatives(const std::vector<std::string>& values)
+{
+    std::string out = values.front();
+    for (std::size_t i = 1; i < values.size(); ++i)
+        out += (i + 1 < values.size() ? ", " : " or ") + values[i];
+    return out;
+}
+
 } // namespace
+
+void check_combinations(const std::vector<OptionRow>& rows, const std::vector<OptionRow>& defaults)
+{
+    for (const OptionRow& row : rows)
+        for (const OnlyWith& rule : row.only_with) {
+            const std::string value = value_text(row);
+            const std::string preset = value_text(row_of(defaults, row.name));
+            const std::string other = value_text(row_of(rows, rule.option));
+            const bool meant = rule.value.empty() ? value != preset : value == rule.value;
+            if (!meant ||
+                std::find(rule.values.begin(), rule.values.end(), other) != rule.values.end())
+                continue;
+            throw InputError("--" + row.name + " " + value + " needs --" + rule.option + " " +
+                             alternatives(rule.values) + ", not " + other +
+                             "; change that, or leave out --" + row.name);
+        }
+}
 
 std::string default_text(const OptionRow& row)
 {

@@ -17,6 +17,13 @@ inline constexpr const char* kSceneSection = "Scene";
 inline constexpr const char* kAnimationSection = "Animation";
 inline constexpr const char* kRunSection = "Running";
 
+/// A value of an option that only makes sense with some values of another.
+struct OnlyWith {
+    std::string value;               ///< of this option; empty: any but the default
+    std::string option;              ///< name of the other
+    std::vector<std::string> values; ///< of the other
+};
+
 /// All that is known of an option.  Its command line, help, documentation, statistics and place in
 /// a state follow from this.
 struct OptionRow {
@@ -29,6 +36,7 @@ struct OptionRow {
     std::string flags = {}; ///< on the command line; empty: "--" and the name
     std::string needs = {}; ///< name of an earlier option without which this one is refused
     bool required = false;
+    std::vector<OnlyWith> only_with = {};
 };
 
 /// The text of a default: of a row's value now, or what holds while it has none.  Empty: a flag, or
@@ -37,6 +45,10 @@ std::string default_text(const OptionRow& row);
 
 /// Adds an option for each row.  The fields must outlive the parsing.
 void add_options(CLI::App& app, const std::vector<OptionRow>& rows);
+
+/// Throws InputError for the first row whose value does not go with that of another (OnlyWith).
+/// defaults: rows of the same table, whose fields hold the defaults.
+void check_combinations(const std::vector<OptionRow>& rows, const std::vector<OptionRow>& defaults);
 
 /// Tables in Markdown, one for each section: docs/options.md.
 std::string options_markdown(const std::vector<OptionRow>& rows);
