@@ -44,8 +44,8 @@ constexpr Series kSeries[] = {{"shared clipped", MapMode::shared, EstimateForm::
 std::vector<double> measure_series(const Series& series, const std::vector<glm::vec2>& points,
                                    EvenRoomOptions options)
 {
-    options.maps.mode = series.mode;
-    options.maps.estimate = series.form;
+    options.dissertation.mode = series.mode;
+    options.dissertation.estimate = series.form;
     options.dark_floor = series.dark_floor;
     std::vector<double> means;
     for (const std::vector<double>& values : estimates_in_even_room(points, options))

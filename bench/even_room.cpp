@@ -56,11 +56,11 @@ std::vector<std::vector<double>> estimates_in_even_room(const std::vector<glm::v
     scene.mesh = unit_room();
     const Partition partition = build_partition(scene, {}).partition;
     const MapSurfaces surfaces(scene.mesh, partition);
-    EstimateScratch scratch;
+    ChosenScratch scratch;
     std::vector<std::vector<double>> estimates(points.size());
     for (std::size_t set = 0; set < options.sets; ++set) {
-        const PhotonMaps maps = build_photon_maps(even_photons(scene.mesh, options, set),
-                                                  scene.mesh, partition, options.maps);
+        const ChosenMaps maps = build_chosen_maps(even_photons(scene.mesh, options, set), surfaces,
+                                                  options.maps, options.dissertation);
         for (std::size_t i = 0; i < points.size(); ++i) {
             const FaceId face = points[i].y <= points[i].x ? 0 : 1;
             const PhotonQuery query{glm::vec3(points[i], 0), {0, 0, 1}, face, 0};

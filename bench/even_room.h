@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/maps/estimate.h"
+#include "render/dissertation/dissertation.h"
 
 #include <cstddef>
 #include <vector>
@@ -11,7 +11,8 @@ namespace hipmap {
 /// wherever one looks, right up to the edges and corners where its walls meet.  They come from all
 /// directions, as from an even sky.
 struct EvenRoomOptions {
-    MapOptions maps;
+    MapOptions maps = {};
+    DissertationOptions dissertation = {};
     std::size_t photons = 6000; ///< of a set; each wall gets a sixth
     std::size_t sets = 10'000;
     bool dark_floor = false; ///< nothing falls on the floor: the irradiance there is 0

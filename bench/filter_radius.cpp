@@ -1,4 +1,4 @@
-// How well rules foretell the radius of a search in a local map of mode thesis, and what searches
+// How well rules predict the radius of a search in a local map of mode thesis, and what searches
 // cost by each rule: which begin in vain, which could have ended there but were not begun.
 
 #include "common/command_line/command_line.h"
@@ -6,7 +6,7 @@
 #include "common/rays/camera_ray.h"
 #include "common/scene/load_scene.h"
 #include "preprocess/partition/build_partition.h"
-#include "render/maps/find_photons.h"
+#include "render/dissertation/level_search.h"
 #include "render/photons/trace_photons.h"
 #include "render/shading/interaction.h"
 
@@ -39,20 +39,22 @@ struct LocalQuery {
     float radius; ///< of the k-th photon
 };
 
-/// A rule and the radius that it foretells for each search.
+/// A rule and the radius that it predicts for each search.
 struct Rule {
     std::string name;
     std::vector<float> radius;
 };
 
 /// What is looked at by the pixels, row by row, where it has a local map.
-std::vector<LocalQuery> make_queries(const RenderScene& scene, const PhotonMaps& maps, int width)
+std::vector<LocalQuery> make_queries(const RenderScene& scene, const DissertationMaps& maps,
+                                     int width)
 {
     const Camera& camera = scene.scene.cameras[scene.scene.camera];
     const int height = complete_size({width, 0}, camera.aspect).height;
     const float aspect = static_cast<float>(width) / static_cast<float>(height);
     std::vector<LocalQuery> queries;
-    MapScratch scratch;
+    TreeScratch wide;
+    KdScratch kd;
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
             const glm::vec2 picture = (glm::vec2(x, y) + 0.5f) / glm::vec2(width, height);
@@ -65,7 +67,8 @@ std::vector<LocalQuery> make_queries(const RenderScene& scene, const PhotonMaps&
             if (index == kNone)
                 continue;
             const PhotonQuery query{at.point.position, at.normal, hit->face, at.side};
-            const FoundPhotons found = find_in_shared(maps, scene.partition, query, scratch);
+            const FoundPhotons found = find_in_shared(maps, scene.partition, query,
+                                                      maps.shared.options.neighbours, {wide, kd});
             queries.push_back(
                 {query, &maps.locals.maps[index],
                  limiting_radius(scene.mesh(), scene.partition, hit->face, query.position),
@@ -76,10 +79,10 @@ std::vector<LocalQuery> make_queries(const RenderScene& scene, const PhotonMaps&
 
 std::vector<Rule> make_rules(const std::vector<LocalQuery>& queries)
 {
-    const auto rule = [&](const std::string& name, const auto& foretell) {
+    const auto rule = [&](const std::string& name, const auto& predict) {
         Rule out{name, {}};
         for (std::size_t i = 0; i < queries.size(); ++i)
-            out.radius.push_back(foretell(i));
+            out.radius.push_back(predict(i));
         return out;
     };
     const auto even = [&](float factor) {
@@ -101,25 +104,29 @@ std::vector<Rule> make_rules(const std::vector<LocalQuery>& queries)
 }
 
 /// Searches once by a rule.
-void search_all(const RenderScene& scene, const PhotonMaps& maps,
+void search_all(const RenderScene& scene, const DissertationMaps& maps,
                 const std::vector<LocalQuery>& queries, const Rule& rule)
 {
-    MapScratch local, shared;
+    TreeScratch local, shared;
+    KdScratch kd;
+    const std::uint32_t k = maps.shared.options.neighbours;
+    const bool kd_trees = !maps.kd_trees.empty();
     for (std::size_t i = 0; i < queries.size(); ++i) {
         const LocalQuery& at = queries[i];
         if (rule.radius[i] <= at.limit) {
             const float below = std::nextafter(at.limit * at.limit, 0.0f);
-            const TreeQuery wanted{at.query.position, maps.options.neighbours, below};
-            if (find_in_map(*at.local, wanted, local).slots.size() == wanted.photons)
+            const TreeQuery wanted{at.query.position, k, below};
+            const KdTree* const tree = kd_trees ? &at.local->kd_tree : nullptr;
+            if (find_in_map(tree, at.local->tree, wanted, {local, kd}).slots.size() == k)
                 continue;
         }
-        find_in_shared(maps, scene.partition, at.query, shared);
+        find_in_shared(maps, scene.partition, at.query, k, {shared, kd});
     }
 }
 
 /// Processor time of a search by each rule, ns, the least of some runs; in turn, so that what else
 /// the machine does falls on all alike.
-std::vector<double> measure(const RenderScene& scene, const PhotonMaps& maps,
+std::vector<double> measure(const RenderScene& scene, const DissertationMaps& maps,
                             const std::vector<LocalQuery>& queries, const std::vector<Rule>& rules)
 {
     std::vector<double> best(rules.size(), std::numeric_limits<double>::infinity());
@@ -163,15 +170,16 @@ std::string compare_rules(const Arguments& arguments)
     const double angle = arguments.angle_deg * std::numbers::pi / 180;
     const Partition partition = build_partition(loaded.scene, {.angle_threshold = angle}).partition;
     const RenderScene scene(loaded.scene, partition);
+    const MapSurfaces surfaces(loaded.scene.mesh, partition);
     const TracedPhotons traced =
         trace_photons(scene, {.paths = arguments.paths, .store_direct = true, .caustic_paths = 0});
     std::vector<std::string> lines;
     std::string header = "rule;answered;in vain;missed";
     for (const TreeKind kind : {TreeKind::balanced, TreeKind::wide}) {
         const std::uint32_t k = arguments.neighbours;
-        MapOptions options{MapMode::thesis, k, 10 * k, EstimateForm::thesis};
-        options.tree = kind;
-        const PhotonMaps maps = build_photon_maps(traced.global, scene.mesh(), partition, options);
+        const DissertationOptions options{MapMode::thesis, 10 * k, EstimateForm::thesis, kind};
+        const DissertationMaps maps =
+            build_dissertation_maps(traced.global, surfaces, {k}, options);
         const std::vector<LocalQuery> queries = make_queries(scene, maps, arguments.width);
         const std::vector<Rule> rules = make_rules(queries);
         if (lines.empty())
@@ -193,7 +201,7 @@ std::string compare_rules(const Arguments& arguments)
 int main(int argc, char** argv)
 {
     return hipmap::run_tool([&] {
-        CLI::App app("Rules that foretell whether a search ends in a local map of mode thesis: the "
+        CLI::App app("Rules that predict whether a search ends in a local map of mode thesis: the "
                      "shares of searches answered there, begun in vain and missed, and ns a search "
                      "by tree.",
                      "filter_radius");

@@ -1,6 +1,6 @@
 #include "bench/query_methods.h"
 
-#include "render/maps/kd_tree.h"
+#include "render/dissertation/kd_tree.h"
 
 #include <nanoflann.hpp>
 

@@ -2,7 +2,7 @@
 #include "common/math/random.h"
 #include "common/partition/limiting_radius.h"
 #include "preprocess/partition/build_partition.h"
-#include "render/maps/find_photons.h"
+#include "render/dissertation/level_search.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -83,11 +83,11 @@ void time_run(const std::vector<PhotonQuery>& queries, const Act& act, double& b
     best = std::min(best, 1e9 * seconds / static_cast<double>(queries.size()));
 }
 
-void print_tier(const char* name, const TierMaps& tier, const TierSearches& searches)
+void print_level(const char* name, const LevelMaps& level, const LevelSearches& searches)
 {
     std::printf("  %s: %zu maps; asked %.3f, answered %.3f, saving %.2f nodes; %llu begun, %llu "
                 "abandoned\n",
-                name, tier.maps.size(), tier.plan.asked, tier.plan.answered, tier.plan.saving,
+                name, level.maps.size(), level.plan.asked, level.plan.answered, level.plan.saving,
                 static_cast<unsigned long long>(searches.begun),
                 static_cast<unsigned long long>(searches.abandoned));
 }
@@ -98,15 +98,18 @@ void measure(std::uint32_t cells, std::size_t photon_count, std::uint32_t k)
     const TriangleMesh& mesh = floor.scene.mesh;
     const std::vector<Photon> photons = make_photons(floor, photon_count);
     const std::vector<PhotonQuery> queries = make_queries(floor);
-    MapOptions options{MapMode::shared, k, 10 * k};
-    const PhotonMaps shared = build_photon_maps(photons, mesh, floor.partition, options);
+    const MapSurfaces surfaces(mesh, floor.partition);
+    DissertationOptions options{MapMode::shared, 10 * k};
+    const auto build = [&] { return build_dissertation_maps(photons, surfaces, {k}, options); };
+    const DissertationMaps shared = build();
     options.mode = MapMode::hierarchical;
-    const PhotonMaps paying = build_photon_maps(photons, mesh, floor.partition, options);
-    options.tiers = TierChoice::all;
-    const PhotonMaps all = build_photon_maps(photons, mesh, floor.partition, options);
+    const DissertationMaps paying = build();
+    options.levels = LevelChoice::all;
+    const DissertationMaps all = build();
 
     SearchScratch scratch[3];
-    const PhotonMaps* const maps[] = {&shared, &paying, &all};
+    DissertationScratch below[3];
+    const DissertationMaps* const maps[] = {&shared, &paying, &all};
     double ns[3] = {1e30, 1e30, 1e30}, local = 1e30, group = 1e30;
     float sum = 0; // so that asking is not left out
     const auto ask = [&](auto limit, double& best) {
@@ -118,7 +121,7 @@ void measure(std::uint32_t cells, std::size_t photon_count, std::uint32_t k)
     for (int run = 0; run < kRuns; ++run) {
         for (int i = 0; i < 3; ++i) {
             const auto find = [&](const PhotonQuery& query) {
-                find_photons(*maps[i], mesh, floor.partition, query, scratch[i]);
+                find_photons(*maps[i], surfaces, query, {scratch[i], below[i]});
             };
             time_run(queries, find, ns[i]);
         }
@@ -127,10 +130,10 @@ void measure(std::uint32_t cells, std::size_t photon_count, std::uint32_t k)
     }
     std::printf("%zu faces, %zu photons, k = %u, %u levels: shared %.1f ns, paying %.1f (%.3f), "
                 "all %.1f (%.3f); limiting radius: local %.1f, group %.1f ns%s\n",
-                mesh.face_count(), photon_count, k, shared.maps[0].tree.levels, ns[0], ns[1],
+                mesh.face_count(), photon_count, k, shared.shared.maps[0].tree.levels, ns[0], ns[1],
                 ns[0] / ns[1], ns[2], ns[0] / ns[2], local, group, sum < 0 ? "!" : "");
-    print_tier("local", all.local_tier, scratch[2].statistics.local);
-    print_tier("group", all.group_tier, scratch[2].statistics.group);
+    print_level("local", all.local_level, below[2].levels.local);
+    print_level("group", all.group_level, below[2].levels.group);
 }
 
 } // namespace

@@ -2,7 +2,7 @@
 
 #include "common/image/image_format.h"
 #include "common/input_error.h"
-#include "render/check_method.h"
+#include "render/settings.h"
 
 namespace hipmap {
 
@@ -45,10 +45,11 @@ void complete_arguments(RenderArguments& arguments)
         arguments.stops.passes = kDefaultPasses;
     if (arguments.quote)
         arguments.stops.passes = std::min(arguments.stops.passes, kBatches);
-    MapOptions& maps = arguments.render.maps;
-    if (maps.local_min == kLocalMinOpen)
-        maps.local_min = kLocalMinPerNeighbour * maps.neighbours;
-    check_method(arguments.render);
+    std::uint32_t& local_min = arguments.render.dissertation.local_min;
+    if (local_min == kLocalMinOpen)
+        local_min = kLocalMinPerNeighbour * arguments.render.maps.neighbours;
+    RenderArguments defaults;
+    check_combinations(option_rows(arguments), option_rows(defaults));
 }
 
 } // namespace hipmap

@@ -2,6 +2,7 @@
 
 #include "common/command_line/frames.h"
 #include "common/command_line/scene_arguments.h"
+#include "render/dissertation_settings.h"
 #include "render/effects/effect_plan.h"
 #include "render/integrator/run_passes.h"
 
@@ -17,9 +18,6 @@ inline constexpr std::uint64_t kDefaultPasses = 16;
 /// Bounds of the light paths of a pass where --photons is not given.
 inline constexpr std::uint64_t kFewestDefaultPhotons = 200'000;
 inline constexpr std::uint64_t kMostDefaultPhotons = 2'000'000;
-
-/// MapOptions::local_min while it follows from the number of neighbours.
-inline constexpr std::uint32_t kLocalMinOpen = 0;
 
 /// What `render` and `render merge` write.
 struct OutputFiles {
@@ -46,7 +44,8 @@ struct RenderArguments {
     double photon_cache_mib = 1024; ///< for maps that further frames may use
     double shutter = 0;             ///< frames that the shutter is open; 0: no time
     /// What passes are made by.  The size, the photons and the light classes follow from the frame.
-    RenderOptions render{.maps = {.local_min = kLocalMinOpen}, .samples = 4, .light = {}};
+    RenderOptions render{
+        .maps = {}, .dissertation = {.local_min = kLocalMinOpen}, .samples = 4, .light = {}};
     std::optional<DiffuseModel> diffuse;  ///< none: the scene's own
     bool energy_compensation = false;     ///< of all metal
     std::optional<std::uint64_t> photons; ///< of a pass; none: as many as it has samples

@@ -1,6 +1,5 @@
 #include "render/print_results.h"
 
-#include "render/maps/hierarchical.h"
 #include "render/outputs.h"
 
 #include <sstream>
@@ -21,21 +20,23 @@ void print_photons(const RenderStatistics& statistics, Report& report)
         line << ", and " << statistics.volume_photons << " in media";
     line << "; last pass: " << statistics.global.shared_maps << " global and "
          << statistics.caustic.shared_maps << " caustic maps with photons";
-    if (const std::uint64_t maps = statistics.global.local_maps + statistics.caustic.local_maps)
+    if (const std::uint64_t maps =
+            statistics.global.levels.local_maps + statistics.caustic.levels.local_maps)
         line << ", " << maps << " local maps";
-    if (const std::uint64_t maps = statistics.global.group_maps + statistics.caustic.group_maps)
+    if (const std::uint64_t maps =
+            statistics.global.levels.group_maps + statistics.caustic.levels.group_maps)
         line << ", " << maps << " group maps";
     report.line(line.str());
 }
 
-void print_tiers(const RenderStatistics& statistics, Report& report)
+void print_levels(const RenderStatistics& statistics, Report& report)
 {
     for (const auto& [name, kind] :
          {std::pair("global", &statistics.global), std::pair("caustic", &statistics.caustic)})
-        if (kind->local_plan.asking > 0) // planned
+        if (kind->levels.local_plan.asking > 0) // planned
             report.line(std::string(name) + " photons: local maps " +
-                        describe_plan(kind->local_plan) + "; group maps " +
-                        describe_plan(kind->group_plan));
+                        describe_plan(kind->levels.local_plan) + "; group maps " +
+                        describe_plan(kind->levels.group_plan));
 }
 
 void warn_of_dropped(const RenderStatistics& statistics, const Film& film, Report& report)
@@ -56,7 +57,7 @@ void print_statistics(const RenderArguments& arguments, const RenderStatistics& 
 {
     if (arguments.render.integrator != Integrator::path) {
         print_photons(statistics, report);
-        print_tiers(statistics, report);
+        print_levels(statistics, report);
     }
     warn_of_dropped(statistics, film, report);
 }

@@ -5,7 +5,7 @@
 
 namespace hipmap {
 
-/// Prints what the passes did: photons, maps and tiers; warns of what was left out.
+/// Prints what the passes did: photons, maps and map levels; warns of what was left out.
 void print_statistics(const RenderArguments& arguments, const RenderStatistics& statistics,
                       const Film& film, Report& report);
 

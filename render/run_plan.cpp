@@ -11,7 +11,7 @@ EffectPlan plan_run(RenderArguments& arguments, Scene& scene, const Partition& p
     options.switches = arguments.effects;
     options.shutter = arguments.shutter > 0;
     options.moving = std::move(moving);
-    options.bounces = arguments.render.maps.mode != MapMode::none ||
+    options.bounces = arguments.render.dissertation.mode != MapMode::none ||
                       arguments.render.integrator == Integrator::path;
     const EffectPlan out = plan_effects(scene, partition, options);
     arguments.render.light = light_classes(out);

@@ -4,6 +4,7 @@
 #include "common/input_error.h"
 #include "common/partition/partition_file.h"
 #include "common/scene/fingerprint.h"
+#include "render/dissertation_settings.h"
 
 #include <cstdio>
 
@@ -20,20 +21,6 @@ constexpr Choice<PixelFilter> kFilters[] = {{"b-spline", PixelFilter::b_spline},
                                             {"box", PixelFilter::box}};
 constexpr Choice<std::optional<DiffuseModel>> kDiffuseModels[] = {
     {"auto", std::nullopt}, {"lambert", DiffuseModel::lambert}, {"burley", DiffuseModel::burley}};
-constexpr Choice<MapMode> kMapModes[] = {{"none", MapMode::none},
-                                         {"global", MapMode::global},
-                                         {"shared", MapMode::shared},
-                                         {"thesis", MapMode::thesis},
-                                         {"hierarchical", MapMode::hierarchical}};
-constexpr Choice<TierChoice> kTierChoices[] = {{"paying", TierChoice::paying},
-                                               {"all", TierChoice::all}};
-constexpr Choice<TreeKind> kTrees[] = {{"wide", TreeKind::wide},
-                                       {"balanced", TreeKind::balanced},
-                                       {"unbalanced", TreeKind::unbalanced}};
-constexpr Choice<EstimateForm> kEstimates[] = {{"clipped", EstimateForm::clipped},
-                                               {"thesis", EstimateForm::thesis}};
-constexpr Choice<GatheredIrradiance> kIrradiances[] = {
-    {"estimated", GatheredIrradiance::estimated}, {"precomputed", GatheredIrradiance::precomputed}};
 
 constexpr double kMostPhotons = 4e9;
 constexpr double kMostNeighbours = 1e6;
@@ -49,7 +36,6 @@ constexpr const char* kMethodSection = "Method";
 constexpr const char* kEffectsSection = "Effects";
 constexpr const char* kEndSection = "When to end";
 constexpr const char* kImageSection = "Image";
-constexpr const char* kDissertationSection = "To compare with the dissertation";
 
 /// "5%" and "5" are 0.05.
 double parse_error(const std::string& text)
@@ -145,12 +131,15 @@ std::vector<OptionRow> method_rows(RenderArguments& arguments)
              .field = number_field(render.alpha, {0.01, 0.99}, "A"),
              .help = "How slowly the radii of --integrator progressive shrink: less leaves less "
                      "bias and more noise",
-             .changes = Changes::passes},
+             .changes = Changes::passes,
+             .only_with = {{"", "integrator", {"progressive"}}}},
             {.name = "direct",
              .section = kMethodSection,
              .field = choice_field<DirectLight>(render.direct, kDirectLights),
              .help = "Direct light by shadow rays or from the photons",
-             .changes = Changes::passes},
+             .changes = Changes::passes,
+             .only_with = {{"photons", "integrator", {"direct"}},
+                           {"photons", "maps", {"global", "shared", "thesis", "hierarchical"}}}},
             {.name = "seed",
              .section = kMethodSection,
              .field = seed_field(render.seed),
@@ -266,48 +255,6 @@ OptionRow shutter_row(RenderArguments& arguments)
             .needs = "frames"};
 }
 
-std::vector<OptionRow> dissertation_rows(RenderOptions& render)
-{
-    MapOptions& maps = render.maps;
-    return {{.name = "maps",
-             .section = kDissertationSection,
-             .field = choice_field<MapMode>(maps.mode, kMapModes),
-             .help = "Photon maps: none (direct light and reflections only), global (one map), "
-                     "shared (one for each shared map of the partition), thesis (local maps too), "
-                     "hierarchical (shared, with local and group maps where they save time)",
-             .changes = Changes::passes},
-            {.name = "tiers",
-             .section = kDissertationSection,
-             .field = choice_field<TierChoice>(maps.tiers, kTierChoices),
-             .help = "Local and group maps of --maps hierarchical: those that save time, or all",
-             .changes = Changes::passes},
-            {.name = "tree",
-             .section = kDissertationSection,
-             .field = choice_field<TreeKind>(maps.tree, kTrees),
-             .help = "Tree of photons: wide, balanced (Jensen's kd-tree) or unbalanced (a kd-tree "
-                     "built by insertion)",
-             .changes = Changes::passes},
-            {.name = "estimate",
-             .section = kDissertationSection,
-             .field = choice_field<EstimateForm>(maps.estimate, kEstimates),
-             .help = "Irradiance from k photons: clipped (k-1 of them over the area visible from "
-                     "the point) or thesis (k over the whole disc)",
-             .changes = Changes::passes},
-            {.name = "irradiance",
-             .section = kDissertationSection,
-             .field = choice_field<GatheredIrradiance>(render.irradiance, kIrradiances),
-             .help = "Irradiance at the end of a final-gather ray: estimated there, or precomputed "
-                     "at a quarter of the photons (Christensen), which is off by some percent of "
-                     "indirect light and no faster",
-             .changes = Changes::passes},
-            {.name = "local-min",
-             .section = kDissertationSection,
-             .field = number_or_none_field(maps.local_min, kLocalMinOpen, {1, kMostPhotons}),
-             .help = "Fewest photons of a local map, M",
-             .unset = "10 k",
-             .changes = Changes::passes}};
-}
-
 std::string hex(std::uint64_t word)
 {
     char text[17];
@@ -328,7 +275,7 @@ std::vector<OptionRow> option_rows(RenderArguments& arguments)
     append_rows(rows, frame_rows(arguments.frames));
     rows.push_back(shutter_row(arguments));
     append_rows(rows, speed_rows(arguments));
-    append_rows(rows, dissertation_rows(arguments.render));
+    append_rows(rows, dissertation_rows(arguments.render.dissertation));
     return rows;
 }
 

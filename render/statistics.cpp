@@ -2,7 +2,6 @@
 
 #include "common/image/picture_json.h"
 #include "common/scene/named_lights.h"
-#include "render/maps/hierarchical.h"
 #include "render/outputs.h"
 #include "render/settings.h"
 
@@ -12,14 +11,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json searches_json(const TierSearches& searches)
+Json searches_json(const LevelSearches& searches)
 {
     return {{"searches", searches.begun},
             {"searches_skipped", searches.skipped},
             {"searches_abandoned", searches.abandoned}};
 }
 
-Json tier_json(const TierPlan& plan, const TierSearches& searches)
+Json level_json(const LevelPlan& plan, const LevelSearches& searches)
 {
     Json json = {{"used", plan.used},
                  {"decision", describe_plan(plan)},
@@ -36,21 +35,21 @@ Json tier_json(const TierPlan& plan, const TierSearches& searches)
     return json;
 }
 
-Json kind_json(const KindStatistics& kind, const MapOptions& maps)
+Json kind_json(const KindStatistics& kind, MapMode mode)
 {
     Json json = {{"stored", kind.stored},
                  {"shared_maps", kind.shared_maps},
-                 {"local_maps", kind.local_maps},
-                 {"group_maps", kind.group_maps},
+                 {"local_maps", kind.levels.local_maps},
+                 {"group_maps", kind.levels.group_maps},
                  {"largest_map", kind.largest_map},
                  {"queries", kind.searches.queries},
                  {"photons_found", kind.searches.photons_found}};
-    if (kind.local_plan.asking > 0) { // planned
-        json["local"] = tier_json(kind.local_plan, kind.searches.local);
-        json["group"] = tier_json(kind.group_plan, kind.searches.group);
-    } else if (maps.mode == MapMode::thesis || maps.mode == MapMode::hierarchical) {
-        json["local"] = searches_json(kind.searches.local);
-        json["group"] = searches_json(kind.searches.group);
+    if (kind.levels.local_plan.asking > 0) { // planned
+        json["local"] = level_json(kind.levels.local_plan, kind.level_searches.local);
+        json["group"] = level_json(kind.levels.group_plan, kind.level_searches.group);
+    } else if (mode == MapMode::thesis || mode == MapMode::hierarchical) {
+        json["local"] = searches_json(kind.level_searches.local);
+        json["group"] = searches_json(kind.level_searches.group);
     }
     return json;
 }
@@ -178,10 +177,10 @@ Json photons_json(const RenderStatistics& render, const RenderOptions& options)
                  {"in_media", render.volume_photons},
                  {"dropped", render.dropped_photons},
                  {"paths_cut", render.cut_paths},
-                 {"caustic", kind_json(render.caustic, options.maps)},
-                 {"global", kind_json(render.global, options.maps)}};
+                 {"caustic", kind_json(render.caustic, options.dissertation.mode)},
+                 {"global", kind_json(render.global, options.dissertation.mode)}};
     if (options.integrator == Integrator::progressive)
-        json["indirect"] = kind_json(render.indirect, options.maps);
+        json["indirect"] = kind_json(render.indirect, options.dissertation.mode);
     return json;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "common/math/random.h"
-#include "render/maps/estimate.h"
+#include "render/dissertation/dissertation.h"
 #include "render/maps/volume_map.h"
 #include "render/shading/interaction.h"
 
@@ -17,16 +17,16 @@ enum class DirectLight : std::uint8_t {
 struct PassMaps {
     const RenderScene& scene;
     const MapSurfaces& surfaces;
-    const PhotonMaps& caustic;
-    const PhotonMaps& global;
+    const ChosenMaps& caustic;
+    const ChosenMaps& global;
     DirectLight direct = DirectLight::shadow_rays;
     const VolumeMap* volume = nullptr; ///< null: the scene has no media
 };
 
 /// What one thread needs for eye paths.
 struct EyeScratch {
-    EstimateScratch caustic;
-    EstimateScratch global;
+    ChosenScratch caustic;
+    ChosenScratch global;
 };
 
 /// Whether an eye path is to add the lights that are seen directly, by mirrors and through clear

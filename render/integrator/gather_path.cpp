@@ -83,19 +83,17 @@ class GatherTracer {
         const Rgb factor = maps_.scene.directional ? Rgb(1) : lobes.base();
         add_caustic(branch, factor, query);
         if (branch.gathers) {
-            if (maps_.global.maps.empty())
+            if (shared_maps(maps_.global).maps.empty())
                 return true; // no photon has come anywhere
             const float first = radius_at(maps_.first.global, maps_.surfaces, query);
             branch.weight *= weight_of(branch, first);
             const float radius = maps_.shrink * first;
             if (!(branch.straight && distance < radius)) {
-                if (!add_precomputed(branch.weight * factor, query))
-                    add_within(branch.weight * factor, maps_.global, query, radius,
-                               scratch_.global);
+                add_gathered(branch.weight * factor, query, radius);
                 return true;
             }
         }
-        if (!maps_.indirect.maps.empty()) {
+        if (!shared_maps(maps_.indirect).maps.empty()) {
             branch.indirect_radius = radius_at(maps_.first.indirect, maps_.surfaces, query);
             add_indirect(branch.weight * factor, query, branch.indirect_radius);
         }
@@ -114,12 +112,11 @@ class GatherTracer {
                                : other                 ? lobes.behind()
                                                        : lobes.base();
             add_caustic(branch, factor, query);
-            if (branch.gathers && !maps_.global.maps.empty()) {
+            if (branch.gathers && !shared_maps(maps_.global).maps.empty()) {
                 const float first = radius_at(maps_.first.global, maps_.surfaces, query);
                 const Rgb weight = branch.weight * factor * weight_of(branch, first);
-                if (!add_precomputed(weight, query))
-                    add_within(weight, maps_.global, query, maps_.shrink * first, scratch_.global);
-            } else if (!branch.gathers && !maps_.indirect.maps.empty()) {
+                add_gathered(weight, query, maps_.shrink * first);
+            } else if (!branch.gathers && !shared_maps(maps_.indirect).maps.empty()) {
                 const float first = radius_at(maps_.first.indirect, maps_.surfaces, query);
                 (other ? branch.beyond_radius : branch.indirect_radius) = first;
                 add_indirect(branch.weight * factor, query, first);
@@ -136,7 +133,7 @@ class GatherTracer {
 
     void add_caustic(const GatherBranch& branch, const Rgb& factor, const PhotonQuery& query)
     {
-        if (maps_.caustic.maps.empty())
+        if (shared_maps(maps_.caustic).maps.empty())
             return;
         const float first = radius_at(maps_.first.caustic, maps_.surfaces, query);
         const float share = branch.gathers ? weight_of(branch, first) : 1.0f;
@@ -151,26 +148,29 @@ class GatherTracer {
             add_within(factor, maps_.indirect, query, maps_.shrink * first, scratch_.indirect);
     }
 
-    /// False: nothing is.
-    bool add_precomputed(const Rgb& factor, const PhotonQuery& query)
+    static std::array<float, 3> narrowing(float radius)
     {
-        if (maps_.irradiance == nullptr)
-            return false;
-        const std::optional<Rgb> found = nearest_irradiance(
-            *maps_.irradiance, maps_.global, maps_.surfaces.partition, query, scratch_.irradiance);
-        if (found)
-            add(factor * *found);
-        return found.has_value();
+        return {radius, kScales[1] * radius, kScales[2] * radius};
     }
 
-    void add_within(const Rgb& factor, const PhotonMaps& photons, const PhotonQuery& query,
-                    float radius, EstimateScratch& scratch)
+    void add_estimates(const Rgb& factor, const RadiusEstimates& found)
     {
-        const RadiusEstimates found =
-            estimate_within(photons, maps_.surfaces, query,
-                            {radius, kScales[1] * radius, kScales[2] * radius}, scratch);
         for (std::size_t i = 0; i < radiance_.size(); ++i)
             radiance_[i] += factor * found.irradiance[i];
+    }
+
+    /// Where a gather ray ends.
+    void add_gathered(const Rgb& factor, const PhotonQuery& query, float radius)
+    {
+        add_estimates(factor, estimate_gathered(maps_.global, maps_.surfaces, query,
+                                                narrowing(radius), scratch_.global));
+    }
+
+    void add_within(const Rgb& factor, const ChosenMaps& photons, const PhotonQuery& query,
+                    float radius, ChosenScratch& scratch)
+    {
+        add_estimates(factor,
+                      estimate_within(photons, maps_.surfaces, query, narrowing(radius), scratch));
     }
 
     /// gathering: the branch for the gathered lobes; null: they send no ray.

@@ -3,8 +3,6 @@
 #include "common/math/random.h"
 #include "render/integrator/eye_path.h"
 #include "render/integrator/gather_radius.h"
-#include "render/maps/fixed_radius.h"
-#include "render/maps/photon_irradiance.h"
 #include "render/maps/volume_map.h"
 #include "render/shading/interaction.h"
 
@@ -14,21 +12,18 @@ namespace hipmap {
 struct GatherMaps {
     const RenderScene& scene;
     const MapSurfaces& surfaces;
-    const PhotonMaps& caustic;  ///< of the pass
-    const PhotonMaps& global;   ///< of the pass, direct photons too
-    const PhotonMaps& indirect; ///< of the pass, weighed by weigh_bounces
+    const ChosenMaps& caustic;  ///< of the pass
+    const ChosenMaps& global;   ///< of the pass, direct photons too
+    const ChosenMaps& indirect; ///< of the pass, weighed by weigh_bounces
     const FirstRadii& first;
-    float shrink = 1;    ///< radius of the pass over the first radius
-    bool bounces = true; ///< false: rays of gathered lobes only look for lights
-    const PhotonIrradiance* irradiance = nullptr; ///< of `global`, read where gather rays end;
-                                                  ///< null: estimates
+    float shrink = 1;                  ///< radius of the pass over the first radius
+    bool bounces = true;               ///< false: rays of gathered lobes only look for lights
     const VolumeMap* volume = nullptr; ///< of the pass, of radii shrunk; null: there are no media
 };
 
 /// What one thread needs for gather paths.
 struct GatherScratch {
-    EstimateScratch caustic, global, indirect;
-    TreeScratch irradiance;
+    ChosenScratch caustic, global, indirect;
 };
 
 /// Estimates of one radiance with the radius of the pass, and with narrower ones (kNarrowing,

@@ -17,7 +17,7 @@ PhotonOptions photon_options(const RenderScene& scene, const RenderOptions& opti
                       options.photons / kPathsPerCausticPath};
     out.light = options.light;
     out.media = scene.media.has_value();
-    if (options.maps.mode == MapMode::none || options.integrator == Integrator::path) {
+    if (options.dissertation.mode == MapMode::none || options.integrator == Integrator::path) {
         out.light = {false, false};
         out.store_direct = out.media = false;
     }
@@ -58,19 +58,18 @@ TracedPhotons trace_pass(const RenderScene& scene, const PhotonOptions& options,
     return traced;
 }
 
-PhotonMaps build_maps(const RenderScene& scene, const std::vector<Photon>& photons,
-                      const MapOptions& options, KindStatistics& kind)
+ChosenMaps build_maps(const MappedScene& mapped, const std::vector<Photon>& photons,
+                      const MapOptions& options, const DissertationOptions& asked,
+                      KindStatistics& kind)
 {
     MapOptions of_maps = options;
-    of_maps.directions = scene.directional;
-    PhotonMaps maps = build_photon_maps(photons, scene.mesh(), scene.partition, of_maps);
-    kind.stored += maps.size;
-    kind.shared_maps = maps.maps.size();
-    kind.largest_map = maps.largest_map();
-    kind.local_maps = maps.locals.maps.size() + maps.local_tier.maps.size();
-    kind.group_maps = maps.groups.maps.size() + maps.group_tier.maps.size();
-    kind.local_plan = maps.local_tier.plan;
-    kind.group_plan = maps.group_tier.plan;
+    of_maps.directions = mapped.scene.directional;
+    ChosenMaps maps = build_chosen_maps(photons, mapped.surfaces, of_maps, asked);
+    const PhotonMaps& shared = shared_maps(maps);
+    kind.stored += shared.size;
+    kind.shared_maps = shared.maps.size();
+    kind.largest_map = shared.largest_map();
+    kind.levels = count_levels(maps);
     return maps;
 }
 

@@ -7,9 +7,15 @@ namespace hipmap {
 
 /// The maps of one pass; its volume map is there if the scene has media.
 struct PassMapSet {
-    PhotonMaps caustic;
-    PhotonMaps global;
+    ChosenMaps caustic;
+    ChosenMaps global;
     std::optional<VolumeMap> volume;
+};
+
+/// A scene at some moment, and its faces as maps see them.
+struct MappedScene {
+    const RenderScene& scene;
+    const MapSurfaces& surfaces;
 };
 
 /// What the photons of a pass are traced by.
@@ -29,8 +35,9 @@ TracedPhotons trace_pass(const RenderScene& scene, const PhotonOptions& options,
                          RenderStatistics& statistics);
 
 /// Builds maps and counts them.  Those of several kinds may be built at the same time.
-PhotonMaps build_maps(const RenderScene& scene, const std::vector<Photon>& photons,
-                      const MapOptions& options, KindStatistics& kind);
+ChosenMaps build_maps(const MappedScene& mapped, const std::vector<Photon>& photons,
+                      const MapOptions& options, const DissertationOptions& asked,
+                      KindStatistics& kind);
 
 /// Counts all maps of a pass as a whole.  watch: since the first was begun.
 void count_maps(const std::optional<VolumeMap>& volume, const Stopwatch& watch,

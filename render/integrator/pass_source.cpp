@@ -17,16 +17,18 @@ namespace {
 /// Of the work of a pass, what its photons are taken for in the progress shown.
 constexpr double kPhotonShare = 0.2;
 
-PassMapSet make_maps(const RenderScene& scene, const RenderOptions& options, std::uint64_t pass,
+PassMapSet make_maps(const MappedScene& mapped, const RenderOptions& options, std::uint64_t pass,
                      RenderStatistics& statistics)
 {
+    const RenderScene& scene = mapped.scene;
     TracedPhotons traced = trace_pass(scene, photon_options(scene, options, pass), statistics);
     const Stopwatch watch;
     PassMapSet maps;
     maps.volume = build_volume(scene, traced, volume_radii(scene, traced, options), 1);
-    maps.caustic = build_maps(scene, std::exchange(traced.caustic, {}), options.maps,
-                              statistics.caustic); // which frees them
-    maps.global = build_maps(scene, traced.global, options.maps, statistics.global);
+    maps.caustic = build_maps(mapped, std::exchange(traced.caustic, {}), options.maps,
+                              options.dissertation, statistics.caustic); // which frees them
+    maps.global =
+        build_maps(mapped, traced.global, options.maps, options.dissertation, statistics.global);
     count_maps(maps.volume, watch, statistics);
     return maps;
 }
@@ -36,7 +38,7 @@ RenderedPass render_pass(const RenderScene& scene, const MapSurfaces& surfaces,
                          RenderStatistics& statistics)
 {
     const RenderOptions& options = job.options;
-    const PassMapSet maps = make_maps(scene, options, job.pass, statistics);
+    const PassMapSet maps = make_maps({scene, surfaces}, options, job.pass, statistics);
     const PassMaps pass_maps{scene,       surfaces,       maps.caustic,
                              maps.global, options.direct, maps.volume ? &*maps.volume : nullptr};
     return render_tiles<1, EyeScratch>(
@@ -48,8 +50,8 @@ RenderedPass render_pass(const RenderScene& scene, const MapSurfaces& surfaces,
             return {trace_eye_path(pass_maps, ray, seen, random, scratch)};
         },
         [&](const EyeScratch& scratch) {
-            statistics.caustic.searches += scratch.caustic.search.statistics;
-            statistics.global.searches += scratch.global.search.statistics;
+            statistics.caustic.add_searches(scratch.caustic);
+            statistics.global.add_searches(scratch.global);
         });
 }
 

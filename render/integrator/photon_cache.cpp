@@ -8,9 +8,11 @@ void add(const KindStatistics& made, KindStatistics& sum)
 {
     const std::uint64_t stored = sum.stored + made.stored;
     const SearchStatistics searches = sum.searches;
+    const LevelStatistics level_searches = sum.level_searches;
     sum = made;
     sum.stored = stored;
     sum.searches = searches;
+    sum.level_searches = level_searches;
 }
 
 void add_photons(const RenderStatistics& made, RenderStatistics& sum)
@@ -38,10 +40,7 @@ void add_seconds(const RenderStatistics& made, RenderStatistics& sum)
 
 std::size_t ProgressiveMaps::bytes() const
 {
-    std::size_t out = caustic.bytes() + global.bytes() + indirect.bytes();
-    if (irradiance)
-        for (const PhotonIrradiance::Map& map : irradiance->maps)
-            out += map.tree.bytes() + map.irradiance.size() * (sizeof(Rgb) + sizeof(glm::vec3));
+    std::size_t out = bytes_of(caustic) + bytes_of(global) + bytes_of(indirect);
     if (volume)
         out += volume->photons.size() * (sizeof(VolumePhoton) + sizeof(float) + sizeof(glm::vec3)) +
                volume->nodes.size() * sizeof(VolumeMap::Node);

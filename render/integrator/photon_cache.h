@@ -10,9 +10,8 @@ namespace hipmap {
 
 /// The maps of one pass of integrator progressive.
 struct ProgressiveMaps {
-    PhotonMaps caustic, global, indirect;
-    std::optional<PhotonIrradiance> irradiance; ///< of `global`
-    std::optional<VolumeMap> volume;            ///< if the scene has media
+    ChosenMaps caustic, global, indirect;
+    std::optional<VolumeMap> volume; ///< if the scene has media
 
     /// Of the large arrays.
     std::size_t bytes() const;

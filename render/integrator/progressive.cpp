@@ -17,12 +17,6 @@ namespace {
 /// Of the work of a pass, what its photons are taken for in the progress shown.
 constexpr double kPhotonShare = 0.3;
 
-/// A scene at some moment, and its faces as maps see them.
-struct MappedScene {
-    const RenderScene& scene;
-    const MapSurfaces& surfaces;
-};
-
 /// What all passes share.
 struct Progressive {
     std::shared_ptr<const ProgressiveRadii> first;
@@ -33,7 +27,7 @@ struct Progressive {
 /// It is Lambert's alone.
 bool precomputes(const RenderScene& scene, const RenderOptions& options)
 {
-    return options.irradiance == GatheredIrradiance::precomputed && !scene.directional;
+    return options.dissertation.irradiance == GatheredIrradiance::precomputed && !scene.directional;
 }
 
 TracedPhotons trace_linked(const RenderScene& scene, const RenderOptions& options,
@@ -45,13 +39,18 @@ TracedPhotons trace_linked(const RenderScene& scene, const RenderOptions& option
     return trace_pass(scene, photons, statistics);
 }
 
-/// Searches within a radius read the shared maps alone: levels below them are not planned.
-MapOptions maps_read(const RenderOptions& options)
+/// What is asked of maps that gather rays do not end in.
+DissertationOptions estimated(const RenderOptions& options)
 {
-    MapOptions out = options.maps;
-    if (out.mode == MapMode::hierarchical)
-        out.mode = MapMode::shared;
+    DissertationOptions out = without_levels(options.dissertation);
+    out.irradiance = GatheredIrradiance::estimated;
     return out;
+}
+
+/// What is asked of the maps that gather rays end in.
+DissertationOptions gathered(const RenderScene& scene, const RenderOptions& options)
+{
+    return precomputes(scene, options) ? without_levels(options.dissertation) : estimated(options);
 }
 
 /// By photons of their own, as many as a pass has.
@@ -68,7 +67,7 @@ std::shared_ptr<const ProgressiveRadii> find_first_radii(const MappedScene& mapp
     using Sparse = RadiusField::Sparse;
     const auto field = [&](const std::vector<Photon>& photons, Sparse sparse = Sparse::even) {
         return build_radius_field(
-            build_photon_maps(photons, scene.mesh(), scene.partition, maps_read(options)),
+            build_chosen_maps(photons, mapped.surfaces, options.maps, estimated(options)),
             mapped.surfaces, sparse);
     };
     return std::make_shared<ProgressiveRadii>(
@@ -79,9 +78,9 @@ std::shared_ptr<const ProgressiveRadii> find_first_radii(const MappedScene& mapp
 
 void count_searches(const GatherScratch& scratch, RenderStatistics& statistics)
 {
-    statistics.caustic.searches += scratch.caustic.search.statistics;
-    statistics.global.searches += scratch.global.search.statistics;
-    statistics.indirect.searches += scratch.indirect.search.statistics;
+    statistics.caustic.add_searches(scratch.caustic);
+    statistics.global.add_searches(scratch.global);
+    statistics.indirect.add_searches(scratch.indirect);
 }
 
 ProgressiveMaps make_maps(const MappedScene& mapped, const ProgressiveRadii& first,
@@ -92,23 +91,22 @@ ProgressiveMaps make_maps(const MappedScene& mapped, const ProgressiveRadii& fir
     const TracedPhotons traced = trace_linked(scene, options, pass, statistics);
     const Stopwatch watch;
     ProgressiveMaps maps;
-    const auto build = [&](PhotonMaps& to, const std::vector<Photon>& photons,
-                           KindStatistics& kind) {
-        to = build_maps(scene, photons, maps_read(options), kind);
+    const auto build = [&](ChosenMaps& to, const std::vector<Photon>& photons,
+                           const DissertationOptions& asked, KindStatistics& kind) {
+        to = build_maps(mapped, photons, options.maps, asked, kind);
     };
+    const DissertationOptions read = estimated(options);
     // At the same time: where one map has most photons, threads would wait at its root.
     tbb::parallel_invoke(
-        [&] { build(maps.caustic, traced.caustic, statistics.caustic); },
-        [&] { build(maps.global, traced.global, statistics.global); },
+        [&] { build(maps.caustic, traced.caustic, read, statistics.caustic); },
+        [&] { build(maps.global, traced.global, gathered(scene, options), statistics.global); },
         [&] {
-            build(maps.indirect, weigh_bounces(traced, first.surfaces, mapped.surfaces),
+            build(maps.indirect, weigh_bounces(traced, first.surfaces, mapped.surfaces), read,
                   statistics.indirect);
         },
         [&] {
             maps.volume = build_volume(scene, traced, first.volume, static_cast<float>(shrink));
         });
-    if (precomputes(scene, options))
-        maps.irradiance = estimate_at_photons(maps.global, mapped.surfaces, {});
     count_maps(maps.volume, watch, statistics);
     return maps;
 }
@@ -126,7 +124,6 @@ RenderedPass gather_pass(const MappedScene& mapped, const Progressive& shared,
                           shared.first->surfaces,
                           static_cast<float>(shrink),
                           job.options.light.indirect,
-                          photons.irradiance ? &*photons.irradiance : nullptr,
                           photons.volume ? &*photons.volume : nullptr};
     return render_tiles<3, GatherScratch>(
         job, after(control, kPhotonShare), statistics,

@@ -13,24 +13,18 @@ enum class Integrator : std::uint8_t {
     progressive, ///< from photon maps and a gather ray, by radii that shrink from pass to pass
 };
 
-/// What gather rays read where they end.
-enum class GatheredIrradiance : std::uint8_t {
-    estimated,   ///< an estimate at that point
-    precomputed, ///< that made at a photon near by (Christensen 1999): not exact
-};
-
 /// What a pass is made by: the same for all passes of an image.
 struct RenderOptions {
     Integrator integrator = Integrator::progressive;
     int width = 0;
     int height = 0;
     MapOptions maps;
+    DissertationOptions dissertation;
     DirectLight direct = DirectLight::shadow_rays;
     std::uint64_t photons = 0; ///< light paths per pass
     std::uint32_t samples = 1; ///< eye paths per pixel and pass
     std::uint64_t seed = 0;
-    LightClasses light; ///< that is found at all
-    GatheredIrradiance irradiance = GatheredIrradiance::estimated;
+    LightClasses light;     ///< that is found at all
     double alpha = 2.0 / 3; ///< how slowly radii shrink, docs/error.md (1); progressive
     PixelFilter filter = PixelFilter::b_spline;
 };
@@ -38,12 +32,18 @@ struct RenderOptions {
 /// Of one kind of photon, summed over the passes.
 struct KindStatistics {
     std::uint64_t stored = 0;
-    std::uint64_t shared_maps = 0;   ///< maps of the first tier that hold photons, of the last pass
-    std::uint64_t local_maps = 0;    ///< of the last pass
-    std::uint64_t group_maps = 0;    ///< of the last pass
-    std::uint64_t largest_map = 0;   ///< photons of the largest map of the first tier, last pass
-    TierPlan local_plan, group_plan; ///< of the last pass, mode hierarchical
+    std::uint64_t shared_maps = 0; ///< shared maps that hold photons, of the last pass
+    std::uint64_t largest_map = 0; ///< photons of the largest shared map, last pass
     SearchStatistics searches;
+    LevelCounts levels; ///< of the last pass
+    LevelStatistics level_searches;
+
+    /// Adds what a thread's searches did.
+    void add_searches(const ChosenScratch& scratch)
+    {
+        searches += scratch.estimate.search.statistics;
+        level_searches += hipmap::level_searches(scratch);
+    }
 };
 
 /// What the passes of one run did.

@@ -23,16 +23,11 @@ struct MapSurfaces {
     MapBoundaries boundaries;
     std::vector<glm::vec3> normals; ///< [F] unit, towards side 0; zero for a face without area
     std::vector<float> map_area;    ///< [shared maps] square scene units
-    float total_area = 0;           ///< of all maps
 
     MapSurfaces(const TriangleMesh& of_mesh, const Partition& of_partition);
 
-    /// Area of the map that a query on `face` reads; the face must have one.
-    float area_read(const PhotonMaps& maps, FaceId face) const
-    {
-        return maps.options.mode == MapMode::global ? total_area
-                                                    : map_area[partition.map_of_face[face]];
-    }
+    /// Area of the map of a face, which must have one; square scene units.
+    float area_at(FaceId face) const { return map_area[partition.map_of_face[face]]; }
 };
 
 /// The radius within which k photons would lie were those of the query's map spread evenly over it,
@@ -45,10 +40,9 @@ float even_radius(const PhotonMaps& maps, const MapSurfaces& surfaces, const Pho
 /// or, where fewer than k lie within the query's radius, all of them over the area within it (over
 /// the whole map if the radius is infinite), (3).  A(r) is the part of the disc that is visible
 /// from the query without crossing a boundary of its map, docs/visible_area.md; photons beyond one
-/// do not count.  Where a boundary is near, photons of tilted faces count by the cosine, (4).  Mode
-/// global has no boundaries.  Where the query names lobes, each photon is weighed by them, and it
-/// is the radiance they send back, W/(m2 sr).  With EstimateForm::thesis it is (7) instead: no
-/// radius, no boundaries.
+/// do not count.  Where a boundary is near, photons of tilted faces count by the cosine, (4). Where
+/// the query names lobes, each photon is weighed by them, and it is the radiance they send back,
+/// W/(m2 sr).
 /// No photon: zero, never NaN.  Thread-safe.  Blurs detail finer than r_k.
 Rgb estimate_irradiance(const PhotonMaps& maps, const MapSurfaces& surfaces,
                         const PhotonQuery& query, EstimateScratch& scratch);

@@ -28,41 +28,13 @@ RadiusEstimates estimate_from_sums(const PhotonMaps& maps, const PhotonMap& map,
     return out;
 }
 
-/// Adds up photon by photon those that count.  radii[0] > 0.  bounded: scratch.disc looks past
-/// boundaries.
-RadiusEstimates estimate_from_list(const PhotonMaps& maps, const MapSurfaces& surfaces,
-                                   const PhotonQuery& query, const std::array<float, 3>& radii,
-                                   bool bounded, EstimateScratch& scratch)
+/// All photons of the query's map within its radius.
+FoundPhotons list_within(const PhotonMap& map, const PhotonQuery& query, TreeScratch& scratch)
 {
-    const bool facing_only = maps.options.estimate == EstimateForm::thesis; // (7)
-    const bool tilted = bounded && !scratch.segments.empty();               // (4)
-    PhotonQuery within = query;
-    within.radius = radii[0];
     constexpr std::size_t kAll = std::numeric_limits<std::uint32_t>::max();
-    const FoundPhotons found =
-        find_most_in_shared(maps, surfaces.partition, within, kAll, scratch.search.within);
-    RadiusEstimates out;
-    std::array<glm::dvec3, 3> sums{};
-    for (const std::uint32_t slot : found.slots) {
-        const MetPhoton photon{*found.map, slot};
-        const glm::vec3 position = found.map->tree.position(slot);
-        if ((bounded && !scratch.disc.sees(position)) ||
-            (facing_only && !faces_query(photon, query)))
-            continue;
-        const glm::dvec3 power =
-            tilted ? projected_power(photon, query, surfaces) : gathered_power(photon, query);
-        const glm::vec3 d = position - query.position;
-        for (std::size_t r = 0; r < radii.size(); ++r)
-            if (glm::dot(d, d) <= radii[r] * radii[r])
-                sums[r] += power;
-        ++out.photons;
-    }
-    for (std::size_t r = 0; r < radii.size() && out.photons > 0; ++r) {
-        const bool cut = bounded && radii[r] > 0;
-        out.irradiance[r] = per_area(maps.power_scale, sums[r],
-                                     cut ? scratch.disc.area(radii[r]) : disc_area(radii[r]));
-    }
-    return out;
+    const FoundSlots found =
+        find_nearest(map.tree, {query.position, kAll, query.radius * query.radius}, scratch);
+    return {&map, found.slots, found.farthest2};
 }
 
 /// For a query with a map, and a first radius above zero.
@@ -70,7 +42,7 @@ RadiusEstimates estimate_in_map(const PhotonMaps& maps, const PhotonMap& map,
                                 const MapSurfaces& surfaces, const PhotonQuery& query,
                                 const std::array<float, 3>& radii, EstimateScratch& scratch)
 {
-    const bool whole = counts_whole(maps, query);
+    const bool whole = query.lobes == nullptr;
     // No boundary needs to be looked at where there is no photon.  Beside a boundary a list will be
     // needed anyhow.
     const bool sums_first = whole && !std::exchange(scratch.near_boundary, false);
@@ -80,23 +52,56 @@ RadiusEstimates estimate_in_map(const PhotonMaps& maps, const PhotonMap& map,
         if (from_sums.photons == 0)
             return from_sums;
     }
-    if (maps.options.estimate == EstimateForm::thesis || maps.options.mode == MapMode::global)
-        return estimate_from_list(maps, surfaces, query, radii, false, scratch);
     const float seen = look_around(surfaces, query, radii[0], scratch);
     if (!(seen > 0))
         return {};
     if (seen == radii[0] && whole && scratch.segments.empty())
         return sums_first ? from_sums : estimate_from_sums(maps, map, query, radii, scratch);
-    // In proportion, so that what the estimates differ by still tells the bias of the first.
-    const float shrink = seen / radii[0];
-    const std::array<float, 3> used{seen, std::min(seen, shrink * radii[1]), shrink * radii[2]};
-    const RadiusEstimates out =
-        estimate_from_list(maps, surfaces, query, seen == radii[0] ? radii : used, true, scratch);
+    PhotonQuery within = query;
+    within.radius = seen;
+    const FoundPhotons found = list_within(map, within, scratch.search.within);
+    const RadiusEstimates out = estimate_from_list(
+        found, {maps.power_scale, surfaces, query, narrowed(radii, seen)}, scratch);
     scratch.near_boundary = !scratch.segments.empty() && out.photons > 0;
     return out;
 }
 
 } // namespace
+
+std::array<float, 3> narrowed(const std::array<float, 3>& radii, float seen)
+{
+    if (seen == radii[0])
+        return radii;
+    const float shrink = seen / radii[0];
+    return {seen, std::min(seen, shrink * radii[1]), shrink * radii[2]};
+}
+
+RadiusEstimates estimate_from_list(const FoundPhotons& found, const ListEstimate& wanted,
+                                   const EstimateScratch& scratch)
+{
+    const bool tilted = !scratch.segments.empty(); // docs/photon_maps.md (4)
+    RadiusEstimates out;
+    std::array<glm::dvec3, 3> sums{};
+    for (const std::uint32_t slot : found.slots) {
+        const MetPhoton photon{*found.map, slot};
+        const glm::vec3 position = found.map->tree.position(slot);
+        if (!scratch.disc.sees(position))
+            continue;
+        const glm::dvec3 power = tilted ? projected_power(photon, wanted.query, wanted.surfaces)
+                                        : gathered_power(photon, wanted.query);
+        const glm::vec3 d = position - wanted.query.position;
+        for (std::size_t r = 0; r < sums.size(); ++r)
+            if (glm::dot(d, d) <= wanted.radii[r] * wanted.radii[r])
+                sums[r] += power;
+        ++out.photons;
+    }
+    for (std::size_t r = 0; r < sums.size() && out.photons > 0; ++r) {
+        const float radius = wanted.radii[r];
+        out.irradiance[r] = per_area(wanted.scale, sums[r],
+                                     radius > 0 ? scratch.disc.area(radius) : disc_area(radius));
+    }
+    return out;
+}
 
 RadiusEstimates estimate_within(const PhotonMaps& maps, const MapSurfaces& surfaces,
                                 const PhotonQuery& query, const std::array<float, 3>& radii,

@@ -13,6 +13,23 @@ struct RadiusEstimates {
     std::uint32_t photons = 0;                             ///< counted within the first radius
 };
 
+/// Radii that differ by the same factors from the first on, which is `seen` instead, so that what
+/// the estimates differ by still tells the bias of the first.  seen: at most radii[0].
+std::array<float, 3> narrowed(const std::array<float, 3>& radii, float seen);
+
+/// An estimate from a list of photons.
+struct ListEstimate {
+    const PowerScale& scale;
+    const MapSurfaces& surfaces;
+    const PhotonQuery& query;
+    std::array<float, 3> radii; ///< as look_around allows them
+};
+
+/// Adds up the photons of a list that count: those that scratch.disc, pointed by look_around, sees.
+/// found: all photons within the first radius.
+RadiusEstimates estimate_from_list(const FoundPhotons& found, const ListEstimate& wanted,
+                                   const EstimateScratch& scratch);
+
 /// The irradiance at a point from all photons within each of the radii, docs/photon_maps.md (3):
 ///     E(R) = 1 / A(R) * sum of the powers within R
 /// over the visible part of the disc, as estimate_irradiance does it; the same photons, so that the

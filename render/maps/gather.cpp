@@ -22,17 +22,6 @@ glm::dvec3 projected_power(const MetPhoton& photon, const PhotonQuery& query,
     return power * double{std::max(0.0f, cosine)};
 }
 
-bool faces_query(const MetPhoton& photon, const PhotonQuery& query)
-{
-    return glm::dot(photon.map.direction(photon.slot), query.normal) > 0;
-}
-
-bool counts_whole(const PhotonMaps& maps, const PhotonQuery& query)
-{
-    return query.lobes == nullptr && maps.options.estimate == EstimateForm::clipped &&
-           maps.options.mode != MapMode::global && maps.options.tree == TreeKind::wide;
-}
-
 Rgb per_area(const PowerScale& scale, const glm::dvec3& sum, double area)
 {
     if (!(area > 0))

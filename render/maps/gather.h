@@ -13,7 +13,8 @@ struct MetPhoton {
 /// Its power in units of the maps' scale, weighed by the query's lobes, which it must name.
 glm::dvec3 power_in_lobes(const MetPhoton& photon, const PhotonQuery& query);
 
-/// What a photon adds to the sum of an estimate: the same, or without lobes its power.
+/// What a photon adds to the sum of an estimate: its power, weighed by the query's lobes if it
+/// names any.
 inline glm::dvec3 gathered_power(const MetPhoton& photon, const PhotonQuery& query)
 {
     if (query.lobes != nullptr)
@@ -21,16 +22,10 @@ inline glm::dvec3 gathered_power(const MetPhoton& photon, const PhotonQuery& que
     return photon.map.powers.of(photon.slot);
 }
 
-/// The same by the cosine between the photon's face and the query's, docs/photon_maps.md (4).
+/// The gathered power times the cosine between the photon's face and the query's,
+/// docs/photon_maps.md (4).
 glm::dvec3 projected_power(const MetPhoton& photon, const PhotonQuery& query,
                            const MapSurfaces& surfaces);
-
-/// Whether the photon's light came from in front of the query's surface.
-bool faces_query(const MetPhoton& photon, const PhotonQuery& query);
-
-/// Whether photons count by nothing but their power where no boundary is near, so that their powers
-/// can be added without a list.
-bool counts_whole(const PhotonMaps& maps, const PhotonQuery& query);
 
 /// W/m2 from a sum in units of the scale.  Zero where the area is not above zero or the quotient
 /// not finite.

@@ -15,7 +15,10 @@ namespace {
 /// One photon of so many gets a radius: those between share most of their k neighbours with it.
 constexpr std::uint32_t kPhotonsEach = 4;
 
-RadiusField::Map build_map(const PhotonMap& photons, std::uint32_t neighbours, float area)
+} // namespace
+
+RadiusField::Map build_radius_map(const PhotonMap& photons, std::uint32_t neighbours, float area,
+                                  const std::function<NearestSearch()>& make_search)
 {
     RadiusField::Map out;
     out.even_radius = filter_radius(area, neighbours, photons.tree.size);
@@ -25,19 +28,16 @@ RadiusField::Map build_map(const PhotonMap& photons, std::uint32_t neighbours, f
     out.radius.resize(points.size());
     using Range = tbb::blocked_range<std::size_t>;
     tbb::parallel_for(Range(0, points.size(), 256), [&](const Range& range) {
-        MapScratch scratch;
+        const NearestSearch find = make_search();
         for (std::size_t i = range.begin(); i < range.end(); ++i) {
             const float most2 = out.even_radius * out.even_radius;
-            const FoundSlots found =
-                find_in_map(photons, {points[i].position, neighbours, most2}, scratch);
+            const FoundSlots found = find({points[i].position, neighbours, most2});
             out.radius[i] =
                 found.slots.size() == neighbours ? std::sqrt(found.farthest2) : out.even_radius;
         }
     });
     return out;
 }
-
-} // namespace
 
 RadiusField build_radius_field(const PhotonMaps& photons, const MapSurfaces& surfaces,
                                RadiusField::Sparse sparse)
@@ -47,8 +47,12 @@ RadiusField build_radius_field(const PhotonMaps& photons, const MapSurfaces& sur
     out.index.options = photons.options;
     out.index.map_of = photons.map_of;
     for (const PhotonMap& map : photons.maps)
-        out.maps.push_back(
-            build_map(map, photons.options.neighbours, surfaces.area_read(photons, map.faces[0])));
+        out.maps.push_back(build_radius_map(
+            map, photons.options.neighbours, surfaces.area_at(map.faces[0]), [&map] {
+                return [&map, scratch = TreeScratch()](const TreeQuery& query) mutable {
+                    return find_nearest(map.tree, query, scratch);
+                };
+            }));
     return out;
 }
 

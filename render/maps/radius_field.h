@@ -2,6 +2,7 @@
 
 #include "render/maps/estimate.h"
 
+#include <functional>
 #include <vector>
 
 namespace hipmap {
@@ -26,6 +27,15 @@ struct RadiusField {
     std::vector<Map> maps;
     Sparse sparse = Sparse::even;
 };
+
+/// Finds the k nearest photons of a map, fewer if there are no more within the radius; of one
+/// thread.
+using NearestSearch = std::function<FoundSlots(const TreeQuery&)>;
+
+/// The radii of one map of a field, in parallel.  area: of its surface, square scene units.
+/// make_search: a search of `photons`, for one of the threads.
+RadiusField::Map build_radius_map(const PhotonMap& photons, std::uint32_t neighbours, float area,
+                                  const std::function<NearestSearch()>& make_search);
 
 /// In parallel.  Same maps, same field, at any thread count.  No photons: a field without maps.
 /// Cost: a search for every fourth photon.

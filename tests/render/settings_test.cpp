@@ -165,8 +165,35 @@ TEST_CASE("settings: what follows from other options is filled in", "[settings]"
 {
     CHECK(complete({}).stops.passes == kDefaultPasses);
     CHECK(complete(parse({"--error", "5"})).stops.passes == StopRules().passes);
-    CHECK(complete({}).render.maps.local_min == 10 * MapOptions().neighbours);
-    CHECK(complete(parse({"--local-min", "7"})).render.maps.local_min == 7);
+    CHECK(complete({}).render.dissertation.local_min == 10 * MapOptions().neighbours);
+    CHECK(complete(parse({"--local-min", "7"})).render.dissertation.local_min == 7);
     CHECK_THROWS_AS(complete(parse({"--quote", "--state", "a.state"})), InputError);
-    CHECK_THROWS_AS(complete(parse({"--alpha", "0.5", "--integrator", "path"})), InputError);
+}
+
+TEST_CASE("settings: values that do not go together are refused, by name", "[settings]")
+{
+    const std::vector<std::vector<std::string>> refused{
+        {"--alpha", "0.5", "--integrator", "path"},
+        {"--irradiance", "precomputed", "--integrator", "direct"},
+        {"--direct", "photons"},
+        {"--direct", "photons", "--integrator", "direct", "--maps", "none"},
+        {"--estimate", "thesis"}};
+    for (const std::vector<std::string>& options : refused) {
+        INFO(options[0]);
+        CHECK_THROWS_WITH(complete(parse(options)), Catch::Contains(options[0]));
+    }
+    CHECK_NOTHROW(complete(parse({"--direct", "photons", "--integrator", "direct"})));
+    CHECK_NOTHROW(complete(parse({"--alpha", "0.5"})));
+    RenderArguments arguments;
+    const std::vector<OptionRow> rows = option_rows(arguments);
+    for (const OptionRow& row : rows)
+        for (const OnlyWith& rule : row.only_with) {
+            INFO(row.name);
+            const auto other = std::find_if(rows.begin(), rows.end(), [&](const OptionRow& any) {
+                return any.name == rule.option;
+            });
+            REQUIRE(other != rows.end());
+            for (const std::string& value : rule.values)
+                CHECK(std::count(other->field.names.begin(), other->field.names.end(), value) == 1);
+        }
 }

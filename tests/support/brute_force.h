@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/maps/neighbour_heap.h"
+#include "render/dissertation/neighbour_heap.h"
 
 #include <glm/glm.hpp>
 

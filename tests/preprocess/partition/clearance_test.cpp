@@ -1,7 +1,7 @@
 #include "common/partition/limiting_radius.h"
 #include "common/rays/surface_point.h"
 #include "preprocess/partition/build_partition.h"
-#include "render/maps/find_photons.h"
+#include "render/dissertation/level_search.h"
 #include "tests/support/brute_force.h"
 #include "tests/support/hard_surfaces.h"
 

@@ -81,7 +81,7 @@ RunningMean render(const Scene& scene, Integrator integrator, std::uint64_t pass
     options.width = options.height = 16;
     options.photons = 4000;
     options.samples = 4;
-    options.maps.mode = MapMode::shared;
+    options.dissertation.mode = MapMode::shared;
     RenderStatistics ignored;
     const PassSource source = make_pass_source(*ready->render, options, ignored);
     RunningMean out;

@@ -43,7 +43,7 @@ Means render(const Scene& scene, Integrator integrator, std::size_t samples, std
     options.width = options.height = 16;
     options.photons = 20000;
     options.samples = samples;
-    options.maps.mode = MapMode::shared;
+    options.dissertation.mode = MapMode::shared;
     RenderStatistics ignored;
     const PassSource source = make_pass_source(*ready->render, options, ignored);
     Means out;

@@ -77,9 +77,9 @@ Image render_with(const RenderScene& scene, std::uint64_t seed)
     ImageOptions options;
     options.width = options.height = kSize;
     options.photons = 10000;
-    options.maps.mode = MapMode::thesis;
+    options.dissertation.mode = MapMode::thesis;
     options.maps.neighbours = 30;
-    options.maps.local_min = 300;
+    options.dissertation.local_min = 300;
     options.seed = seed;
     return render_image(scene, options, {}).image;
 }

@@ -15,7 +15,7 @@ RenderOptions small_options(Integrator integrator, const LightClasses& light)
     options.light = light;
     options.width = options.height = 16;
     options.photons = 8000;
-    options.maps.mode = MapMode::shared;
+    options.dissertation.mode = MapMode::shared;
     return options;
 }
 

@@ -37,7 +37,7 @@ TwoPasses render(const Scene& scene, PhotonCache* cache,
     RenderOptions options;
     options.width = options.height = 12;
     options.photons = 3000;
-    options.irradiance = irradiance;
+    options.dissertation.irradiance = irradiance;
     TwoPasses out;
     const PassSource source = make_pass_source(*ready->render, options, out.statistics, cache);
     for (std::uint64_t pass = 0; pass < 2; ++pass)

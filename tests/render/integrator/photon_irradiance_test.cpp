@@ -1,5 +1,5 @@
 #include "common/math/sampling.h"
-#include "render/maps/estimate.h"
+#include "render/dissertation/dissertation.h"
 #include "render/photons/trace_photons.h"
 #include "tests/support/statistics.h"
 #include "tests/support/tiny_rooms.h"
@@ -13,14 +13,12 @@ namespace {
 /// Mean of the estimates at the middle of the floor from direct photons, over independent passes.
 RunningMean estimated_irradiance(const tiny::ReadyScene& ready, MapMode mode)
 {
-    const MapOptions options{mode, 50, 100};
     const MapSurfaces surfaces(ready.scene.mesh, ready.partition);
-    EstimateScratch scratch;
+    ChosenScratch scratch;
     RunningMean mean;
     for (std::uint64_t pass = 0; pass < 100; ++pass) {
-        TracedPhotons traced = trace_photons(*ready.render, {20000, 3, pass, true});
-        const PhotonMaps maps =
-            build_photon_maps(std::move(traced.global), ready.scene.mesh, ready.partition, options);
+        const TracedPhotons traced = trace_photons(*ready.render, {20000, 3, pass, true});
+        const ChosenMaps maps = build_chosen_maps(traced.global, surfaces, {50}, {mode, 100});
         mean.add(estimate_irradiance(maps, surfaces, {{0, 0, 0}, {0, 1, 0}, 0, 0}, scratch).y);
     }
     return mean;

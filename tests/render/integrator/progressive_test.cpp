@@ -15,7 +15,7 @@ RenderOptions small_options(std::uint64_t photons)
     options.integrator = Integrator::progressive;
     options.width = options.height = 16;
     options.photons = photons;
-    options.maps.mode = MapMode::shared;
+    options.dissertation.mode = MapMode::shared;
     return options;
 }
 
@@ -45,11 +45,11 @@ TEST_CASE("progressive: precomputed irradiance is right but for the photon it co
 {
     const auto ready = tiny::ready(tiny::glowing_box(Rgb(0.5f)));
     RenderOptions options = small_options(4000);
-    options.irradiance = GatheredIrradiance::precomputed;
+    options.dissertation.irradiance = GatheredIrradiance::precomputed;
     const RunningMean radiance = mean_of_passes(*ready, options, 48).radiance;
     const double bias = 1.0 / (options.maps.neighbours - 1);
     CHECK(std::abs(radiance.mean() - 1) < bias + kMostZ * radiance.standard_error());
-    options.irradiance = GatheredIrradiance::estimated;
+    options.dissertation.irradiance = GatheredIrradiance::estimated;
     CHECK(radiance.mean() != mean_of_passes(*ready, options, 48).radiance.mean());
 }
 
@@ -101,7 +101,7 @@ TEST_CASE("progressive: without light all is black, without photons there is one
     const Means dark = mean_of_passes(*tiny::ready(tiny::matt_floor()), small_options(1000), 2);
     CHECK(dark.radiance.mean() == 0);
     RenderOptions options = small_options(1000);
-    options.maps.mode = MapMode::none;
+    options.dissertation.mode = MapMode::none;
     const Means bounce = mean_of_passes(*tiny::ready(tiny::glowing_box(Rgb(0.5f))), options, 16);
     CHECK(std::abs(bounce.radiance.z_score(0.75)) < kMostZ);
 }

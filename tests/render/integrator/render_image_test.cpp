@@ -31,8 +31,8 @@ TEST_CASE("render: a closed diffuse sphere has radiance one in every mode with p
         for (const DirectLight direct : {DirectLight::shadow_rays, DirectLight::photons}) {
             ImageOptions options = small_options();
             options.width = options.height = 16;
-            options.maps.mode = mode;
-            options.maps.local_min = 20;
+            options.dissertation.mode = mode;
+            options.dissertation.local_min = 20;
             options.direct = direct;
             options.passes = 1;
             RunningMean mean;
@@ -50,7 +50,7 @@ TEST_CASE("render: without photons the sphere shows emission and one bounce", "[
 {
     const auto ready = tiny::ready(tiny::furnace());
     ImageOptions options = small_options();
-    options.maps.mode = MapMode::none;
+    options.dissertation.mode = MapMode::none;
     options.samples = 16;
     RunningMean mean;
     for (options.seed = 0; options.seed < 16; ++options.seed)
@@ -64,8 +64,8 @@ TEST_CASE("render: 1, 2 and 7 threads make the same image, bit for bit", "[integ
     for (const MapMode mode : {MapMode::none, MapMode::global, MapMode::shared, MapMode::thesis,
                                MapMode::hierarchical}) {
         ImageOptions options = small_options();
-        options.maps.mode = mode;
-        options.maps.local_min = 100;
+        options.dissertation.mode = mode;
+        options.dissertation.local_min = 100;
         const auto render_with = [&](std::size_t threads) {
             const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
             return render_image(*ready->render, options, {});
@@ -77,8 +77,8 @@ TEST_CASE("render: 1, 2 and 7 threads make the same image, bit for bit", "[integ
             CHECK(one.image.pixels == many.image.pixels);
             CHECK(one.statistics.global.searches.photons_found ==
                   many.statistics.global.searches.photons_found);
-            CHECK(one.statistics.global.searches.local.abandoned ==
-                  many.statistics.global.searches.local.abandoned);
+            CHECK(one.statistics.global.level_searches.local.abandoned ==
+                  many.statistics.global.level_searches.local.abandoned);
         }
     }
 }
@@ -88,13 +88,13 @@ TEST_CASE("render: thesis and shared maps make the same image of a room of flat 
 {
     const auto ready = tiny::ready(tiny::room());
     ImageOptions options = small_options();
-    options.maps.mode = MapMode::shared;
+    options.dissertation.mode = MapMode::shared;
     const Image shared = render_image(*ready->render, options, {}).image;
-    options.maps.mode = MapMode::thesis;
-    options.maps.local_min = 100;
+    options.dissertation.mode = MapMode::thesis;
+    options.dissertation.local_min = 100;
     const RenderedImage thesis = render_image(*ready->render, options, {});
-    CHECK(thesis.statistics.global.local_maps > 0);
-    CHECK(thesis.statistics.global.searches.local.begun > 0);
+    CHECK(thesis.statistics.global.levels.local_maps > 0);
+    CHECK(thesis.statistics.global.level_searches.local.begun > 0);
     // The same photons, summed in another order.
     REQUIRE(thesis.image.pixels.size() == shared.pixels.size());
     for (std::size_t i = 0; i < shared.pixels.size(); ++i)
@@ -105,20 +105,21 @@ TEST_CASE("render: thesis and shared maps make the same image of a room of flat 
 TEST_CASE("render: hierarchical and shared maps make the same image, bit for bit", "[integrator]")
 {
     for (const bool furnace : {false, true})
-        for (const TierChoice tiers : {TierChoice::paying, TierChoice::all}) {
+        for (const LevelChoice levels : {LevelChoice::paying, LevelChoice::all}) {
             const auto ready = tiny::ready(furnace ? tiny::furnace() : tiny::room());
             ImageOptions options = small_options();
-            options.maps.mode = MapMode::shared;
+            options.dissertation.mode = MapMode::shared;
             options.maps.neighbours = 10;
-            options.maps.local_min = 20;
-            options.maps.tiers = tiers;
+            options.dissertation.local_min = 20;
+            options.dissertation.levels = levels;
             const Image shared = render_image(*ready->render, options, {}).image;
-            options.maps.mode = MapMode::hierarchical;
+            options.dissertation.mode = MapMode::hierarchical;
             const RenderedImage hierarchical = render_image(*ready->render, options, {});
             CHECK(hierarchical.image.pixels == shared.pixels);
             const KindStatistics& global = hierarchical.statistics.global;
-            const std::uint64_t begun = global.searches.local.begun + global.searches.group.begun;
-            CHECK((begun > 0) == (furnace && tiers == TierChoice::all));
+            const std::uint64_t begun =
+                global.level_searches.local.begun + global.level_searches.group.begun;
+            CHECK((begun > 0) == (furnace && levels == LevelChoice::all));
         }
 }
 

@@ -62,7 +62,7 @@ TEST_CASE("seen lights: all the light there is where nothing else reflects", "[i
 {
     const auto ready = black_room();
     const MapSurfaces surfaces(ready->scene.mesh, ready->partition);
-    const PhotonMaps none;
+    const ChosenMaps none;
     EyeScratch eye;
     const PassMaps maps{*ready->render, surfaces, none, none};
     double left_over = 0;

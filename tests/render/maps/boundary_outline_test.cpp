@@ -156,8 +156,7 @@ TEST_CASE("outline: under even light estimates are right in any radius on a boar
                 photons.push_back(
                     {glm::vec3(u, 0), Rgb(1.0f / 5'000), {0, 0, 1}, u.y > u.x ? 1u : 0u, 0});
             }
-            const PhotonMaps maps =
-                build_photon_maps(photons, board.mesh, board.partition, {MapMode::shared, 50, 500});
+            const PhotonMaps maps = build_photon_maps(photons, board.partition, {50});
             RandomSequence random(2, RandomStream::eye_paths, set, 0);
             std::array<double, 3> sums{};
             for (int i = 0; i < 100; ++i) {

@@ -1,7 +1,6 @@
-#include "bench/even_room.h"
 #include "common/math/sampling.h"
 #include "common/rays/surface_point.h"
-#include "tests/support/statistics.h"
+#include "tests/support/even_room_means.h"
 #include "tests/support/tiny_scenes.h"
 
 #include <catch2/catch.hpp>
@@ -11,28 +10,6 @@
 using namespace hipmap;
 
 namespace {
-
-/// Of the estimates at each point and where a quarter turn of the room brings it.
-std::vector<RunningMean> means_in_even_room(const std::vector<glm::vec2>& points, EstimateForm form,
-                                            std::uint32_t k, std::size_t photons, std::size_t sets)
-{
-    constexpr std::size_t kTurns = 4;
-    const EvenRoomOptions options{{MapMode::shared, k, 500, form}, photons, sets};
-    std::vector<glm::vec2> turned;
-    for (glm::vec2 at : points)
-        for (std::size_t turn = 0; turn < kTurns; ++turn, at = {1 - at.y, at.x})
-            turned.push_back(at);
-    const std::vector<std::vector<double>> estimates = estimates_in_even_room(turned, options);
-    std::vector<RunningMean> means(points.size());
-    for (std::size_t i = 0; i < points.size(); ++i)
-        for (std::size_t set = 0; set < sets; ++set) {
-            double sum = 0;
-            for (std::size_t turn = 0; turn < kTurns; ++turn)
-                sum += estimates[kTurns * i + turn][set];
-            means[i].add(sum / kTurns);
-        }
-    return means;
-}
 
 /// Means of the estimates at points of the floor over sets of photons spread over it as `light`
 /// says: relative density, at most 1.  What stands on the floor catches none.
@@ -54,8 +31,7 @@ std::vector<RunningMean> estimates_on_floor(const tiny::ReadyScene& ready,
             if (random.next() < light(point.position))
                 photons.push_back({point.position, Rgb(1.0f / kTrials), {0, 1, 0}, face, 0});
         }
-        const PhotonMaps maps =
-            build_photon_maps(photons, mesh, ready.partition, {MapMode::shared, 50, 500});
+        const PhotonMaps maps = build_photon_maps(photons, ready.partition, {50});
         for (std::size_t i = 0; i < points.size(); ++i) {
             const glm::vec3& at = points[i];
             const FaceId face = at.z >= -at.x ? 0 : 1;
@@ -67,64 +43,14 @@ std::vector<RunningMean> estimates_on_floor(const tiny::ReadyScene& ready,
 
 } // namespace
 
-TEST_CASE("estimate: the thesis' form is high by k/(k-1), ours is not", "[maps]")
-{
-    for (const std::uint32_t k : {5u, 25u, 100u}) {
-        const std::vector<glm::vec2> inside{{0.3f, 0.25f}}; // far enough from edges and each other
-        const RunningMean ours = means_in_even_room(inside, EstimateForm::clipped, k, 6000, 500)[0];
-        const RunningMean plain = means_in_even_room(inside, EstimateForm::thesis, k, 6000, 500)[0];
-        const double high = double(k) / (k - 1);
-        INFO("k = " << k << ": ours " << ours.mean() << ", z " << ours.z_score(1)
-                    << "; thesis' form " << plain.mean() << ", z from k/(k-1) "
-                    << plain.z_score(high) << ", from 1 " << plain.z_score(1));
-        CHECK(std::abs(ours.z_score(1)) < kMostZ);
-        CHECK(std::abs(plain.z_score(high)) < kMostZ);
-    }
-}
-
 TEST_CASE("estimate: even light is even up to edges and corners of a room", "[maps]")
 {
     std::vector<glm::vec2> points;
     for (const float d : {0.0f, 0.004f, 0.02f, 0.04f, 0.06f, 0.1f, 0.16f, 0.24f})
         points.insert(points.end(), {{d, 0.5f}, {d, d}, {1 - d, d / 3}});
-    for (const RunningMean& mean :
-         means_in_even_room(points, EstimateForm::clipped, 50, 6000, 1500)) {
+    for (const RunningMean& mean : tiny::means_in_even_room(points, {{50}, {}, 6000, 1500})) {
         CHECK(std::abs(mean.mean() - 1) < 0.01);
         CHECK(mean.standard_error() < 0.01 / kMostZ);
-    }
-}
-
-TEST_CASE("estimate: the thesis' form falls to a half at an edge and a quarter in a corner",
-          "[maps]")
-{
-    const std::vector<glm::vec2> points{{0, 0.5f}, {0, 0}, {0.03f, 0.5f}, {0.5f, 0.5f}};
-    const auto means = means_in_even_room(points, EstimateForm::thesis, 50, 30'000, 75);
-    const double high = 50.0 / 49;
-    CHECK(std::abs(means[0].z_score(0.5 * high)) < kMostZ);
-    CHECK(std::abs(means[1].z_score(0.25 * high)) < kMostZ);
-    CHECK(means[2].mean() > means[0].mean() + 0.05);
-    CHECK(means[2].mean() < means[3].mean() - 0.05);
-}
-
-TEST_CASE("estimate: the thesis' form drops photons of the other side once they are chosen",
-          "[maps]")
-{
-    const auto ready = tiny::ready(tiny::make_scene(tiny::floor_at(0, 1)));
-    const MapSurfaces surfaces(ready->scene.mesh, ready->partition);
-    std::vector<Photon> photons;
-    for (int i = 0; i < 20; ++i) {
-        const bool front = i % 2 == 0;
-        const float x = 0.01f * static_cast<float>(i);
-        photons.push_back({{x, 0, 0.1f}, Rgb(1), {0, front ? 1 : -1, 0}, 0, std::uint8_t(!front)});
-    }
-    const PhotonQuery query{{0, 0, 0.1f}, {0, 1, 0}, 0, 0};
-    EstimateScratch scratch;
-    for (const MapMode mode : {MapMode::global, MapMode::shared, MapMode::thesis}) {
-        const PhotonMaps maps = build_photon_maps(photons, ready->scene.mesh, ready->partition,
-                                                  {mode, 10, 5, EstimateForm::thesis});
-        const double expected =
-            5 / (kPi * 0.09 * 0.09); // five of ten face up, the tenth is at 0.09
-        CHECK(estimate_irradiance(maps, surfaces, query, scratch).y == Approx(expected));
     }
 }
 

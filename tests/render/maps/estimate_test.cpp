@@ -26,16 +26,15 @@ std::vector<Photon> even_square(std::size_t count, std::uint64_t seed)
 }
 
 /// Mean estimate at each point over many sets of photons.
-std::vector<RunningMean> estimates_at(const std::vector<glm::vec2>& points,
-                                      const MapOptions& options, std::size_t count, float radius)
+std::vector<RunningMean> estimates_at(const std::vector<glm::vec2>& points, std::uint32_t k,
+                                      std::size_t count, float radius)
 {
     const auto ready = tiny::ready(tiny::make_scene(tiny::quad()));
     const MapSurfaces surfaces(ready->scene.mesh, ready->partition);
     EstimateScratch scratch;
     std::vector<RunningMean> means(points.size());
     for (std::uint64_t seed = 0; seed < 400; ++seed) {
-        const PhotonMaps maps = build_photon_maps(even_square(count, seed), ready->scene.mesh,
-                                                  ready->partition, options);
+        const PhotonMaps maps = build_photon_maps(even_square(count, seed), ready->partition, {k});
         for (std::size_t i = 0; i < points.size(); ++i) {
             const glm::vec2& at = points[i];
             PhotonQuery query{{at.x, at.y, 0}, {0, 0, 1}, at.y <= at.x ? 0u : 1u, 0};
@@ -52,38 +51,27 @@ constexpr float kFar = std::numeric_limits<float>::infinity();
 
 TEST_CASE("estimate: unbiased in the middle, at an edge and in a corner", "[maps]")
 {
-    for (const MapMode mode : {MapMode::shared, MapMode::thesis})
-        for (const std::uint32_t k : {2u, 10u, 50u})
-            for (const RunningMean& mean : estimates_at({{0.5f, 0.4f},
-                                                         {0.5f, 0.0f},
-                                                         {1, 0.5f},
-                                                         {0, 0},
-                                                         {1, 1},
-                                                         {0.99f, 0.01f},
-                                                         {0.3f, 0.02f}},
-                                                        {mode, k, 10}, 1000, kFar))
-                CHECK(std::abs(mean.z_score(1)) < kMostZ);
-}
-
-TEST_CASE("estimate: one map without boundaries darkens at an edge, as it must", "[maps]")
-{
-    const MapOptions options{MapMode::global, 50, 10};
-    const auto means = estimates_at({{0.5f, 0.5f}, {0.5f, 0}, {0, 0}}, options, 1000, kFar);
-    CHECK(std::abs(means[0].z_score(1)) < kMostZ);
-    CHECK(means[1].mean() == Approx(0.5).epsilon(0.05));
-    CHECK(means[2].mean() == Approx(0.25).epsilon(0.05));
+    for (const std::uint32_t k : {2u, 10u, 50u})
+        for (const RunningMean& mean : estimates_at({{0.5f, 0.4f},
+                                                     {0.5f, 0.0f},
+                                                     {1, 0.5f},
+                                                     {0, 0},
+                                                     {1, 1},
+                                                     {0.99f, 0.01f},
+                                                     {0.3f, 0.02f}},
+                                                    k, 1000, kFar))
+            CHECK(std::abs(mean.z_score(1)) < kMostZ);
 }
 
 TEST_CASE("estimate: unbiased where the radius holds fewer than k", "[maps]")
 {
-    for (const RunningMean& mean :
-         estimates_at({{0.5f, 0.4f}, {0, 0.3f}, {1, 1}}, {MapMode::shared, 500, 10}, 1000, 0.2f))
+    for (const RunningMean& mean : estimates_at({{0.5f, 0.4f}, {0, 0.3f}, {1, 1}}, 500, 1000, 0.2f))
         CHECK(std::abs(mean.z_score(1)) < kMostZ);
 }
 
 TEST_CASE("estimate: a map with fewer than k photons is spread over its area", "[maps]")
 {
-    const RunningMean mean = estimates_at({{0.2f, 0.7f}}, {MapMode::shared, 50, 10}, 20, kFar)[0];
+    const RunningMean mean = estimates_at({{0.2f, 0.7f}}, 50, 20, kFar)[0];
     CHECK(mean.mean() == Approx(1.0).epsilon(1e-5));
 }
 
@@ -92,12 +80,9 @@ TEST_CASE("estimate: coincident photons give a finite number", "[maps]")
     const auto ready = tiny::ready(tiny::make_scene(tiny::quad()));
     const MapSurfaces surfaces(ready->scene.mesh, ready->partition);
     std::vector<Photon> photons(100, Photon{{0.5f, 0.25f, 0}, Rgb(1), {0, 0, 1}, 0, 0});
-    for (const MapMode mode : {MapMode::global, MapMode::shared, MapMode::thesis}) {
-        const PhotonMaps maps =
-            build_photon_maps(photons, ready->scene.mesh, ready->partition, {mode, 50, 10});
-        EstimateScratch scratch;
-        const Rgb value =
-            estimate_irradiance(maps, surfaces, {{0.5f, 0.25f, 0}, {0, 0, 1}, 0, 0}, scratch);
-        CHECK(is_finite(value));
-    }
+    const PhotonMaps maps = build_photon_maps(photons, ready->partition, {50});
+    EstimateScratch scratch;
+    const Rgb value =
+        estimate_irradiance(maps, surfaces, {{0.5f, 0.25f, 0}, {0, 0, 1}, 0, 0}, scratch);
+    CHECK(is_finite(value));
 }

@@ -39,25 +39,21 @@ TEST_CASE("photon maps: each photon is in the map of its surface and side, once"
     const auto ready = tiny::ready(tiny::make_scene(tiny::cube()));
     const TriangleMesh& mesh = ready->scene.mesh;
     const std::vector<Photon> photons = scatter_photons(mesh, 5000);
-    for (const MapMode mode : {MapMode::global, MapMode::shared, MapMode::thesis}) {
-        const PhotonMaps maps = build_photon_maps(photons, mesh, ready->partition, {mode, 50, 100});
-        std::vector<Record> in, out;
-        for (const Photon& p : photons)
-            in.push_back({p.position.x, p.position.y, p.position.z, float(p.face),
-                          mode == MapMode::global ? 0.0f : float(p.side)});
-        for (const PhotonMap& map : maps.maps)
-            for (std::uint32_t slot = 0; slot < map.tree.size; ++slot) {
-                const glm::vec3 p = map.tree.position(slot);
-                const FaceId face = map.faces[slot];
-                const float side = mode == MapMode::global ? 0.0f : float(map.side);
-                out.push_back({p.x, p.y, p.z, float(face), side});
-                CHECK(maps.map_at(ready->partition.map_of_face[face], map.side) == &map);
-            }
-        std::sort(in.begin(), in.end());
-        std::sort(out.begin(), out.end());
-        CHECK(in == out);
-        CHECK(maps.maps.size() == (mode == MapMode::global ? 1 : 12));
-    }
+    const PhotonMaps maps = build_photon_maps(photons, ready->partition, {50});
+    std::vector<Record> in, out;
+    for (const Photon& p : photons)
+        in.push_back({p.position.x, p.position.y, p.position.z, float(p.face), float(p.side)});
+    for (const PhotonMap& map : maps.maps)
+        for (std::uint32_t slot = 0; slot < map.tree.size; ++slot) {
+            const glm::vec3 p = map.tree.position(slot);
+            const FaceId face = map.faces[slot];
+            out.push_back({p.x, p.y, p.z, float(face), float(map.side)});
+            CHECK(maps.map_at(ready->partition.map_of_face[face], map.side) == &map);
+        }
+    std::sort(in.begin(), in.end());
+    std::sort(out.begin(), out.end());
+    CHECK(in == out);
+    CHECK(maps.maps.size() == 12);
 }
 
 TEST_CASE("photon maps: at most 24 bytes a photon all told, 28 with directions", "[maps]")
@@ -65,10 +61,9 @@ TEST_CASE("photon maps: at most 24 bytes a photon all told, 28 with directions",
     constexpr std::size_t kCount = 200'000;
     const auto ready = tiny::ready(tiny::make_scene(tiny::cube()));
     const std::vector<Photon> photons = scatter_photons(ready->scene.mesh, kCount);
-    for (const MapMode mode : {MapMode::global, MapMode::shared, MapMode::hierarchical}) {
-        const PhotonMaps maps =
-            build_photon_maps(photons, ready->scene.mesh, ready->partition, {mode, 50, 500});
-        const std::size_t most = maps.options.keep_directions() ? 28 : 24;
+    for (const bool directions : {false, true}) {
+        const PhotonMaps maps = build_photon_maps(photons, ready->partition, {50, directions});
+        const std::size_t most = directions ? 28 : 24;
         CHECK(maps.size == kCount);
         CHECK(maps.bytes() <= most * kCount);
         CHECK(maps.bytes() > (most - 2) * kCount);
@@ -82,8 +77,7 @@ TEST_CASE("photon maps: the same powers at any thread count", "[maps]")
     std::vector<PowerSum> sums;
     for (const std::size_t threads : {1, 3}) {
         const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-        const PhotonMaps maps = build_photon_maps(photons, ready->scene.mesh, ready->partition,
-                                                  {MapMode::shared, 50, 500});
+        const PhotonMaps maps = build_photon_maps(photons, ready->partition, {50});
         for (const PhotonMap& map : maps.maps)
             sums.insert(sums.end(), map.powers.nodes.begin(), map.powers.nodes.end());
     }

@@ -34,8 +34,7 @@ struct Field {
     RadiusField field;
 
     explicit Field(const std::vector<Photon>& photons)
-        : field(build_radius_field(build_photon_maps(photons, ready->scene.mesh, ready->partition,
-                                                     {MapMode::shared, kNeighbours}),
+        : field(build_radius_field(build_photon_maps(photons, ready->partition, {kNeighbours}),
                                    surfaces))
     {
     }

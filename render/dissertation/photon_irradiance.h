@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/maps/estimate.h"
+#include "render/dissertation/dissertation.h"
 
 #include <optional>
 #include <vector>
@@ -16,26 +16,26 @@ struct IrradianceOptions {
 /// places and not so exactly: those of final gathering (Christensen 1999, "Faster photon map global
 /// illumination"), docs/photon_maps.md.  Read-only once built: any number of threads may use it.
 struct PhotonIrradiance {
-    /// Of one map.
+    /// The estimates of one map.
     struct Map {
         WideTree tree;                  ///< of the photons that have an estimate
         std::vector<Rgb> irradiance;    ///< [n] by slot, W/m2
         std::vector<glm::vec3> normals; ///< [n] by slot, unit, of the side that the light fell on
     };
-    std::vector<Map> maps; ///< parallel to PhotonMaps::maps
+    std::vector<Map> maps; ///< parallel to DissertationMaps::shared.maps
 };
 
 /// Estimates the irradiance (Lambert's) at every n-th photon of each map, in parallel.  Same maps,
 /// same numbers, at any thread count.  No photons: no maps.  Cost: an estimate each; 40 bytes each.
-PhotonIrradiance estimate_at_photons(const PhotonMaps& maps, const MapSurfaces& surfaces,
+PhotonIrradiance estimate_at_photons(const DissertationMaps& maps, const MapSurfaces& surfaces,
                                      const IrradianceOptions& options);
 
 /// The irradiance at the nearest of those photons in the query's map whose surface faces the same
 /// way: their normals are less than 45 degrees from the query's.  Nothing if there is none; then
 /// only estimate_irradiance can tell.  maps: those it was built from.  query.radius and query.lobes
 /// do not count.  Thread-safe with a scratch for each thread.
-std::optional<Rgb> nearest_irradiance(const PhotonIrradiance& irradiance, const PhotonMaps& maps,
-                                      const Partition& partition, const PhotonQuery& query,
-                                      TreeScratch& scratch);
+std::optional<Rgb> nearest_irradiance(const PhotonIrradiance& irradiance,
+                                      const DissertationMaps& maps, const Partition& partition,
+                                      const PhotonQuery& query, TreeScratch& scratch);
 
 } // namespace hipmap

@@ -1,6 +1,6 @@
 #include "common/math/sampling.h"
 #include "common/rays/surface_point.h"
-#include "render/maps/photon_irradiance.h"
+#include "render/dissertation/dissertation_maps.h"
 #include "tests/support/hard_surfaces.h"
 #include "tests/support/tiny_scenes.h"
 
@@ -48,7 +48,8 @@ std::optional<Rgb> nearest_by_hand(const PhotonIrradiance::Map& map, const Photo
 
 } // namespace
 
-TEST_CASE("photon irradiance: at the photons the estimate, elsewhere that of the nearest", "[maps]")
+TEST_CASE("photon irradiance: at the photons the estimate, elsewhere that of the nearest",
+          "[dissertation]")
 {
     std::size_t cases = 0;
     for (const TriangleMesh& mesh :
@@ -58,13 +59,13 @@ TEST_CASE("photon irradiance: at the photons the estimate, elsewhere that of the
         const MapSurfaces surfaces(ready->scene.mesh, partition);
         for (const MapMode mode : {MapMode::global, MapMode::shared, MapMode::hierarchical}) {
             const IrradianceOptions options{3, mode == MapMode::shared};
-            const PhotonMaps maps =
-                build_photon_maps(scatter_photons(ready->scene.mesh, 2000), ready->scene.mesh,
-                                  partition, {mode, 20, 100});
-            const PhotonIrradiance cache = estimate_at_photons(maps, surfaces, options);
+            const DissertationMaps built = build_dissertation_maps(
+                scatter_photons(ready->scene.mesh, 2000), surfaces, {20}, {mode, 100});
+            const PhotonMaps& maps = built.shared;
+            const PhotonIrradiance cache = estimate_at_photons(built, surfaces, options);
             REQUIRE(cache.maps.size() == maps.maps.size());
             TreeScratch scratch;
-            EstimateScratch estimates;
+            ChosenScratch estimates;
             for (std::size_t m = 0; m < maps.maps.size(); ++m)
                 for (std::uint32_t slot = 0; slot < maps.maps[m].tree.size; slot += 9) {
                     const PhotonMap& map = maps.maps[m];
@@ -75,11 +76,11 @@ TEST_CASE("photon irradiance: at the photons the estimate, elsewhere that of the
                                             : map.side == 1;
                     query.normal *= behind ? -1.0f : 1.0f;
                     if (options.bounded)
-                        query.radius = even_radius(maps, surfaces, query);
-                    CHECK(nearest_irradiance(cache, maps, partition, query, scratch) ==
-                          estimate_irradiance(maps, surfaces, query, estimates));
+                        query.radius = dissertation::even_radius(built, surfaces, query);
+                    CHECK(nearest_irradiance(cache, built, partition, query, scratch) ==
+                          dissertation::estimate_irradiance(built, surfaces, query, estimates));
                     query.position += glm::vec3(0.03f, -0.02f, 0.01f);
-                    CHECK(nearest_irradiance(cache, maps, partition, query, scratch) ==
+                    CHECK(nearest_irradiance(cache, built, partition, query, scratch) ==
                           nearest_by_hand(cache.maps[m], query));
                     ++cases;
                 }
@@ -89,39 +90,38 @@ TEST_CASE("photon irradiance: at the photons the estimate, elsewhere that of the
     CHECK(cases > 1500);
 }
 
-TEST_CASE("photon irradiance: no photon that faces the same way, no answer", "[maps]")
+TEST_CASE("photon irradiance: no photon that faces the same way, no answer", "[dissertation]")
 {
     const auto ready = tiny::ready(tiny::make_scene(tiny::quad()));
     const MapSurfaces surfaces(ready->scene.mesh, ready->partition);
     const std::vector<Photon> photons(5, Photon{{0.5f, 0.25f, 0}, Rgb(1), {0, 0, 1}, 0, 0});
     TreeScratch scratch;
-    for (const MapMode mode : {MapMode::none, MapMode::global, MapMode::shared}) {
-        const PhotonMaps maps =
-            build_photon_maps(mode == MapMode::none ? std::vector<Photon>() : photons,
-                              ready->scene.mesh, ready->partition, {mode, 3, 100});
+    const MapMode mode = GENERATE(MapMode::global, MapMode::shared);
+    for (const bool some : {false, true}) {
+        const DissertationMaps maps = build_dissertation_maps(
+            some ? photons : std::vector<Photon>(), surfaces, {3}, {mode, 100});
         const PhotonIrradiance cache = estimate_at_photons(maps, surfaces, {});
         const auto ask = [&](const glm::vec3& normal, std::uint8_t side) {
             const PhotonQuery query{{0.1f, 0.1f, 0}, normal, 0, side};
             return nearest_irradiance(cache, maps, ready->partition, query, scratch).has_value();
         };
-        CHECK(ask({0, 0, 1}, 0) == (mode != MapMode::none));
+        CHECK(ask({0, 0, 1}, 0) == some);
         CHECK_FALSE(ask({0, 0, -1}, 1));
         CHECK_FALSE(ask({1, 0, 0}, 0));
     }
 }
 
-TEST_CASE("photon irradiance: the same at any thread count", "[maps]")
+TEST_CASE("photon irradiance: the same at any thread count", "[dissertation]")
 {
     const auto ready = tiny::ready(tiny::make_scene(tiny::cube()));
     const MapSurfaces surfaces(ready->scene.mesh, ready->partition);
-    const PhotonMaps maps =
-        build_photon_maps(scatter_photons(ready->scene.mesh, 20'000), ready->scene.mesh,
-                          ready->partition, {MapMode::hierarchical, 20, 100});
+    const DissertationMaps maps = build_dissertation_maps(
+        scatter_photons(ready->scene.mesh, 20'000), surfaces, {20}, {MapMode::hierarchical, 100});
     std::vector<PhotonIrradiance> caches;
     for (const std::size_t threads : {1, 3}) {
         const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
         caches.push_back(estimate_at_photons(maps, surfaces, {2, false}));
     }
-    for (std::size_t m = 0; m < maps.maps.size(); ++m)
+    for (std::size_t m = 0; m < maps.shared.maps.size(); ++m)
         CHECK(caches[0].maps[m].irradiance == caches[1].maps[m].irradiance);
 }

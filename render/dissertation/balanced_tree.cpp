@@ -1,4 +1,4 @@
-#include "render/maps/balanced_tree.h"
+#include "render/dissertation/balanced_tree.h"
 
 #include "common/math/bounds.h"
 

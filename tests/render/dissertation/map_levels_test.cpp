@@ -1,7 +1,6 @@
 #include "common/math/sampling.h"
 #include "common/rays/surface_point.h"
-#include "render/maps/find_photons.h"
-#include "render/maps/hierarchical.h"
+#include "render/dissertation/level_search.h"
 #include "tests/support/brute_force.h"
 #include "tests/support/hard_surfaces.h"
 #include "tests/support/tiny_scenes.h"
@@ -10,6 +9,7 @@
 
 #include <array>
 #include <iostream>
+#include <memory>
 
 using namespace hipmap;
 
@@ -64,22 +64,24 @@ struct Case {
     TriangleMesh mesh;
     Partition partition;
     std::vector<Photon> photons;
-    PhotonMaps shared, tiers;
+    std::unique_ptr<MapSurfaces> surfaces;
+    DissertationMaps shared, levels;
 
     Case(std::uint64_t seed, RandomSequence& random) : mesh(random_surface(seed))
     {
         const double angle = random.next() < 0.3f ? 0.5 : 3.1;
         partition = build_partition(tiny::make_scene(mesh), {.angle_threshold = angle}).partition;
         photons = scatter_photons(mesh, partition, random);
-        MapOptions options;
-        options.neighbours = 1 + static_cast<std::uint32_t>(12 * random.next());
+        surfaces = std::make_unique<MapSurfaces>(mesh, partition);
+        const MapOptions in_each{1 + static_cast<std::uint32_t>(12 * random.next())};
+        DissertationOptions options;
         options.local_min = static_cast<std::uint32_t>(40 * random.next());
         options.estimate = random.next() < 0.8f ? EstimateForm::clipped : EstimateForm::thesis;
         options.mode = MapMode::shared;
-        shared = build_photon_maps(photons, mesh, partition, options);
+        shared = build_dissertation_maps(photons, *surfaces, in_each, options);
         options.mode = MapMode::hierarchical;
-        options.tiers = TierChoice::all;
-        tiers = build_photon_maps(photons, mesh, partition, options);
+        options.levels = LevelChoice::all;
+        levels = build_dissertation_maps(photons, *surfaces, in_each, options);
     }
 };
 
@@ -95,7 +97,8 @@ bool same_as_brute_force(const Case& c, const PhotonQuery& query, const FoundPho
     for (const Photon& photon : c.photons)
         positions.push_back(photon.position);
     const auto all = brute_force::k_nearest(
-        positions, query.position, c.shared.options.neighbours, query.radius, [&](std::uint32_t i) {
+        positions, query.position, c.shared.shared.options.neighbours, query.radius,
+        [&](std::uint32_t i) {
             const Photon& photon = c.photons[i];
             return (c.shared.sides() == 1 || photon.side == query.side) &&
                    c.partition.map_of_face[photon.face] == c.partition.map_of_face[query.face];
@@ -134,21 +137,23 @@ class Walk {
 
 } // namespace
 
-TEST_CASE("find photons: the tiers find what the shared map holds, in its order",
-          "[maps][property]")
+TEST_CASE("find photons: the map levels find what the shared map holds, in its order",
+          "[dissertation][property]")
 {
     std::size_t cases = 0, wrong = 0;
-    SearchStatistics done;
+    LevelStatistics done;
     for (std::uint64_t seed = 0; seed < 1000; ++seed) {
         RandomSequence random(seed, RandomStream::eye_paths, 0, 0);
         const Case c(seed, random);
-        SearchScratch by_tiers, by_shared;
+        SearchScratch by_levels, by_shared;
+        DissertationScratch below, unused;
         Walk walk;
         for (int i = 0; i < 100; ++i) {
             const PhotonQuery query = walk.next(c.mesh, random);
-            const FoundPhotons found = find_photons(c.tiers, c.mesh, c.partition, query, by_tiers);
+            const FoundPhotons found =
+                find_photons(c.levels, *c.surfaces, query, {by_levels, below});
             const FoundPhotons truth =
-                find_photons(c.shared, c.mesh, c.partition, query, by_shared);
+                find_photons(c.shared, *c.surfaces, query, {by_shared, unused});
             wrong += !same(found, truth);
             if (i % 25 == 0)
                 wrong += !same_as_brute_force(c, query, found);
@@ -156,20 +161,21 @@ TEST_CASE("find photons: the tiers find what the shared map holds, in its order"
         }
         INFO("seed " << seed);
         REQUIRE(wrong == 0);
-        done += by_tiers.statistics;
+        done += below.levels;
     }
-    std::cerr << "tiers: " << cases << " searches as in the shared map; local " << done.local.begun
-              << " begun, " << done.local.abandoned << " abandoned, " << done.local.skipped
-              << " skipped; group " << done.group.begun << ", " << done.group.abandoned << ", "
-              << done.group.skipped << '\n';
-    for (const TierSearches& tier : {done.local, done.group}) {
-        CHECK(tier.begun > tier.abandoned + 1000);
-        CHECK(tier.abandoned > 10);
-        CHECK(tier.skipped > 1000);
+    std::cerr << "map levels: " << cases << " searches as in the shared map; local "
+              << done.local.begun << " begun, " << done.local.abandoned << " abandoned, "
+              << done.local.skipped << " skipped; group " << done.group.begun << ", "
+              << done.group.abandoned << ", " << done.group.skipped << '\n';
+    for (const LevelSearches& level : {done.local, done.group}) {
+        CHECK(level.begun > level.abandoned + 1000);
+        CHECK(level.abandoned > 10);
+        CHECK(level.skipped > 1000);
     }
 }
 
-TEST_CASE("lowest_node: holds the photons, no lower one does, and searches begin there", "[maps]")
+TEST_CASE("lowest_node: holds the photons, no lower one does, and searches begin there",
+          "[dissertation]")
 {
     std::vector<TreePoint> points;
     for (std::uint32_t i = 0; i < 70'000; ++i) {
@@ -202,8 +208,8 @@ TEST_CASE("lowest_node: holds the photons, no lower one does, and searches begin
     }
 }
 
-TEST_CASE("photon maps: hierarchical leaves out the tiers that would lose, and says by what",
-          "[maps]")
+TEST_CASE("photon maps: hierarchical leaves out the levels that would lose, and says by what",
+          "[dissertation]")
 {
     const auto ready = tiny::ready(tiny::make_scene(tiny::slit_floor(2, 0.01f)));
     RandomSequence random(5, RandomStream::photons, 0, 0);
@@ -212,20 +218,20 @@ TEST_CASE("photon maps: hierarchical leaves out the tiers that would lose, and s
         const auto some = scatter_photons(ready->scene.mesh, ready->partition, random);
         photons.insert(photons.end(), some.begin(), some.end());
     }
-    for (const TierChoice choice : {TierChoice::paying, TierChoice::all}) {
-        MapOptions options{MapMode::hierarchical, 10, 100};
-        options.tiers = choice;
-        const PhotonMaps maps =
-            build_photon_maps(photons, ready->scene.mesh, ready->partition, options);
-        const TierPlan& plan = maps.local_tier.plan;
-        const bool all = choice == TierChoice::all;
+    const MapSurfaces surfaces(ready->scene.mesh, ready->partition);
+    for (const LevelChoice choice : {LevelChoice::paying, LevelChoice::all}) {
+        DissertationOptions options{MapMode::hierarchical, 100};
+        options.levels = choice;
+        const DissertationMaps maps = build_dissertation_maps(photons, surfaces, {10}, options);
+        const LevelPlan& plan = maps.local_level.plan;
+        const bool all = choice == LevelChoice::all;
         CHECK(plan.most < plan.asking);
         CHECK(plan.counted == all);
         CHECK((plan.candidates > 0) == all);
         CHECK((plan.answered > 0) == all);
         CHECK((plan.saving < 0) == all);
         CHECK(plan.used == all);
-        CHECK(maps.local_tier.maps.empty() != all);
-        CHECK(maps.group_tier.plan.candidates == 0); // too few faces
+        CHECK(maps.local_level.maps.empty() != all);
+        CHECK(maps.group_level.plan.candidates == 0); // too few faces
     }
 }

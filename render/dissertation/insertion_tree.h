@@ -1,7 +1,7 @@
 #pragma once
 
 #include "common/math/bounds.h"
-#include "render/maps/neighbour_heap.h"
+#include "render/dissertation/neighbour_heap.h"
 #include "render/maps/wide_tree.h"
 
 #include <array>

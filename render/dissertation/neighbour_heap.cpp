@@ -1,4 +1,4 @@
-#include "render/maps/neighbour_heap.h"
+#include "render/dissertation/neighbour_heap.h"
 
 namespace hipmap {
 

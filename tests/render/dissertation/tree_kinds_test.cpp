@@ -1,7 +1,7 @@
 #include "common/math/sampling.h"
 #include "common/rays/surface_point.h"
 #include "preprocess/partition/build_partition.h"
-#include "render/maps/find_photons.h"
+#include "render/dissertation/level_search.h"
 #include "tests/support/hard_surfaces.h"
 #include "tests/support/tiny_scenes.h"
 
@@ -59,42 +59,42 @@ struct Compared {
     std::uint64_t answered_below = 0; ///< of mode hierarchical, in a local or group map
 };
 
-void compare_kinds(const Surface& surface, MapOptions options, Compared& compared)
+void compare_kinds(const Surface& surface, std::uint32_t k, DissertationOptions options,
+                   Compared& compared)
 {
-    const PhotonMaps wide =
-        build_photon_maps(surface.photons, surface.mesh, surface.partition, options);
+    const MapSurfaces surfaces(surface.mesh, surface.partition);
+    const DissertationMaps wide = build_dissertation_maps(surface.photons, surfaces, {k}, options);
     for (const TreeKind kind : {TreeKind::balanced, TreeKind::unbalanced}) {
         options.tree = kind;
-        const PhotonMaps maps =
-            build_photon_maps(surface.photons, surface.mesh, surface.partition, options);
+        const DissertationMaps maps =
+            build_dissertation_maps(surface.photons, surfaces, {k}, options);
         SearchScratch wide_scratch, scratch;
+        DissertationScratch wide_below, below;
         for (std::uint64_t i = 0; i < 100; ++i) {
             RandomSequence random(8, RandomStream::eye_paths, 0, i);
             const Photon at = random_photon(surface.mesh, random);
             PhotonQuery query{at.position, at.direction, at.face, at.side};
             if (i % 4 == 0)
                 query.radius = 0.1f;
-            const auto find = [&](const PhotonMaps& in, SearchScratch& with) {
-                const FoundPhotons found =
-                    find_photons(in, surface.mesh, surface.partition, query, with);
-                return distances(query, found);
+            const auto find = [&](const DissertationMaps& in, const LevelScratch& with) {
+                return distances(query, find_photons(in, surfaces, query, with));
             };
-            CHECK(find(maps, scratch) == find(wide, wide_scratch));
+            CHECK(find(maps, {scratch, below}) == find(wide, {wide_scratch, wide_below}));
             ++compared.searches;
         }
-        const SearchStatistics& done = scratch.statistics;
-        CHECK(done.photons_found == wide_scratch.statistics.photons_found);
+        const LevelStatistics& done = below.levels;
+        CHECK(scratch.statistics.photons_found == wide_scratch.statistics.photons_found);
         if (options.mode == MapMode::thesis)
-            CHECK(done.local.abandoned == wide_scratch.statistics.local.abandoned);
+            CHECK(done.local.abandoned == wide_below.levels.local.abandoned);
         if (options.mode == MapMode::hierarchical)
-            for (const TierSearches& tier : {done.local, done.group})
-                compared.answered_below += tier.begun - tier.abandoned;
+            for (const LevelSearches& level : {done.local, done.group})
+                compared.answered_below += level.begun - level.abandoned;
     }
 }
 
 } // namespace
 
-TEST_CASE("tree kinds: every mode finds the same photons in each", "[maps]")
+TEST_CASE("tree kinds: every mode finds the same photons in each", "[dissertation]")
 {
     const std::array<Surface, 3> surfaces{make_surface(tiny::cube(), 4000),
                                           make_surface(tiny::hairpin(3, 0.1f), 4000),
@@ -105,7 +105,7 @@ TEST_CASE("tree kinds: every mode finds the same photons in each", "[maps]")
              {MapMode::global, MapMode::shared, MapMode::thesis, MapMode::hierarchical})
             for (const EstimateForm form : {EstimateForm::clipped, EstimateForm::thesis})
                 for (const std::uint32_t k : {2u, 25u, 400u})
-                    compare_kinds(surface, {mode, k, 30, form}, compared);
+                    compare_kinds(surface, k, {mode, 30, form}, compared);
     CHECK(compared.searches == 3 * 4 * 2 * 3 * 2 * 100);
     CHECK(compared.answered_below > 500);
 }

@@ -1,4 +1,4 @@
-#include "render/maps/kd_tree.h"
+#include "render/dissertation/kd_tree.h"
 
 #include <cassert>
 

@@ -1,5 +1,5 @@
 #include "common/math/random.h"
-#include "render/maps/kd_tree.h"
+#include "render/dissertation/kd_tree.h"
 #include "tests/support/brute_force.h"
 
 #include <catch2/catch.hpp>
@@ -101,19 +101,19 @@ std::vector<float> distances(const FoundSlots& found, const std::vector<TreePoin
 
 } // namespace
 
-TEST_CASE("balanced tree: matches brute force, with ties", "[maps]")
+TEST_CASE("balanced tree: matches brute force, with ties", "[dissertation]")
 {
     const auto build = [](const auto& points) { return build_balanced_tree(numbered(points)); };
     CHECK(compare_with_brute_force(build) == 4320);
 }
 
-TEST_CASE("insertion tree: matches brute force, with ties", "[maps]")
+TEST_CASE("insertion tree: matches brute force, with ties", "[dissertation]")
 {
     const auto build = [](const auto& points) { return build_insertion_tree(numbered(points)); };
     CHECK(compare_with_brute_force(build) == 4320);
 }
 
-TEST_CASE("balanced tree: holds every point once", "[maps]")
+TEST_CASE("balanced tree: holds every point once", "[dissertation]")
 {
     const std::vector<glm::vec3> points = random_points(5, 50000, 0.125f);
     const BalancedTree tree = build_balanced_tree(numbered(points));
@@ -125,7 +125,7 @@ TEST_CASE("balanced tree: holds every point once", "[maps]")
     }
 }
 
-TEST_CASE("insertion tree: photons are found as soon as they are inserted", "[maps]")
+TEST_CASE("insertion tree: photons are found as soon as they are inserted", "[dissertation]")
 {
     const std::vector<glm::vec3> points = random_points(6, 300, 0.125f);
     const auto all = [](std::uint32_t) { return true; };
@@ -138,7 +138,8 @@ TEST_CASE("insertion tree: photons are found as soon as they are inserted", "[ma
     }
 }
 
-TEST_CASE("kd trees: find as far photons as the wide tree, within the radius and without", "[maps]")
+TEST_CASE("kd trees: find as far photons as the wide tree, within the radius and without",
+          "[dissertation]")
 {
     const std::vector<glm::vec3> points = random_points(7, 5000, 0.0f);
     std::vector<TreePoint> by_wide = numbered(points);

@@ -1,6 +1,6 @@
 #include "common/math/sampling.h"
 #include "common/rays/surface_point.h"
-#include "render/maps/estimate.h"
+#include "render/dissertation/dissertation_maps.h"
 #include "tests/support/brute_force.h"
 #include "tests/support/hard_surfaces.h"
 #include "tests/support/tiny_scenes.h"
@@ -45,7 +45,7 @@ std::vector<Photon> scatter_photons(const TriangleMesh& mesh, std::uint64_t seed
 }
 
 /// docs/photon_maps.md (2) far from any boundary, over all photons.
-Rgb estimate_by_hand(const std::vector<Photon>& photons, const MapOptions& options,
+Rgb estimate_by_hand(const std::vector<Photon>& photons, const DissertationMaps& maps,
                      const Partition& partition, const PhotonQuery& query)
 {
     std::vector<glm::vec3> positions;
@@ -53,14 +53,14 @@ Rgb estimate_by_hand(const std::vector<Photon>& photons, const MapOptions& optio
         positions.push_back(photon.position);
     const auto counts = [&](std::uint32_t i) {
         const Photon& photon = photons[i];
-        if (options.mode == MapMode::global)
+        if (maps.one_map())
             return glm::dot(photon.direction, query.normal) > 0;
         return photon.side == query.side &&
                partition.map_of_face[photon.face] == partition.map_of_face[query.face];
     };
-    const auto found =
-        brute_force::k_nearest(positions, query.position, options.neighbours, query.radius, counts);
-    if (found.size() < options.neighbours)
+    const std::uint32_t k = maps.shared.options.neighbours;
+    const auto found = brute_force::k_nearest(positions, query.position, k, query.radius, counts);
+    if (found.size() < k)
         return Rgb(-1); // not (2)
     glm::dvec3 sum(0.0);
     for (std::size_t i = 0; i + 1 < found.size(); ++i)
@@ -75,7 +75,8 @@ bool close(const Rgb& a, const Rgb& b)
 
 } // namespace
 
-TEST_CASE("estimate: every mode gives what its definition says, with a list and without", "[maps]")
+TEST_CASE("estimate: every mode gives what its definition says, with a list and without",
+          "[dissertation]")
 {
     std::size_t cases = 0, by_hand = 0, near = 0;
     for (std::uint64_t seed = 0; seed < 40; ++seed) {
@@ -87,10 +88,11 @@ TEST_CASE("estimate: every mode gives what its definition says, with a list and 
              {MapMode::global, MapMode::shared, MapMode::thesis, MapMode::hierarchical}) {
             if (mode == MapMode::thesis && seed % kSurfaces.size() > 1)
                 continue;
-            MapOptions options{mode, 2 + static_cast<std::uint32_t>(seed % 4) * 8, 40};
-            options.tiers = TierChoice::all;
-            const PhotonMaps maps = build_photon_maps(photons, mesh, ready->partition, options);
-            EstimateScratch by_sum, by_list;
+            DissertationOptions asked{mode, 40};
+            asked.levels = LevelChoice::all;
+            const DissertationMaps maps = build_dissertation_maps(
+                photons, surfaces, {2 + static_cast<std::uint32_t>(seed % 4) * 8}, asked);
+            ChosenScratch by_sum, by_list;
             for (std::uint64_t i = 0; i < 30; ++i) {
                 RandomSequence random(seed, RandomStream::eye_paths, 0, i);
                 FaceId face;
@@ -98,15 +100,15 @@ TEST_CASE("estimate: every mode gives what its definition says, with a list and 
                 PhotonQuery query{at.position, at.geometric_normal, face, 0};
                 if (i % 3 == 0)
                     query.radius = 0.1f;
-                by_sum.near_boundary = false;
-                by_list.near_boundary = true;
-                by_sum.segments.clear();
-                const Rgb sum = estimate_irradiance(maps, surfaces, query, by_sum);
-                CHECK(sum == estimate_irradiance(maps, surfaces, query, by_list));
+                by_sum.estimate.near_boundary = false;
+                by_list.estimate.near_boundary = true;
+                by_sum.estimate.segments.clear();
+                const Rgb sum = dissertation::estimate_irradiance(maps, surfaces, query, by_sum);
+                CHECK(sum == dissertation::estimate_irradiance(maps, surfaces, query, by_list));
                 ++cases;
-                const Rgb truth = estimate_by_hand(photons, options, ready->partition, query);
-                near += by_sum.segments.empty() ? 0 : 1;
-                if (!by_sum.segments.empty() || truth == Rgb(-1))
+                const Rgb truth = estimate_by_hand(photons, maps, ready->partition, query);
+                near += by_sum.estimate.segments.empty() ? 0 : 1;
+                if (!by_sum.estimate.segments.empty() || truth == Rgb(-1))
                     continue;
                 INFO("seed " << seed << ", mode " << int(mode) << ", query " << i);
                 CHECK(close(sum, truth));

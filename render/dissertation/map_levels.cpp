@@ -1,14 +1,12 @@
-#include "render/maps/hierarchical.h"
+#include "render/dissertation/map_levels.h"
 
 #include "common/partition/limiting_radius.h"
-#include "render/maps/find_photons.h"
+#include "render/dissertation/level_search.h"
 
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
-#include <sstream>
 
 namespace hipmap {
 
@@ -18,12 +16,12 @@ namespace {
 constexpr std::uint64_t kPhotonsPerSample = 64;
 constexpr std::uint64_t kMostSamples = 1024;
 
-/// What it costs to ask a tier for its map and limiting radius, in nodes of a search;
+/// What it costs to ask a level for its map and limiting radius, in nodes of a search;
 /// bench/tiers measures it.
 constexpr double kAskingLocal = 4;
 constexpr double kAskingGroup = 2;
 
-using TierLimit = float (*)(const TriangleMesh&, const Partition&, FaceId, const glm::vec3&);
+using LevelLimit = float (*)(const TriangleMesh&, const Partition&, FaceId, const glm::vec3&);
 
 /// Where the photons of a face, or of a group, on one side lie.
 struct Extent {
@@ -34,19 +32,19 @@ struct Extent {
     TreeNode node;
 };
 
-/// A tier before it is known whether it pays.
-struct TierDraft {
+/// A level before it is known whether it pays.
+struct LevelDraft {
     std::vector<std::uint32_t> key_of_face; ///< [F] face or group; kNone: no candidate
     std::vector<Extent> extents;            ///< [sides keys] by index_by_side
-    TierLimit limit;
+    LevelLimit limit;
     double asking; ///< nodes
 };
 
-void add_photons(const PhotonMaps& maps, TierDraft& draft)
+void add_photons(const DissertationMaps& maps, LevelDraft& draft)
 {
     // The photons of a face or group are in one map, so that no two threads meet.
-    tbb::parallel_for(std::size_t{0}, maps.maps.size(), [&](std::size_t m) {
-        const PhotonMap& map = maps.maps[m];
+    tbb::parallel_for(std::size_t{0}, maps.shared.maps.size(), [&](std::size_t m) {
+        const PhotonMap& map = maps.shared.maps[m];
         for (std::uint64_t slot = 0; slot < map.tree.size; ++slot) {
             const std::uint32_t key = draft.key_of_face[map.faces[slot]];
             if (key == kNone)
@@ -61,8 +59,8 @@ void add_photons(const PhotonMaps& maps, TierDraft& draft)
     });
 }
 
-TierDraft draft_tier(const PhotonMaps& maps, const TriangleMesh& mesh, TierDraft draft,
-                     std::size_t keys)
+LevelDraft draft_level(const DissertationMaps& maps, const TriangleMesh& mesh, LevelDraft draft,
+                       std::size_t keys)
 {
     draft.extents.resize(maps.sides() * keys);
     add_photons(maps, draft);
@@ -72,19 +70,20 @@ TierDraft draft_tier(const PhotonMaps& maps, const TriangleMesh& mesh, TierDraft
                 draft.extents[maps.index_by_side(key, side)].area += face_area(mesh, face);
     for (Extent& extent : draft.extents)
         if (extent.photons > 0 && extent.photons >= maps.options.local_min)
-            extent.node = lowest_node(maps.maps[extent.map].tree, extent.low, extent.high);
+            extent.node = lowest_node(maps.shared.maps[extent.map].tree, extent.low, extent.high);
         else
             extent.photons = 0;
     return draft;
 }
 
-/// Searches for a sample of the photons and sees what the tier would have done.
-void count_searches(const PhotonMaps& maps, const TriangleMesh& mesh, const Partition& partition,
-                    const TierDraft& draft, TierPlan& plan)
+/// Searches for a sample of the photons and sees what the level would have done.
+void count_searches(const DissertationMaps& maps, const TriangleMesh& mesh,
+                    const Partition& partition, const LevelDraft& draft, LevelPlan& plan)
 {
-    const std::uint64_t step = std::max(kPhotonsPerSample, maps.size / kMostSamples + 1);
+    const std::uint64_t step = std::max(kPhotonsPerSample, maps.shared.size / kMostSamples + 1);
     std::uint64_t samples = 0, asked = 0, answered = 0, spared = 0;
-    MapScratch scratch;
+    TreeScratch wide;
+    KdScratch kd;
     const auto try_photon = [&](const PhotonMap& map, std::uint32_t slot) {
         const FaceId face = map.faces[slot];
         const std::uint32_t key = draft.key_of_face[face];
@@ -96,7 +95,8 @@ void count_searches(const PhotonMaps& maps, const TriangleMesh& mesh, const Part
         ++asked;
         const glm::vec3 position = map.tree.position(slot);
         const PhotonQuery query{position, glm::vec3(0.0f), face, map.side};
-        const FoundPhotons found = find_in_shared(maps, partition, query, scratch);
+        const FoundPhotons found =
+            find_in_shared(maps, partition, query, maps.shared.options.neighbours, {wide, kd});
         const float limit = draft.limit(mesh, partition, face, position);
         if (!(found.farthest2 < limit * limit))
             return;
@@ -104,7 +104,7 @@ void count_searches(const PhotonMaps& maps, const TriangleMesh& mesh, const Part
         spared += level;
     };
     std::uint64_t first = 0; // slot of the next sample in its map
-    for (const PhotonMap& map : maps.maps) {
+    for (const PhotonMap& map : maps.shared.maps) {
         for (; first < map.tree.size; first += step, ++samples)
             try_photon(map, static_cast<std::uint32_t>(first));
         first -= map.tree.size;
@@ -115,12 +115,12 @@ void count_searches(const PhotonMaps& maps, const TriangleMesh& mesh, const Part
     plan.saving = static_cast<double>(spared) / all - plan.asking * plan.asked;
 }
 
-/// The maps of a tier that is used.
-TierMaps make_tier(const PhotonMaps& maps, const TierDraft& draft, const TierPlan& plan)
+/// The maps of a level that is used.
+LevelMaps make_level(const DissertationMaps& maps, const LevelDraft& draft, const LevelPlan& plan)
 {
-    TierMaps tier{plan, {}, {}};
+    LevelMaps level{plan, {}, {}};
     if (!plan.used)
-        return tier;
+        return level;
     std::vector<std::uint32_t> of_key(draft.extents.size(), kNone);
     std::vector<const Extent*> kept;
     for (std::size_t key = 0; key < draft.extents.size(); ++key)
@@ -128,74 +128,62 @@ TierMaps make_tier(const PhotonMaps& maps, const TierDraft& draft, const TierPla
             of_key[key] = static_cast<std::uint32_t>(kept.size());
             kept.push_back(&draft.extents[key]);
         }
-    tier.of_face.assign(maps.sides() * draft.key_of_face.size(), kNone);
+    level.of_face.assign(maps.sides() * draft.key_of_face.size(), kNone);
     for (FaceId face = 0; face < draft.key_of_face.size(); ++face)
         if (const std::uint32_t key = draft.key_of_face[face]; key != kNone)
             for (std::uint8_t side = 0; side < maps.sides(); ++side)
-                tier.of_face[maps.index_by_side(face, side)] =
+                level.of_face[maps.index_by_side(face, side)] =
                     of_key[maps.index_by_side(key, side)];
-    tier.maps.resize(kept.size());
+    level.maps.resize(kept.size());
     tbb::parallel_for(std::size_t{0}, kept.size(), [&](std::size_t i) {
         const Extent& extent = *kept[i];
-        tier.maps[i] = {extent.node,
-                        filter_radius(extent.area, maps.options.neighbours, extent.photons)};
+        level.maps[i] = {extent.node, filter_radius(extent.area, maps.shared.options.neighbours,
+                                                    extent.photons)};
     });
-    return tier;
+    return level;
 }
 
 /// docs/photon_maps.md (8).
-TierMaps build_tier(const PhotonMaps& maps, const TriangleMesh& mesh, const Partition& partition,
-                    TierDraft draft, std::size_t keys)
+LevelMaps build_level(const DissertationMaps& maps, const TriangleMesh& mesh,
+                      const Partition& partition, LevelDraft draft, std::size_t keys)
 {
-    TierPlan plan{draft.asking};
+    LevelPlan plan{draft.asking};
     for (FaceId face = 0; face < mesh.face_count(); ++face)
         if (draft.key_of_face[face] != kNone)
             for (std::uint8_t side = 0; side < maps.sides(); ++side) {
-                const PhotonMap* map = maps.map_at(partition.map_of_face[face], side);
+                const PhotonMap* map = maps.shared.map_at(partition.map_of_face[face], side);
                 plan.most = std::max(plan.most, map == nullptr ? 0.0 : map->tree.levels - 1.0);
             }
-    const bool all = maps.options.tiers == TierChoice::all;
+    const bool all = maps.options.levels == LevelChoice::all;
     plan.counted = all || plan.most > plan.asking;
     if (!plan.counted)
         return {plan, {}, {}};
-    draft = draft_tier(maps, mesh, std::move(draft), keys);
+    draft = draft_level(maps, mesh, std::move(draft), keys);
     for (const Extent& extent : draft.extents) {
         plan.candidates += extent.photons > 0 ? 1 : 0;
         plan.photons += extent.photons;
     }
     count_searches(maps, mesh, partition, draft, plan);
     plan.used = plan.saving > 0 || (all && plan.asked > 0);
-    return make_tier(maps, draft, plan);
+    return make_level(maps, draft, plan);
 }
 
 } // namespace
 
-std::string describe_plan(const TierPlan& plan)
+void build_levels(DissertationMaps& maps, const MapSurfaces& surfaces)
 {
-    std::ostringstream out;
-    out << (plan.used ? "used" : "left out");
-    if (!plan.counted)
-        out << " (a search would save at most " << plan.most << " nodes of the tree, asking costs "
-            << plan.asking << ")";
-    else
-        out << " (" << std::lround(100 * plan.answered) << " % of searches would end there, "
-            << (plan.saving > 0 ? "saving " : "losing ") << std::fixed << std::setprecision(2)
-            << std::abs(plan.saving) << " nodes of the tree each)";
-    return out.str();
-}
-
-void build_tiers(PhotonMaps& maps, const TriangleMesh& mesh, const Partition& partition)
-{
-    TierDraft local{std::vector<std::uint32_t>(mesh.face_count(), kNone),
-                    {},
-                    exact_limiting_radius,
-                    kAskingLocal};
+    const TriangleMesh& mesh = surfaces.mesh;
+    const Partition& partition = surfaces.partition;
+    LevelDraft local{std::vector<std::uint32_t>(mesh.face_count(), kNone),
+                     {},
+                     exact_limiting_radius,
+                     kAskingLocal};
     for (FaceId face = 0; face < mesh.face_count(); ++face)
         if (partition.candidate[face])
             local.key_of_face[face] = face;
-    TierDraft group{partition.group_of_face, {}, exact_group_radius, kAskingGroup};
-    maps.local_tier = build_tier(maps, mesh, partition, std::move(local), mesh.face_count());
-    maps.group_tier = build_tier(maps, mesh, partition, std::move(group), partition.group_count);
+    LevelDraft group{partition.group_of_face, {}, exact_group_radius, kAskingGroup};
+    maps.local_level = build_level(maps, mesh, partition, std::move(local), mesh.face_count());
+    maps.group_level = build_level(maps, mesh, partition, std::move(group), partition.group_count);
 }
 
 } // namespace hipmap

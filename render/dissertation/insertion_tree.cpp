@@ -1,4 +1,4 @@
-#include "render/maps/insertion_tree.h"
+#include "render/dissertation/insertion_tree.h"
 
 #include <algorithm>
 

@@ -1,17 +1,11 @@
 #pragma once
 
-#include "render/maps/balanced_tree.h"
-#include "render/maps/insertion_tree.h"
+#include "render/dissertation/balanced_tree.h"
+#include "render/dissertation/dissertation.h"
+#include "render/dissertation/insertion_tree.h"
 #include "render/maps/wide_search.h"
 
 namespace hipmap {
-
-/// What the photons of a map are searched in.
-enum class TreeKind : std::uint8_t {
-    wide,       ///< WideTree, ours
-    balanced,   ///< BalancedTree: of the dissertation's time, to be measured against
-    unbalanced, ///< InsertionTree: the rival of its time
-};
 
 /// A map's photons in a tree of the dissertation's time; it has one of the two.  A photon's slot is
 /// its place in the order of the tree's array.
@@ -35,10 +29,10 @@ struct KdScratch {
     std::vector<std::uint32_t> found;
 };
 
-/// What the same search in a WideTree finds, by other slots: the k nearest that `accept(slot)` lets
-/// through, fewer if there are no more within the radius; of equally near ones those with the lower
-/// slot.  Jensen's search with a max-heap, which knows nothing of the search before.  Thread-safe
-/// with a scratch for each thread.
+/// The k nearest photons that `accept(slot)` lets through, fewer if there are no more within the
+/// radius; of equally near ones those with the lower slot.  Finds the photons that a WideTree
+/// finds, by other slots.  Jensen's search with a max-heap, which knows nothing of the search
+/// before.  Thread-safe with a scratch for each thread.
 template <typename Accept = AcceptAll>
 FoundSlots find_nearest(const KdTree& tree, const TreeQuery& query, KdScratch& scratch,
                         const Accept& accept = {})

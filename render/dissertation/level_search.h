@@ -1,0 +1,83 @@
+#pragma once
+
+#include "render/dissertation/dissertation_maps.h"
+
+namespace hipmap {
+
+/// Distance from a point of `face` to the nearest edge across which its shared map goes on;
+/// infinite if there is none.  Algorithm 4 of the thesis, docs/photon_maps.md (6).
+float limiting_radius(const TriangleMesh& mesh, const Partition& partition, FaceId face,
+                      const glm::vec3& point);
+
+/// What a thread searches shared maps and the levels below them with.
+struct LevelScratch {
+    SearchScratch& shared;
+    DissertationScratch& below;
+};
+
+/// What a thread searches a tree of either kind with.
+struct EitherScratch {
+    TreeScratch& wide;
+    KdScratch& kd;
+};
+
+/// Whether searches pass over photons whose light fell on the side not looked at: in mode global
+/// those of all surfaces are in one map.
+inline bool passes_over(const DissertationMaps& maps)
+{
+    return maps.one_map() && maps.options.estimate == EstimateForm::clipped;
+}
+
+/// The shared map that a query reads (mode global: the one map); null if it holds no photon.
+const PhotonMap* map_of_query(const DissertationMaps& maps, const Partition& partition,
+                              const PhotonQuery& query);
+
+/// The k nearest photons of the query's map, fewer if there are no more within the radius; of
+/// equally near ones those with the lower slot.  A face without a map has none.
+/// Mode thesis looks in the face's local map first; what it returns is what the shared map would,
+/// in another order.  Mode hierarchical looks in the map levels it uses first; what it returns is
+/// what mode shared does, in the same order, whatever the surface.  Kd-trees find the same photons,
+/// in another order and by other slots.
+FoundPhotons find_photons(const DissertationMaps& maps, const MapSurfaces& surfaces,
+                          const PhotonQuery& query, const LevelScratch& scratch);
+
+/// The sum of what find_photons finds: for wide trees whose searches pass over no photon.
+FoundSum sum_photons(const DissertationMaps& maps, const MapSurfaces& surfaces,
+                     const PhotonQuery& query, const LevelScratch& scratch);
+
+/// Searches the kd-tree, or without one the wide tree.
+template <typename Accept = AcceptAll>
+FoundSlots find_in_map(const KdTree* kd_tree, const WideTree& wide, const TreeQuery& wanted,
+                       const EitherScratch& scratch, const Accept& accept = {})
+{
+    if (kd_tree != nullptr)
+        return find_nearest(*kd_tree, wanted, scratch.kd, accept);
+    return find_nearest(wide, wanted, scratch.wide, accept);
+}
+
+/// The `most` nearest photons of the shared map alone that `accept(map, slot)` lets through.
+template <typename Accept = AcceptAll>
+FoundPhotons find_in_shared(const DissertationMaps& maps, const Partition& partition,
+                            const PhotonQuery& query, std::size_t most,
+                            const EitherScratch& scratch, const Accept& accept = {})
+{
+    const PhotonMap* map = map_of_query(maps, partition, query);
+    if (map == nullptr)
+        return {};
+    const TreeQuery wanted{query.position, most, query.radius * query.radius};
+    const KdTree* const kd = maps.kd_tree(*map);
+    FoundSlots found;
+    if (passes_over(maps)) {
+        found = find_in_map(kd, map->tree, wanted, scratch, [&](std::uint32_t slot) {
+            return glm::dot(map->direction(slot), query.normal) > 0 && accept(*map, slot);
+        });
+    } else if constexpr (std::is_same_v<Accept, AcceptAll>) {
+        found = find_in_map(kd, map->tree, wanted, scratch);
+    } else {
+        found = find_in_map(kd, map->tree, wanted, scratch,
+                            [&](std::uint32_t slot) { return accept(*map, slot); });
+    }
+    return {map, found.slots, found.farthest2};
+}
+
+} // namespace hipmap
