@@ -1,6 +1,6 @@
 #include "render/maps/radius_field.h"
 
-#include "render/maps/wide_descend.h"
+#include "render/maps/wide_search.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>

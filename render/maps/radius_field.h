@@ -11,7 +11,7 @@ namespace hipmap {
 /// has to be kept: where the k-th of them is, docs/photon_maps.md (10).  Read-only once built: any
 /// number of threads may use it.
 struct RadiusField {
-    /// Of one map.
+    /// The radii of one map.
     struct Map {
         WideTree tree;             ///< of some of its photons
         std::vector<float> radius; ///< [n] by slot: where the k-th photon from there is

@@ -2,7 +2,7 @@
 
 #include "common/math/bounds.h"
 #include "common/math/sampling.h"
-#include "render/maps/wide_descend.h"
+#include "render/maps/wide_search.h"
 #include "render/media/phase.h"
 
 #include <tbb/blocked_range.h>

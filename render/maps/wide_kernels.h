@@ -34,7 +34,7 @@ NearerSum sum_nearer(const PhotonPowers& powers, float farthest2, const TreeScra
 float kth_of_collected(std::size_t k, const Bounds2& bounds, std::size_t inside,
                        TreeScratch& scratch);
 
-/// Of `count` slots as far as the k-th, the first come first in the query's order.
+/// Sorts the `count` slots as far as the k-th into the query's order.
 std::span<std::uint32_t> ties_in_order(const TreeQuery& query, std::size_t count,
                                        TreeScratch& scratch);
 

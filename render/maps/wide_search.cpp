@@ -2,7 +2,13 @@
 
 #include "render/maps/wide_kernels.h"
 
-namespace hipmap::tree_search {
+#include <hwy/targets.h>
+
+#include <string_view>
+
+namespace hipmap {
+
+namespace tree_search {
 
 namespace {
 
@@ -105,4 +111,26 @@ FoundSlots select(const WideTree& tree, const TreeQuery& query, const Bounds2& b
     return found;
 }
 
-} // namespace hipmap::tree_search
+} // namespace tree_search
+
+std::vector<const char*> simd_targets()
+{
+    hwy::SetSupportedTargetsForTest(0);
+    std::vector<const char*> names;
+    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets())
+        names.push_back(hwy::TargetName(target));
+    return names;
+}
+
+bool use_simd_target(const char* name)
+{
+    hwy::SetSupportedTargetsForTest(0);
+    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets())
+        if (std::string_view(name) == hwy::TargetName(target)) {
+            hwy::GetChosenTarget().Update(target);
+            return true;
+        }
+    return false;
+}
+
+} // namespace hipmap

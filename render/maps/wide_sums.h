@@ -14,7 +14,7 @@ struct NearestSum {
     float farthest2 = 0.0f;  ///< square distance of the farthest
 };
 
-/// The same photons as find_nearest's, and of equally near ones the same is left out.  Exact, the
+/// The sum of the photons that find_nearest finds, all but the last if there are k.  Exact, the
 /// same bits whatever the scratch remembers and on every processor.  Blocks that are wholly nearer
 /// than the k-th photon can be are added without a look at their photons.  powers: of this tree.
 /// Thread-safe with a scratch for each thread.

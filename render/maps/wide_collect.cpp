@@ -3,7 +3,7 @@
 // foreach_target compiles what follows it once for each instruction set.
 // clang-format off
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "render/maps/wide_ball.cpp"
+#define HWY_TARGET_INCLUDE "render/maps/wide_collect.cpp"
 #include <hwy/foreach_target.h>
 #include "render/maps/wide_blocks-inl.h"
 // clang-format on
@@ -136,14 +136,117 @@ std::size_t CollectShell(const WideTree& tree, const TreeQuery& query, const Bou
     return scratch.in_wholes + measure(tree, point, bounds, count, scratch);
 }
 
+/// A child of a node.
+struct Child {
+    float distance2, corner2;
+    std::size_t number; ///< on its level
+
+    /// Nearer first; of several boxes round a point, the one whose farthest corner is nearest.
+    bool operator<(const Child& other) const
+    {
+        return distance2 < other.distance2 ||
+               (distance2 == other.distance2 && corner2 < other.corner2);
+    }
+};
+using Children = std::array<Child, kTreeWidth>;
+
+HWY_INLINE Children children_of(const WideTree& tree, std::uint32_t level, std::size_t node,
+                                const PointVec& point)
+{
+    const Floats d;
+    const BoxNode& boxes = tree.nodes[tree.first_node[level] + node];
+    HWY_ALIGN float distance2[kTreeWidth], corner2[kTreeWidth];
+    for (std::size_t lane = 0; lane < kTreeWidth; lane += hn::Lanes(d)) {
+        const BoxDistances2 box = box_distances2(boxes, lane, point);
+        hn::Store(box.nearest, d, distance2 + lane);
+        hn::Store(box.farthest, d, corner2 + lane);
+    }
+    Children children;
+    for (std::size_t lane = 0; lane < kTreeWidth; ++lane)
+        children[lane] = {distance2[lane], corner2[lane], kTreeWidth * node + lane};
+    return children;
+}
+
+std::size_t CollectNear(const WideTree& tree, const TreeQuery& query, TreeScratch& scratch)
+{
+    const PointVec point = spread(query.point);
+    const std::size_t k = query.photons;
+    const std::uint32_t from = query.from.level;
+    std::size_t child_blocks = std::size_t{1} << 4 * (tree.levels - from - 1);
+    Children children = children_of(tree, from, query.from.number, point);
+    for (std::uint32_t level = from + 1; kTreeWidth * child_blocks >= 2 * k && child_blocks > 1;
+         ++level) {
+        const auto has_too_few = [&](const Child& child) {
+            return kTreeWidth * child_blocks * child.number + k > tree.size;
+        };
+        const auto end = std::remove_if(children.begin(), children.end(), has_too_few);
+        children = children_of(tree, level, std::min_element(children.begin(), end)->number, point);
+        child_blocks /= kTreeWidth;
+    }
+    std::sort(children.begin(), children.end());
+    grow(scratch.blocks, 2 * k / kTreeWidth + child_blocks + 2);
+    std::size_t count = 0;
+    for (const Child& child : children) {
+        const std::size_t end = std::min(tree.blocks.size(), (child.number + 1) * child_blocks);
+        for (std::size_t block = child.number * child_blocks; block < end; ++block)
+            scratch.blocks[count++] = static_cast<std::uint32_t>(block);
+        if (kTreeWidth * count > 2 * k + kTreeWidth)
+            break;
+    }
+    return measure(tree, point, {0.0f, std::numeric_limits<float>::max(), 0.0f}, count, scratch);
+}
+
+/// The first of the smallest of 16 values.
+struct Least {
+    std::uint32_t lane;
+    float value;
+};
+
+template <typename ValuesAt>
+HWY_INLINE Least least_of(const ValuesAt& values_at)
+{
+    const Floats d;
+    Least least{0, std::numeric_limits<float>::infinity()};
+    for (std::size_t lane = 0; lane < kTreeWidth; lane += hn::Lanes(d)) {
+        const FloatVec values = values_at(lane);
+        const FloatVec smallest = hn::MinOfLanes(d, values);
+        const float value = hn::GetLane(smallest);
+        if (value < least.value)
+            least = {static_cast<std::uint32_t>(
+                         lane + hn::FindKnownFirstTrue(d, hn::Eq(values, smallest))),
+                     value};
+    }
+    return least;
+}
+
+NearPhoton Descend(const WideTree& tree, const glm::vec3& at)
+{
+    const PointVec point = spread(at);
+    std::uint32_t node = 0;
+    for (std::uint32_t level = 0; level < tree.levels; ++level) {
+        const BoxNode& boxes = tree.nodes[tree.first_node[level] + node];
+        const Least least = least_of(
+            [&](std::size_t lane) HWY_ATTR { return box_distances2(boxes, lane, point).nearest; });
+        node = kTreeWidth * node + least.lane;
+    }
+    const PhotonBlock& block = tree.blocks[node];
+    const Least least =
+        least_of([&](std::size_t lane) HWY_ATTR { return photon_distance2(block, lane, point); });
+    return {kTreeWidth * node + least.lane, least.value};
+}
+
 } // namespace hipmap::tree_search::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-namespace hipmap::tree_search {
+namespace hipmap {
+
+namespace tree_search {
 
 HWY_EXPORT(Collect);
 HWY_EXPORT(CollectShell);
+HWY_EXPORT(CollectNear);
+HWY_EXPORT(Descend);
 
 std::size_t collect(const WideTree& tree, const TreeQuery& query, const Bounds2& bounds,
                     TreeScratch& scratch)
@@ -157,5 +260,18 @@ std::size_t collect_shell(const WideTree& tree, const TreeQuery& query, const Bo
     return HWY_DYNAMIC_DISPATCH(CollectShell)(tree, query, bounds, scratch);
 }
 
-} // namespace hipmap::tree_search
+std::size_t collect_near(const WideTree& tree, const TreeQuery& query, TreeScratch& scratch)
+{
+    return HWY_DYNAMIC_DISPATCH(CollectNear)(tree, query, scratch);
+}
+
+} // namespace tree_search
+
+NearPhoton near_photon(const WideTree& tree, const glm::vec3& point)
+{
+    using namespace tree_search;
+    return HWY_DYNAMIC_DISPATCH(Descend)(tree, point);
+}
+
+} // namespace hipmap
 #endif
