@@ -9,8 +9,8 @@ namespace hipmap {
 
 /// A surface as a lobe is seen on it.  Directions are unit and point away from the surface.
 struct LobeView {
-    glm::vec3 normal;        ///< of the lobe, on the side of `out`
-    glm::vec3 out;           ///< where light goes to (or comes from: lobes are reciprocal)
+    glm::vec3 normal{0.0f};  ///< of the lobe, on the side of `out`
+    glm::vec3 out{0.0f};     ///< where light goes to (or comes from: lobes are reciprocal)
     float cosine = 1.0f;     ///< dot(normal, out), above zero
     glm::vec3 tangent{0.0f}; ///< unit, at a right angle to the normal; zero: there is none
     float eta = 1.0f;   ///< index of refraction on the other side over that on the side of `out`
