@@ -163,4 +163,5 @@ def main():
             print(f"| {scene.stem} | {name} | {cells} | {' | '.join(marks)} |", flush=True)
 
 
-main()
+if __name__ == "__main__":
+    main()
