@@ -29,19 +29,18 @@ def verdict(held):
 def introduction(results):
     study, about = results["about"]["study"], results["about"]
     cores = about["machine"].rsplit(" ", 2)[-2]
-    return f"""# Accuracy: error against time
+    return f"""# Accuracy: which setting reaches an error first?
 
 Written by `experiments/accuracy/measure_accuracy.py`; do not edit. Run on {results["date"]};
 {about["machine"]}; measured in {results["seconds"] / 60 / int(cores):.1f} minutes of all
 cores. Every figure is from that run and in [results.json](accuracy/results.json).
 
-Errors are true ones: the root of relMSE ([error.md](error.md) (3)) against long references
-([below](#references)), not what `render` states of itself. Times are the processor's seconds of the whole program, user
-and system, from its start to the image; each program ran on one thread, one on each core. Images are
-{study["size"]} pixels wide, means are over {study["seeds"]} seeds (of errors: of their squares), bars are standard errors. All
-scenes are rendered with `--diffuse lambert`. A name says how a setting differs from `render`'s defaults, but that all
-have {plan.PHOTONS:,} photons in a pass unless they say otherwise: to such an image these are what the default of
-{plan.DEFAULT_PHOTONS:,} is to one twice as wide.
+* **Errors** are true ones: the root of relMSE ([error.md](error.md) (3)) against long references ([below](#references)).
+* **Times** are processor seconds, user and system, of the whole program. Each program ran on one thread, one on each core.
+* **Images** are {study["size"]} pixels wide and use `--diffuse lambert`. Means are over {study["seeds"]} seeds (errors: mean of squares); bars are
+  standard errors.
+* **Names** say how a setting differs from `render`'s defaults. All settings have {plan.PHOTONS:,} photons in a pass unless the
+  name says otherwise. For this size that equals the default of {plan.DEFAULT_PHOTONS:,} for an image twice as wide.
 """
 
 
@@ -61,11 +60,11 @@ def choose(results):
         if one:
             each = ", ".join("-" if value is None else seconds(value) for value in one[2])
             advice.append([percent(error), one[0], f"{one[1]:.2g}", each])
-    parts = ["## What to choose\n", "The setting that meets an error first, and when:\n",
+    parts = ["## What to choose\n", "The setting that reaches an error first, and when:\n",
              table(["error", *(scene.name for scene in scenes)], lines)]
     if advice:
-        parts += ["""For a scene of which nothing is known, the setting that loses least to the quickest where it loses most,
-of those that meet the error wherever any does:
+        parts += ["""For an unknown scene, the setting with the smallest worst-case loss against the quickest setting, of those that reach
+the error wherever any does:
 """, table(["error", "setting", "times the quickest, at most", "processor s, by scene"], advice)]
     return "\n".join(parts)
 
@@ -101,10 +100,10 @@ def against_path(results):
         said.append(f"* {scene.name}: {verdict(all_held)}\n")
     return f"""## Progressive against path: seconds to equal error
 
-By interpolation on the curves, in logarithms; in brackets the ratio to the path tracer's time. Where paths do not
-meet the error in the time measured, the ratio is below that to this time. The mark, for `{plan.BASE}`: faster
-on scenes with caustics, and nowhere else more than {findings.MOST_SLOWER} times slower. `{AT_ONCE}`: `{plan.BASE}` is better than
-that after its first pass, whose seconds these are, so there is no equal error to compare at.
+Times are interpolated on the curves, in logarithms. Brackets have the ratio to the path tracer's time, with `<` where the
+path tracer does not reach the error in the measured time. The mark is for `{plan.BASE}`: faster on scenes with
+caustics, and at most {findings.MOST_SLOWER} times slower elsewhere. `{AT_ONCE}`: the first pass of `{plan.BASE}` is already better, so there is
+no equal error to compare; the seconds are those of that pass.
 
 {"".join(said)}
 """ + table(["scene", "caustics", "error", "path, s", f"{plan.BASE}, s", *(f"{name}, s"
@@ -145,14 +144,13 @@ def minute(results):
         f"\nThis run was another: the images had {plan.MINUTE * share:.3g} s, of which the marks are not.")
     return f"""## After a minute of two cores
 
-relMSE after {plan.MINUTE} processor seconds, {width} pixels wide, by `render`'s default of {plan.DEFAULT_PHOTONS:,} photons where
-nothing else is said, from images that took about as long, by the slope between half the time and all of it (seeds:
-{results["about"]["study"]["minute_seeds"]}). Passes of Cycles (Blender's path tracer, where `blender` is installed) are samples of a pixel; its time is
-that of rendering alone, on one thread too. `box`: by the box filter, against references by it, since Cycles has no B-spline.
+relMSE after {plan.MINUTE} processor seconds, {width} pixels wide, with `render`'s default of {plan.DEFAULT_PHOTONS:,} photons unless the name says
+otherwise (seeds: {results["about"]["study"]["minute_seeds"]}). It is extrapolated from an image that took about as long, with the slope between half the
+time and all of it. Passes of Cycles (Blender's path tracer, where `blender` is installed) are samples per pixel; its time is that
+of rendering alone, on one thread too. `box`: box filter, with references by it, since Cycles has no B-spline.
 
-The marks come from what other renderers reach on scenes of these kinds, measured with c = {plan.MARKS_CONSTANT} in (3) of
-[error.md](error.md). Here c is the square of a tenth of the image's mean, which is less in each of
-these scenes, so that what is dark counts for more. Both are told.{note}
+The marks are what other renderers reach on similar scenes, with c = {plan.MARKS_CONSTANT} in [error.md](error.md) (3). hipmap's c is the square
+of a tenth of the image's mean. It is smaller in all of these scenes, so dark pixels count more. The table has both.{note}
 
 """ + table(["scene", "method", "passes", "processor s", "mark", "relMSE", "verdict",
              f"with c = {plan.MARKS_CONSTANT}", "verdict"], lines)
@@ -173,19 +171,19 @@ def quotes(results):
                           seconds(quote["promised_seconds"]), seconds(quote["seconds"]),
                           percent(quote["stated"]), percent(true) if true else UNKNOWN,
                           f"{true / quote['error']:.2f}" if true else "-", verdict(held[-1])])
-    return f"""## Quotes: what was promised, and what then happened
+    return f"""## Quotes: are predicted costs right?
 
-`--quote --error E` by eight passes, then a render with `--error E` by the same setting (`{plan.BASE}`) and seed. A
-render ends only at passes that are √2 apart. The mark: passes and true error within a factor of {findings.WITHIN}
-of what was promised. Held by {sum(held)} of {len(held)}.
+`--quote --error E` predicts the cost from eight passes; then `--error E` renders with the same setting (`{plan.BASE}`) and
+seed. A render stops only at passes that are a factor of √2 apart. The mark: passes and true error within a factor of
+{findings.WITHIN} of the prediction. Held by {sum(held)} of {len(held)}.
 
 """ + table(["scene", "E", "passes promised", "taken", "ratio", "seconds promised", "taken",
              "error stated", "true error", "true / E", "mark"], lines)
 
 
 def all_settings(results, drawn):
-    parts = ["## All settings\n", """The longest image of each, and the seconds to an error. Modes `shared` and `hierarchical` find
-the same photons; `thesis` differs from them only with `direct`.
+    parts = ["## All settings\n", """The longest image of each setting, and the seconds to an error. Modes `shared` and `hierarchical` find the same photons;
+`thesis` differs from them only with `direct`.
 """]
     for name in ("progressive", "direct"):
         if name in drawn:
@@ -216,11 +214,13 @@ def references(results):
                         for size in (study["size"], 2 * study["size"])), reference.reason])
     return f"""## References
 
-Each has two halves by seeds of their own, {2 * study["size"]} pixels wide: of four by four pixels, by 1, 3, 3 and 1 along
-each axis, comes one of the images half as wide, since that is what such a B-spline is made of. Images `by the box` have references by it. An error's square is the mean of the products of what the image differs from the one half and from the
-other, so that the noise of the references averages out. Their bias does not: where the reference is by
-`{plan.BASE}` itself, errors of `{plan.BASE}` are told too small by what bias they share. The path tracer shares
-none: were the reference wrong, its error would cease to fall.
+Each reference has two halves with different seeds, {2 * study["size"]} pixels wide. A pixel of the images half as wide is the mean of four by
+four of its pixels with weights 1, 3, 3 and 1 along each axis, which is the B-spline at that size. Images with the box filter
+have references with the box filter.
+
+The square of an error is the mean product of the differences from the two halves, so that the noise of the references
+averages out. Their bias does not: if `{plan.BASE}` made the reference, errors of `{plan.BASE}` are too small by the bias
+that they share. The path tracer shares none: with a wrong reference, its error would stop falling.
 
 """ + table(["scene", "by", "passes", "processor s", f"noise at {study['size']}",
              f"at {2 * study['size']}", "why"], lines)

@@ -123,17 +123,19 @@ def write(results):
 Written by `experiments/agreement/agree.py`; do not edit. Run on {results["date"]}, in
 {results["minutes"]:.1f} minutes.
 
-Each bundled scene is rendered by photons and by paths, which share the scene, the materials and the lights, but not how
-light is carried ({results["size"]}x{results["size"]} pixels, {results["seeds"]} seeds of each). Passes are those of one image.
+Photon maps and path tracing render each bundled scene. They share the scene, the materials and the lights, but not the
+transport of light ({results["size"]}x{results["size"]} pixels, {results["seeds"]} seeds of each). Passes are those of one image.
 
-* **A/B**: ratio of the images' means by channel, with its standard error from the seeds; z: by how many of them it is off 1.
-* **Region most off**: the same of one of 16 parts of the image and one channel (parts below a tenth of the mean are left out).
-* **Difference**: root of the mean square of A - B over that of the truth, as an error is ([error.md](error.md) (3)).
-  **Stated**: what it should be by the errors that both images state, added in squares. **Bias stated**: the part of it
-  that is bias.
-* **Verdict**: `agree` if means and regions are off, and the difference is above what is stated, by chance alone, which is
-  what Student's distribution exceeds once in {1 / CHANCE:.0f} scenes; `within the bias` if means or regions are off by more, but not by more than that and the bias
-  stated, which shrinks with every pass. `direct` states no bias and is not judged.
+* **A/B**: the ratio of the images' means by channel, with its standard error from the seeds. z: its distance from 1 in
+  standard errors.
+* **Region most off**: the ratio in the worst of 16 parts of the image and its channels (parts darker than a tenth of the
+  mean are left out).
+* **Difference**: the root of the mean square of A - B over that of the truth, like an error ([error.md](error.md) (3)).
+  **Stated**: the difference that the estimated errors of both images predict, added in squares. **Bias stated**: the
+  part of it that is bias.
+* **Verdict**: `agree` if chance alone explains the means, the regions and a difference above the stated one (Student's
+  distribution exceeds the limit once in {1 / CHANCE:.0f} scenes). `within the bias` if chance and the stated bias, which shrinks with every
+  pass, explain the means and regions. `direct` states no bias and is not judged.
 
 {right} of {len(judged)} agree, {within} more are within the bias.
 
@@ -141,6 +143,7 @@ light is carried ({results["size"]}x{results["size"]} pixels, {results["seeds"]}
 {"## Where paths are no reference" if void else ""}
 
 {void}{'''
-There `progressive` is compared with itself by three times the photons and 16 neighbours, within a tenth of the area:
-that finds what depends on the radius, and not what is wrong with both. Without caustics it is compared with paths.
+In these scenes `progressive` is compared with itself, with three times the photons and 16 neighbours, which is a tenth
+of the area. That finds errors that depend on the radius, but not errors that both share. Without caustics it is
+compared with path tracing.
 ''' if void else ""}""".rstrip() + "\n"

@@ -44,7 +44,7 @@ FEWEST = 8  # passes of an image: with fewer an error is stated without its inte
 
 
 def has_lamps_without_size(scene):
-    """A path cannot find such a lamp by way of glass and mirrors, and hardly in a medium."""
+    """A path cannot find such a light through glass or in mirrors, and hardly in a medium."""
     data = SCENES[scene].read_bytes()
     document = json.loads(data[20:20 + struct.unpack_from("<I", data, 12)[0]])
     lamps = document.get("extensions", {}).get("KHR_lights_punctual", {}).get("lights", [])
@@ -152,11 +152,11 @@ def with_paths(lab, scene, photons):
     """(summaries against paths, why they are no reference)"""
     on = {effect["name"] for effect in photons[0][1]["effects"] if effect["on"]}
     if has_lamps_without_size(scene) and on & {"caustics", "media"}:
-        return [], "paths cannot find its lamps without size by way of glass, mirrors or media"
+        return [], "path tracing cannot find its lights without size through glass, in mirrors or in media"
     paths = lab.series(scene, PATH)
     error = root_mean([stated2(stats)[0] for _, stats in paths])
     if error > MOST_ERROR:
-        return [], f"paths state an error of {100 * error:.0f} %: they hardly find the light"
+        return [], f"path tracing states an error of {100 * error:.0f} %: it hardly finds the light"
     return [summarise(scene, method.name, PATH.name, images, paths) for method, images in
             ((PROGRESSIVE, photons), (DIRECT, lab.series(scene, DIRECT)))], ""
 

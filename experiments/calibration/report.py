@@ -70,20 +70,23 @@ def write(results):
 
 Written by `experiments/calibration/calibrate.py`; do not edit. Run on {results["date"]}.
 
-Every image is rendered with `--error` until it says that its error is at the target ({results["size"]} pixels
-wide, each by a seed of its own), and states an interval that is to hold its true error with {percent(STATED, 0)}
-([error.md](error.md)). The true error is that against a reference whose own stated error is a fifth of the target
-or less; its noise is taken off. Images by `path`, and by `progressive` where paths find all the light, are
-compared with a long `path`; where there are lamps without size behind glass or in mirrors, which paths do not
-find, or where all light comes through glass (`glass_globe`, which paths hardly ever find and are left out),
-`progressive` is compared with itself by 30 times the photons and 4 neighbours: by radii less than a tenth as wide,
-since what bias the reference has left would be missing in that of the images. What `direct` states is noise alone:
-it is compared with its own mean. Its images have 8 samples of a pixel in each pass: `hexagonal` has a bright line of less than a
-hundredth of two pixels, and of what no sample has met no estimate knows.
+Each image is rendered with `--error` ({results["size"]} pixels wide, each with its own seed): `render` stops when its estimated
+error reaches the target, and states a {percent(STATED, 0)} confidence interval for the error ([error.md](error.md)). This page
+counts how often the interval holds the true error.
 
-A line is right if a count as unlikely as the one found has a chance of {percent(LEAST_CHANCE, 0)} or more where each image
-is inside with {percent(STATED, 0)}; all together are, if {low} to {high} of the images are inside.
-Below, above: true errors below and above the interval. Errors are means over the images, the true one in squares.
+The true error is measured against a reference whose own estimated error is at most a fifth of the target, without the
+reference's noise. The reference depends on the integrator:
+
+* `path`, and `progressive` where path tracing finds all light: a long `path`.
+* `progressive` where path tracing cannot find some lights (those without size behind glass or in mirrors), or hardly
+  finds the light (`glass_globe`, which is left out for `path`): `progressive` with 30 times the photons and 4
+  neighbours. Its radii are less than a tenth as wide, because a bias that both share would not show.
+* `direct`: its own mean, because it states noise alone. Its images take 8 samples per pixel in each pass: `hexagonal`
+  has a bright line narrower than a hundredth of two pixels, and no estimate includes light that no sample has found.
+
+A row is `right` if its count is not too unlikely: where each image is inside with {percent(STATED, 0)}, counts as unlikely as this one
+have a chance of {percent(LEAST_CHANCE, 0)} or more. All images together are right if {low} to {high} of them are inside. `below, above`
+counts true errors below and above the interval. Errors are means over the images; the true one is a mean of squares.
 
 {pooled(results["cases"])}
 {table(results["cases"])}"""

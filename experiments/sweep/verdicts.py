@@ -99,18 +99,19 @@ def page(found, date, minutes, options):
 
 Written by `experiments/sweep/sweep.py`; do not edit. Run on {date}, in {minutes:.0f} minutes.
 
-Each room is the same closed diffuse room with one area light and one nasty thing. It is rendered by `progressive` and
-by `path` ({options.size}x{options.size} pixels, {options.seeds} seeds of each), which share the scene, the materials and the lights, but not how light is
-carried; `direct` is shown for comparison.
+Each room is the same closed diffuse room with one area light and one difficulty. `progressive` and `path` render it
+({options.size}x{options.size} pixels, {options.seeds} seeds of each). They share the scene, the materials and the lights, but not the transport of
+light. `direct` is shown for comparison.
 
-* **progressive/path**: ratio of the images' mean radiances, with its standard error from the seeds. **z**: by how many of
-  them it is off 1.
-* **Region most off**: the same of one of 16 parts of the image and one channel (parts below a tenth of the mean are left out).
-* **Error stated, bias stated**: what both images state of their error ([error.md](error.md)), and the part of it that is bias,
-  each added in squares.
-* **Verdict**: `agree` if mean and regions are off by chance alone (Student's distribution exceeds it once in {1 / CHANCE:.0f} rooms);
-  `within the bias` if they are off by more, but not by more than that and the bias stated; `no reference` if they are off by
-  more, but the images state errors above {percent(MOST_ERROR)}; `refused` where an error names what cannot be rendered.
+* **progressive/path**: the ratio of the images' mean radiances, with its standard error from the seeds. **z**: its
+  distance from 1 in standard errors.
+* **Region most off**: the ratio in the worst of 16 parts of the image and its channels (parts darker than a tenth of the
+  mean are left out).
+* **Error stated, bias stated**: the estimated errors of both images ([error.md](error.md)), and the part of them that is
+  bias, each added in squares.
+* **Verdict**: `agree` if chance alone explains the mean and the regions (Student's distribution exceeds the limit once
+  in {1 / CHANCE:.0f} rooms). `within the bias` if chance and the stated bias explain them. `no reference` if they do not, but
+  the images state errors above {percent(MOST_ERROR)}. `refused` if an error names what hipmap cannot render.
 
 {len(found)} rooms: {counts}.
 
