@@ -110,11 +110,11 @@ class Reference:
 
 LONG_PATH = Reference(
     Setting("path", 65, ("--integrator", "path", "--samples", 16)),
-    "no caustics: paths find all light soon, and have no bias")
+    "no caustics: path tracing finds all light soon and has no bias")
 LONG_PROGRESSIVE = Reference(
     progressive("progressive", 65, "--neighbours", 8, photons=1_000_000),
-    "paths meet a lamp by way of glass and mirrors too seldom; photons within a thirtieth of "
-    "the area of the defaults, so that the bias is small beside that of what is measured")
+    "paths rarely hit a light through glass or off mirrors; its estimates use a thirtieth of the "
+    "default area, so that its bias is small beside the measured one")
 
 
 def reference_of(scene, by_filter=FILTER):
