@@ -106,11 +106,11 @@ def preprocess(options):
 def picture(options):
     preprocess(options)
     stats = options.folder / "picture.json"
-    subprocess.run([options.bin / "render", SCENE, options.folder / "carafe.hpm", "-o",
-                    IMAGES / "carafe.png", "-o", options.folder / "picture.exr", "--size", "1600",
-                    "--photons", "2000000", "--exposure", str(EXPOSURE), "--time",
-                    str(options.seconds or 1500), "--state", options.folder / "picture.state",
-                    "--stats", stats], check=True)
+    subprocess.run([
+        options.bin / "render", SCENE, options.folder / "carafe.hpm", "-o", IMAGES / "carafe.png",
+        "-o", options.folder / "picture.exr", "--size", "1600", "--photons", "8000000",
+        "--neighbours", "30", "--exposure", str(EXPOSURE), "--time", str(options.seconds or 1500),
+        "--state", options.folder / "picture.state", "--stats", stats], check=True)
     print(f"{passes_of(stats)} passes")
 
 
