@@ -4,7 +4,7 @@
         SAMPLES SEED THREADS
 
 Lights and the camera's lens get the sizes that the file gives hipmap (docs/scene.md); a light without
-one is a point, not the sphere of 25 cm that Blender's importer makes of it.
+one is a point, not the sphere of 25 cm that Blender's importer makes of it. Absorption is glTF's too.
 Prints the processor's seconds that rendering took (of all threads, without import, with Cycles' own
 start).
 """
@@ -65,11 +65,25 @@ def set_sizes(objects, sizes):
             item.data.dof.aperture_fstop = item.data.lens / 1000 / (2 * own["aperture_radius"])
 
 
+def mend_absorption(node):
+    """The importer's node absorbs (1 - colour) / distance where glTF means -ln(colour) / distance."""
+    colour, density = node.inputs["Color"].default_value, node.inputs["Density"].default_value
+    meant = [-math.log(max(c, 1e-6)) * density for c in colour[:3]]
+    most = max(meant)
+    if most > 0:
+        node.inputs["Color"].default_value = [1 - m / most for m in meant] + [1]
+        node.inputs["Density"].default_value = most
+
+
 def import_scene(path):
     bpy.ops.wm.read_factory_settings(use_empty=True)
     bpy.ops.import_scene.gltf(filepath=os.path.abspath(path))
     scene = bpy.context.scene
     set_sizes(scene.objects, sizes_by_node(path))
+    for material in bpy.data.materials:
+        for node in material.node_tree.nodes if material.use_nodes else ():
+            if node.type == "VOLUME_ABSORPTION":
+                mend_absorption(node)
     scene.camera = next(item for item in scene.objects if item.type == "CAMERA")
     scene.world = bpy.data.worlds.new("none")
     scene.world.use_nodes = True
