@@ -111,7 +111,8 @@ def picture(options):
         "-o", options.folder / "picture.exr", "--size", "1600", "--photons", "8000000",
         "--neighbours", "30", "--exposure", str(EXPOSURE), "--time", str(options.seconds or 1500),
         "--state", options.folder / "picture.state", "--stats", stats], check=True)
-    print(f"{passes_of(stats)} passes")
+    seconds = sum(json.loads(stats.read_text())["processor_seconds"].values())
+    print(f"{passes_of(stats)} passes, {seconds:.0f} processor seconds in this run")
 
 
 def passes_of(stats):
