@@ -13,18 +13,13 @@ namespace {
 /// keeps glass free of noise; beyond it one of them is picked.
 constexpr int kSplitDepth = 3;
 
-/// A part of an eye path still to be followed.
-struct Branch : PathState {
-    bool clear = true; ///< nothing but mirrors and clear glass is behind it
-};
-
 /// Branches wait on a stack: each of the first kSplitDepth surfaces adds at most one.
-struct BranchStack {
-    std::array<Branch, kSplitDepth + 2> branches;
+struct EyeBranchStack {
+    std::array<PathState, kSplitDepth + 2> branches;
     std::size_t size = 0;
 
     /// Unless Russian roulette ends it.
-    void push(Branch branch, RandomSequence& random)
+    void push(PathState branch, RandomSequence& random)
     {
         if (max_channel(branch.weight) > 0 && survives(branch, random))
             branches[size++] = branch;
@@ -77,8 +72,8 @@ Rgb scattered_light(const PassMaps& maps, const Interaction& at, RandomSequence&
     return light;
 }
 
-void follow_specular(const RenderScene& scene, const Interaction& at, const Branch& from,
-                     RandomSequence& random, BranchStack& stack)
+void follow_specular(const RenderScene& scene, const Interaction& at, const PathState& from,
+                     RandomSequence& random, EyeBranchStack& stack)
 {
     const SpecularLobes lobes = specular_lobes(at);
     const float mirror = max_channel(from.weight * lobes.mirror);
@@ -93,12 +88,12 @@ void follow_specular(const RenderScene& scene, const Interaction& at, const Bran
         mirror_chance = picked ? mirror_chance : 0;
     }
     if (transmit_chance > 0 && transmit > 0) {
-        Branch next = from;
+        PathState next = from;
         go_through(scene, at, lobes, transmit_chance, next);
         stack.push(next, random);
     }
     if (mirror_chance > 0 && mirror > 0) {
-        Branch next = from;
+        PathState next = from;
         go_by_mirror(scene, at, lobes, mirror_chance, next);
         stack.push(next, random);
     }
@@ -106,7 +101,7 @@ void follow_specular(const RenderScene& scene, const Interaction& at, const Bran
 
 /// To the next surface; photons: of the media, null: what these scatter is not seen.
 Reached reach_by_beams(const RenderScene& scene, const VolumeMap* photons, bool sees_lights,
-                       Branch& branch, Rgb& radiance)
+                       PathState& branch, Rgb& radiance)
 {
     return reach(scene, branch, sees_lights, radiance, [&] {
         static const VolumeMap kNoPhotons;
@@ -120,18 +115,17 @@ Reached reach_by_beams(const RenderScene& scene, const VolumeMap* photons, bool 
 }
 
 /// One ray in a direction drawn from the followed lobes.
-void follow_glossy(const RenderScene& scene, const Interaction& at, const Branch& from,
-                   RandomSequence& random, BranchStack& stack)
+void follow_glossy(const RenderScene& scene, const Interaction& at, const PathState& from,
+                   RandomSequence& random, EyeBranchStack& stack)
 {
-    Branch next = from;
+    PathState next = from;
     go_by_lobes(scene, at, {Lobes::followed}, random, next);
-    next.clear = false;
     stack.push(next, random);
 }
 
-BranchStack begin(const RenderScene& scene, const Ray& ray)
+EyeBranchStack begin(const RenderScene& scene, const Ray& ray)
 {
-    BranchStack stack;
+    EyeBranchStack stack;
     stack.branches[stack.size++] = {path_from_eye(scene, ray)};
     return stack;
 }
@@ -142,10 +136,11 @@ Rgb trace_eye_path(const PassMaps& maps, const Ray& ray, SeenLights seen, Random
                    EyeScratch& scratch)
 {
     Rgb radiance(0.0f);
-    BranchStack stack = begin(maps.scene, ray);
+    EyeBranchStack stack = begin(maps.scene, ray);
     while (stack.size > 0) {
-        Branch branch = stack.branches[--stack.size];
-        const bool sees_lights = seen == SeenLights::added || !branch.clear;
+        PathState branch = stack.branches[--stack.size];
+        const bool sees_lights =
+            seen == SeenLights::added || branch.behind != EyePathClass::specular;
         const Reached reached =
             reach_by_beams(maps.scene, maps.volume, sees_lights, branch, radiance);
         if (!reached.hit)
@@ -166,9 +161,9 @@ Rgb trace_eye_path(const PassMaps& maps, const Ray& ray, SeenLights seen, Random
 Rgb trace_seen_lights(const RenderScene& scene, const Ray& ray, RandomSequence& random)
 {
     Rgb radiance(0.0f);
-    BranchStack stack = begin(scene, ray);
+    EyeBranchStack stack = begin(scene, ray);
     while (stack.size > 0) {
-        Branch branch = stack.branches[--stack.size];
+        PathState branch = stack.branches[--stack.size];
         const Reached reached = reach_by_beams(scene, nullptr, true, branch, radiance);
         if (!reached.hit)
             continue;

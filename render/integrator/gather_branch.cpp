@@ -7,12 +7,8 @@ GatherBranch scatter(const RenderScene& scene, const GatherBranch& from, const I
 {
     GatherBranch next = from;
     const bool through = go_by_lobes(scene, at, {lobes}, random, next);
-    next.clear = next.straight = false;
-    if (lobes == Lobes::gathered) {
-        next.gathers = next.straight = true;
-        if (through)
-            next.indirect_radius = from.beyond_radius;
-    }
+    if (lobes == Lobes::gathered && through)
+        next.indirect_radius = from.beyond_radius;
     return next;
 }
 
@@ -20,16 +16,15 @@ void add_mirror_and_glass(const RenderScene& scene, const GatherBranch& from, co
                           Departures& out)
 {
     const SpecularLobes lobes = specular_lobes(at);
-    GatherBranch base = from;
-    base.straight = false;
     if (!is_black(lobes.transmit)) {
-        GatherBranch next = base;
+        GatherBranch next = from;
         go_through(scene, at, lobes, 1, next);
         out.add(next);
     }
     if (!is_black(lobes.mirror)) {
-        go_by_mirror(scene, at, lobes, 1, base);
-        out.add(base);
+        GatherBranch next = from;
+        go_by_mirror(scene, at, lobes, 1, next);
+        out.add(next);
     }
 }
 

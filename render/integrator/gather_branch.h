@@ -14,10 +14,7 @@ constexpr int kMostRays = 4;
 
 /// A part of an eye path still to be followed.
 struct GatherBranch : PathState {
-    bool clear = true;         ///< nothing but mirrors and clear glass is behind it
-    bool gathers = false;      ///< a gathered lobe is behind it
-    bool straight = false;     ///< nothing else is since
-    float indirect_radius = 0; ///< the first, of the indirect map where that lobe is
+    float indirect_radius = 0; ///< the first, of the indirect map at the last gathered lobe
     float beyond_radius = 0;   ///< the same on the other side
 };
 
@@ -34,7 +31,7 @@ struct Departures {
 };
 
 /// Branches wait on a stack: a surface before kSplitDepth takes one off and adds at most kMostRays.
-struct BranchStack {
+struct GatherBranchStack {
     std::array<GatherBranch, kMostRays*(kSplitDepth + 1)> branches;
     std::size_t size = 0;
 };

@@ -33,9 +33,16 @@ class GatherTracer {
     /// Light that the ray runs into counts: else it is the caustic map's, or has its own samples.
     bool sees_lights(const GatherBranch& branch) const
     {
-        if (branch.clear)
+        switch (branch.behind) {
+        case EyePathClass::specular:
             return seen_ == SeenLights::added;
-        return !branch.gathers || branch.straight;
+        case EyePathClass::glossy:
+        case EyePathClass::indirect:
+            return true;
+        case EyePathClass::caustic:
+            return false;
+        }
+        return false;
     }
 
     void add(const Rgb& radiance)
@@ -51,7 +58,7 @@ class GatherTracer {
         Rgb lights(0.0f);
         const Reached reached = reach(scene, branch, sees, lights, [&] {
             const MediaBeams beams{*scene.media, *maps_.volume, kScales};
-            return Reached{see_media(beams, branch.ray, !branch.gathers,
+            return Reached{see_media(beams, branch.ray, !is_gathered(branch.behind),
                                      {branch.inside, branch.weight, radiance_})};
         });
         if (!reached.hit)
@@ -65,7 +72,7 @@ class GatherTracer {
             add(gathering.weight * sampled_light(scene, at, {.gathered = 1}, random_));
         if (onward && !maps_.bounces)
             add(gathering.weight * found_light(scene, at, random_));
-        if (at.follows() && !branch.gathers)
+        if (at.follows() && !is_gathered(branch.behind))
             add(branch.weight * sampled_light(scene, at, {.followed = 1}, random_));
         send_on(onward && maps_.bounces ? &gathering : nullptr, branch, at);
     }
@@ -82,13 +89,13 @@ class GatherTracer {
             return add_both_sides(branch, query, lobes);
         const Rgb factor = maps_.scene.directional ? Rgb(1) : lobes.base();
         add_caustic(branch, factor, query);
-        if (branch.gathers) {
+        if (is_gathered(branch.behind)) {
             if (shared_maps(maps_.global).maps.empty())
                 return true; // no photon has come anywhere
             const float first = radius_at(maps_.first.global, maps_.surfaces, query);
             branch.weight *= weight_of(branch, first);
             const float radius = maps_.shrink * first;
-            if (!(branch.straight && distance < radius)) {
+            if (!(branch.behind == EyePathClass::indirect && distance < radius)) {
                 add_gathered(branch.weight * factor, query, radius);
                 return true;
             }
@@ -112,17 +119,17 @@ class GatherTracer {
                                : other                 ? lobes.behind()
                                                        : lobes.base();
             add_caustic(branch, factor, query);
-            if (branch.gathers && !shared_maps(maps_.global).maps.empty()) {
+            if (is_gathered(branch.behind) && !shared_maps(maps_.global).maps.empty()) {
                 const float first = radius_at(maps_.first.global, maps_.surfaces, query);
                 const Rgb weight = branch.weight * factor * weight_of(branch, first);
                 add_gathered(weight, query, maps_.shrink * first);
-            } else if (!branch.gathers && !shared_maps(maps_.indirect).maps.empty()) {
+            } else if (!is_gathered(branch.behind) && !shared_maps(maps_.indirect).maps.empty()) {
                 const float first = radius_at(maps_.first.indirect, maps_.surfaces, query);
                 (other ? branch.beyond_radius : branch.indirect_radius) = first;
                 add_indirect(branch.weight * factor, query, first);
             }
         }
-        return branch.gathers;
+        return is_gathered(branch.behind);
     }
 
     /// Of what the gather ray finds, by photons within `first` in the first pass.
@@ -136,7 +143,7 @@ class GatherTracer {
         if (shared_maps(maps_.caustic).maps.empty())
             return;
         const float first = radius_at(maps_.first.caustic, maps_.surfaces, query);
-        const float share = branch.gathers ? weight_of(branch, first) : 1.0f;
+        const float share = is_gathered(branch.behind) ? weight_of(branch, first) : 1.0f;
         add_within(branch.weight * factor * share, maps_.caustic, query, maps_.shrink * first,
                    scratch_.caustic);
     }
@@ -183,7 +190,7 @@ class GatherTracer {
             out.add(scatter(maps_.scene, from, at, Lobes::followed, random_));
         if (!at.is_diffuse())
             add_mirror_and_glass(maps_.scene, from, at, out);
-        if (out.size > 1 && (from.gathers || from.depth >= kSplitDepth))
+        if (out.size > 1 && (is_gathered(from.behind) || from.depth >= kSplitDepth))
             pick_one(out, random_);
         for (std::size_t i = 0; i < out.size; ++i)
             if (survives(out.branches[i], random_))
@@ -194,7 +201,7 @@ class GatherTracer {
     const SeenLights seen_;
     RandomSequence& random_;
     GatherScratch& scratch_;
-    BranchStack stack_;
+    GatherBranchStack stack_;
     RadianceByRadius radiance_{};
 };
 

@@ -6,18 +6,6 @@ namespace hipmap {
 
 namespace {
 
-/// docs/light_transport.md (14).
-struct Path : PathState {
-    bool gathers = false; ///< a gathered lobe or a medium is behind it
-    bool straight = true; ///< nothing else is since
-
-    /// Light that the ray runs into counts: else it is of a class left out.
-    bool sees_lights(const LightClasses& light) const
-    {
-        return light.caustic || !gathers || straight;
-    }
-};
-
 /// Chances of the lobes of a surface; they add up to one, or are all zero if it is black.
 struct LobeChances {
     float gathered = 0.0f, followed = 0.0f, mirror = 0.0f, transmit = 0.0f;
@@ -29,6 +17,7 @@ struct Scattering {
     const Medium* medium = nullptr;
 };
 
+/// docs/light_transport.md (14).
 class PathTracer {
   public:
     PathTracer(const RenderScene& scene, const LightClasses& light, RandomSequence& random)
@@ -38,7 +27,7 @@ class PathTracer {
 
     Rgb trace(const Ray& ray)
     {
-        path_ = {path_from_eye(scene_, ray)};
+        path_ = path_from_eye(scene_, ray);
         while (survives(path_, random_) && step())
             ;
         return radiance_;
@@ -49,7 +38,7 @@ class PathTracer {
     /// has left the scene.
     bool step()
     {
-        const bool sees_lights = path_.sees_lights(light_);
+        const bool sees_lights = light_.caustic || path_.behind != EyePathClass::caustic;
         const Reached reached =
             reach(scene_, path_, sees_lights, radiance_, [this] { return fly(*scene_.media); });
         if (reached.scattered) {
@@ -71,7 +60,7 @@ class PathTracer {
         return true;
     }
 
-    bool may_gather() const { return light_.indirect || !path_.gathers; }
+    bool may_gather() const { return light_.indirect || !is_gathered(path_.behind); }
 
     /// Follows the ray to the next surface or scattering; adds what the media on the way emit.
     /// docs/media.md (6).
@@ -115,7 +104,7 @@ class PathTracer {
         const SpecularLobes lobes = specular_lobes(at);
         const LobeChances chances = chances_at(at, lobes);
         const LobeRays rays{chances.gathered,
-                            light_.caustic || !path_.gathers ? chances.followed : 0};
+                            light_.caustic || !is_gathered(path_.behind) ? chances.followed : 0};
         if (rays.gathered + rays.followed > 0)
             radiance_ += path_.weight * sampled_light(scene_, at, rays, random_);
         float drawn = random_.next();
@@ -125,7 +114,6 @@ class PathTracer {
         if (drawn < chances.followed)
             return follow({Lobes::followed, chances.followed}, at);
         drawn -= chances.followed;
-        path_.straight = false;
         if (drawn < chances.mirror)
             go_by_mirror(scene_, at, lobes, chances.mirror, path_);
         else if (chances.transmit > 0)
@@ -144,14 +132,12 @@ class PathTracer {
     void follow(const PickedLobes& picked, const Interaction& at)
     {
         go_by_lobes(scene_, at, picked, random_, path_);
-        path_.straight = picked.lobes == Lobes::gathered;
-        path_.gathers = path_.gathers || path_.straight;
     }
 
     const RenderScene& scene_;
     const LightClasses& light_;
     RandomSequence& random_;
-    Path path_;
+    PathState path_;
     Scattering scattering_;
     Rgb radiance_{0.0f};
 };

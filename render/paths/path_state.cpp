@@ -55,6 +55,7 @@ void go_by_mirror(const RenderScene& scene, const Interaction& at, const Specula
     path.ray = mirror_ray(at);
     path.weight *= lobes.mirror / chance;
     path.source = {};
+    path.behind = after_specular(path.behind);
     depart(scene, at, path);
 }
 
@@ -64,6 +65,7 @@ void go_through(const RenderScene& scene, const Interaction& at, const SpecularL
     path.ray = transmitted_ray(at, lobes.eta);
     path.weight *= lobes.transmit / chance;
     path.source = {};
+    path.behind = after_specular(path.behind);
     enter(at, lobes.eta, path);
     depart(scene, at, path);
 }
@@ -73,11 +75,13 @@ bool go_by_lobes(const RenderScene& scene, const Interaction& at, const PickedLo
 {
     const ScatterSample sample = sample_scatter(at, picked.lobes, random);
     path.weight *= sample.weight / picked.chance;
+    const bool gathered = picked.lobes == Lobes::gathered;
+    path.behind = gathered ? EyePathClass::indirect : after_followed(path.behind);
     if (is_black(sample.weight))
         return false;
     path.source = source_at(at, picked.chance * sample.density);
     path.ray = scattered_ray(at, sample);
-    if (picked.lobes == Lobes::gathered)
+    if (gathered)
         path.nanometres = 0;
     else if (sample.transmitted)
         enter(at, sample.eta, path);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/paths/direct_light.h"
+#include "render/paths/path_class.h"
 #include "render/shading/interface_index.h"
 #include "render/shading/scatter.h"
 
@@ -13,9 +14,10 @@ struct PathState {
     Rgb absorption{0.0f}; ///< of what the ray travels in, where there are no media
     float index2 = 1.0f;  ///< square of the index of refraction around the ray
     RaySource source;
-    float nanometres = 0; ///< of the light followed; 0: all
-    int depth = 0;        ///< surfaces and scatterings behind it
-    Interiors inside;     ///< what the ray travels in, where there are media
+    float nanometres = 0;                         ///< of the light followed; 0: all
+    int depth = 0;                                ///< surfaces and scatterings behind it
+    EyePathClass behind = EyePathClass::specular; ///< kept by `go_by_...` and `go_through`
+    Interiors inside; ///< what the ray travels in, where there are media
 };
 
 PathState path_from_eye(const RenderScene& scene, const Ray& ray);

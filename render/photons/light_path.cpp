@@ -104,10 +104,9 @@ void store(const Interaction& at, LightPath& path, bool directional, const Wante
 {
     const std::uint64_t from = std::exchange(path.last, kNoPhoton);
     const bool media_last = std::exchange(path.media_last, false);
-    const bool caustic = (path.specular || path.from_media) && path.diffuse == 0;
-    const bool keep = caustic            ? wants_undiffused(path, wanted)
-                      : path.diffuse > 0 ? wanted.indirect
-                                         : wanted.direct;
+    const bool caustic = path.behind == LightPathClass::caustic || //
+                         path.behind == LightPathClass::volume;
+    const bool keep = wants_class(path.behind, wanted);
     const bool by_media = media_last && path.diffuse > 0 && wanted.indirect;
     const bool link = wanted.bounces && (from != kNoPhoton || by_media);
     if (!keep && !link)
@@ -154,12 +153,13 @@ bool scatter(const Interaction& at, LightPath& path, RandomSequence& random, Pow
     }
     if (onward.by == Onward::By::lobe && onward.lobe->handled == Lobes::gathered) {
         ++path.diffuse;
+        path.behind = LightPathClass::indirect;
         path.nanometres = 0; // light is of all wavelengths after it
     } else {
         if (transmitted)
             path.absorption = absorption_beyond(at);
-        path.specular = true;
-        path.first_specular |= path.diffuse == 0 && !path.from_media;
+        if (path.behind == LightPathClass::direct)
+            path.behind = LightPathClass::caustic;
     }
     path.power *= particle_correction(at, path.ray.direction);
     return true;
@@ -240,7 +240,8 @@ void trace_light_path(const RenderScene& scene, const Wanted& wanted, const Emit
     LightPath path;
     path.ray = start.ray;
     path.power = start.power;
-    path.from_media = start.from_medium;
+    if (start.from_medium)
+        path.behind = LightPathClass::volume;
     out.power.emitted += glm::dvec3(path.power);
     if (!scene.has_media())
         return trace<false>(scene, wanted, random, path, out);

@@ -18,10 +18,9 @@ constexpr int kFullScatterings = 16;
 void store_in_medium(const glm::vec3& position, MaterialId inside, const LightPath& path,
                      const Wanted& wanted, RandomSequence& random, TracedPhotons& out)
 {
-    const bool keep = path.diffuse > 0 ? wanted.indirect : wants_undiffused(path, wanted);
     const float chance = static_cast<float>(kFullScatterings) /
                          static_cast<float>(std::max(path.scatterings, kFullScatterings));
-    if (!keep || !wanted.volume || !(random.next() < chance))
+    if (!wants_class(path.behind, wanted) || !wanted.volume || !(random.next() < chance))
         return;
     const Rgb power = path.power / chance;
     if (is_finite(power) && is_finite(position))
@@ -38,7 +37,9 @@ bool scatter_in_medium(const MediaSet& media, const glm::vec3& position, float b
 {
     const MaterialId inside = path.inside.current();
     ++path.scatterings;
-    path.from_media = path.media_last = true;
+    path.media_last = true;
+    if (path.behind == LightPathClass::direct)
+        path.behind = LightPathClass::volume;
     path.last = kNoPhoton;
     path.nanometres = 0;
     store_in_medium(position, inside, path, wanted, random, out);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "common/math/random.h"
+#include "render/paths/path_class.h"
 #include "render/photons/light_path.h"
 
 namespace hipmap {
@@ -12,28 +13,37 @@ struct LightPath {
     Rgb absorption{0.0f}; ///< of what the ray travels in
     Interiors inside;     ///< where there are media
     float nanometres = 0; ///< of its light; 0: all
-    bool specular = false;
-    bool first_specular = false; ///< before media and diffuse surfaces
-    bool from_media = false;     ///< a medium scattered it, or sent it out
-    bool media_last = false;     ///< scattered it since the last diffuse surface
+    LightPathClass behind = LightPathClass::direct;
+    bool media_last = false; ///< a medium scattered it since the last gathered lobe
     int scatterings = 0;
-    int diffuse = 0;                ///< diffuse bounces
+    int diffuse = 0;                ///< bounces off gathered lobes
     std::uint64_t last = kNoPhoton; ///< photon of the chunk left at the last diffuse surface
     bool last_caustic = false;
 };
 
-/// Whether light is wanted that has met media or specular surfaces alone.
-inline bool wants_undiffused(const LightPath& path, const Wanted& wanted)
+/// Whether photons of a path's class are wanted.
+inline bool wants_class(LightPathClass path, const Wanted& wanted)
 {
-    return path.first_specular ? wanted.caustic : wanted.after_media;
+    switch (path) {
+    case LightPathClass::direct:
+        return wanted.direct;
+    case LightPathClass::caustic:
+        return wanted.caustic;
+    case LightPathClass::volume:
+        return wanted.after_media;
+    case LightPathClass::indirect:
+        return wanted.indirect;
+    }
+    return false;
 }
 
 /// Whether nothing more of a path is wanted.
 inline bool is_done(const LightPath& path, const Wanted& wanted)
 {
-    if (!wanted.after_specular && path.first_specular && path.diffuse == 0)
+    if (!wanted.after_specular && path.behind == LightPathClass::caustic)
         return true;
-    if (path.from_media && path.diffuse == 0 && !wanted.indirect && !wants_undiffused(path, wanted))
+    if (path.behind != LightPathClass::direct && !wanted.indirect &&
+        path.behind != LightPathClass::indirect && !wants_class(path.behind, wanted))
         return true;
     const bool bounces = wanted.bounces && path.last != kNoPhoton;
     return !wanted.indirect && path.diffuse > (bounces ? 1 : 0);
