@@ -19,7 +19,7 @@ bool may_gather_by_direction(const Material& material, const Bsdf& bsdf, Diffuse
         return true;
     if (material.reflection_model != ReflectionModel::metallic_roughness)
         return false;
-    if (model == DiffuseModel::burley)
+    if (model != DiffuseModel::lambert)
         return true;
     const bool may_reflect =
         material.metallic > 0 || material.specular * max_channel(material.specular_color) > 0;
