@@ -126,9 +126,10 @@ struct Camera {
 
 /// The shape of the diffuse lobe.
 enum class DiffuseModel : std::uint8_t {
-    lambert, ///< glTF's
-    burley,  ///< of Blender's Principled BSDF up to version 3, rough surfaces brighter towards
-             ///< grazing
+    lambert,    ///< glTF's
+    burley,     ///< of Blender's Principled BSDF up to version 3, rough surfaces brighter towards
+                ///< grazing
+    oren_nayar, ///< of clay and stone, rough surfaces brighter towards where light comes from
 };
 
 /// Everything that is rendered, in scene units.  Read-only after loading.

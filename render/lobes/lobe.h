@@ -5,6 +5,7 @@
 #include "render/lobes/lambert.h"
 #include "render/lobes/layers.h"
 #include "render/lobes/microfacet_reflection.h"
+#include "render/lobes/oren_nayar.h"
 #include "render/lobes/phong.h"
 #include "render/lobes/rough_dielectric.h"
 #include "render/lobes/schlick.h"
@@ -27,7 +28,7 @@ namespace hipmap {
 ///   - `is_directed()`, if it may depend on the tangent.
 using Lobe =
     std::variant<Lambert, Burley, DiffuseTransmission, Sheen, MicrofacetReflection, RoughDielectric,
-                 SmoothMirror, SmoothDielectric, Phong, PhongMirror, Schlick>;
+                 SmoothMirror, SmoothDielectric, Phong, PhongMirror, Schlick, OrenNayar>;
 
 /// What integrators and photons do with the light of a lobe: gather it from photons, follow it
 /// along a direction drawn, or follow its one direction.

@@ -25,6 +25,7 @@ const std::vector<Lobe> kLobes{
     RoughDielectric{0.7f, {0.9f, 0.8f, 0.7f}, Rgb(1), {0.3f}},
     Phong{{0.2f, 0.6f, 0.4f}, 12},
     Schlick{kGold, 0.6f, 0.4f},
+    OrenNayar{{0.8f, 0.5f, 0.2f}, 0.9f},
 };
 
 bool spreads(const Lobe& lobe)
@@ -48,6 +49,17 @@ const glm::vec3 kOuts[] = {glm::normalize(glm::vec3(0.1f, 0, 1)),
                            glm::normalize(glm::vec3(-1, 0.2f, 0.25f))};
 
 } // namespace
+
+TEST_CASE("Oren-Nayar: closed values, and brighter back towards the light", "[lobes]")
+{
+    const OrenNayar smooth{Rgb(0.5f), 0}, rough{Rgb(0.5f), 1};
+    const LobeView above = view_from({0, 0, 1}), aslant = view_from({0.8f, 0, 0.6f});
+    const float scale = 1 / (1 + 0.5f - 2 / (3 * kPi));
+    CHECK(smooth.shape(aslant, {-0.8f, 0, 0.6f}) == 1);
+    CHECK(rough.shape(above, {0, 0, 1}) == Approx(scale));
+    CHECK(rough.shape(aslant, {0.8f, 0, 0.6f}) == Approx(scale * (1 + 0.64f / 0.6f)));
+    CHECK(rough.shape(aslant, {-0.8f, 0, 0.6f}) == Approx(scale * (1 - 0.64f)));
+}
 
 TEST_CASE("lobes: every kind that spreads light is tested here", "[lobes]")
 {
