@@ -20,7 +20,10 @@ constexpr Choice<DirectLight> kDirectLights[] = {{"shadow-rays", DirectLight::sh
 constexpr Choice<PixelFilter> kFilters[] = {{"b-spline", PixelFilter::b_spline},
                                             {"box", PixelFilter::box}};
 constexpr Choice<std::optional<DiffuseModel>> kDiffuseModels[] = {
-    {"auto", std::nullopt}, {"lambert", DiffuseModel::lambert}, {"burley", DiffuseModel::burley}};
+    {"auto", std::nullopt},
+    {"lambert", DiffuseModel::lambert},
+    {"burley", DiffuseModel::burley},
+    {"oren-nayar", DiffuseModel::oren_nayar}};
 
 constexpr double kMostPhotons = 4e9;
 constexpr double kMostNeighbours = 1e6;
@@ -190,7 +193,8 @@ std::vector<OptionRow> effect_rows(RenderArguments& arguments)
          .section = kEffectsSection,
          .field = choice_field<std::optional<DiffuseModel>>(arguments.diffuse, kDiffuseModels),
          .help = "Diffuse reflection: lambert, as in glTF; burley, as in Blender's Principled BSDF "
-                 "up to version 3; auto, as in the program that wrote the file",
+                 "up to version 3; oren-nayar, for rough plaster, clay and stone; auto, as in the "
+                 "program that wrote the file",
          .changes = Changes::scene},
         {.name = "energy-compensation",
          .section = kEffectsSection,
