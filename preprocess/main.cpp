@@ -38,6 +38,23 @@ void make_partition(const PreprocessArguments& arguments, const Scene& scene,
                     frame);
 }
 
+/// Paints the images asked for, if any, and adds the time to the summary.
+std::vector<LegendedPicture> paint_pictures(const PreprocessArguments& arguments,
+                                            const Scene& scene, PartitionResult& result,
+                                            Report& report)
+{
+    if (arguments.images.empty())
+        return {};
+    const Stopwatch painting;
+    const auto size = complete_size(arguments.size, scene.cameras[scene.camera].aspect);
+    std::vector<LegendedPicture> pictures = write_partition_pictures(
+        arguments.images, scene, result.partition, size.width, size.height);
+    for (const LegendedPicture& picture : pictures)
+        report.line("wrote " + picture.path.string());
+    result.summary.passes.push_back({"paint pictures", painting.seconds()});
+    return pictures;
+}
+
 /// frame: the one before, if there was one; becomes this one.
 int preprocess(const PreprocessArguments& arguments, SceneSource& source,
                std::optional<FormerFrame>& frame)
@@ -60,16 +77,7 @@ int preprocess(const PreprocessArguments& arguments, SceneSource& source,
     write_partition(arguments.output, result.partition);
     report.line("wrote " + arguments.output.string());
 
-    std::vector<LegendedPicture> pictures;
-    if (!arguments.images.empty()) {
-        const Stopwatch painting;
-        const auto size = complete_size(arguments.size, scene.cameras[scene.camera].aspect);
-        pictures = write_partition_pictures(arguments.images, scene, result.partition, size.width,
-                                            size.height);
-        for (const LegendedPicture& picture : pictures)
-            report.line("wrote " + picture.path.string());
-        result.summary.passes.push_back({"paint pictures", painting.seconds()});
-    }
+    const std::vector<LegendedPicture> pictures = paint_pictures(arguments, scene, result, report);
     if (!arguments.coloured.empty()) {
         const Stopwatch writing;
         write_coloured_glb(arguments.coloured, scene, result.partition);

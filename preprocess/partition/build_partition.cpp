@@ -123,7 +123,12 @@ bool PartitionBuilder::refit_tree()
 std::size_t PartitionBuilder::join_seams()
 {
     const auto find = [&] {
-        return find_seams(mesh_, edges_, out_.edge_class, maps_, tree_, out_.position_error);
+        return find_seams({.mesh = mesh_,
+                           .edges = edges_,
+                           .classes = out_.edge_class,
+                           .tree = tree_,
+                           .error = out_.position_error},
+                          maps_);
     };
     Seams seams = find();
     if (is_refitted_ && seams.given_up > 0) { // by the order in which the tree has the faces

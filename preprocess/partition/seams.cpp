@@ -97,18 +97,16 @@ class TurningSets {
 
 class SeamSearch {
   public:
-    SeamSearch(const TriangleMesh& mesh, const HalfEdges& edges, std::span<const EdgeClass> classes,
-               const FaceTree& tree, double error)
-        : mesh_(mesh), edges_(edges), classes_(classes), tree_(tree), error_(error)
-    {
-    }
+    explicit SeamSearch(const SeamScene& scene) : scene_(scene) {}
 
     /// Whether the surface may go on across an edge although no connected edge says so.
     bool may_go_on(std::uint32_t edge) const
     {
-        if (classes_[edge] == EdgeClass::unconnected) // one of two coincident faces was turned
-            return edges_.flipped[edge / 3] != edges_.flipped[edges_.opposite[edge] / 3];
-        return classes_[edge] == EdgeClass::border || classes_[edge] == EdgeClass::non_manifold;
+        const EdgeClass own = scene_.classes[edge];
+        const HalfEdges& edges = scene_.edges;
+        if (own == EdgeClass::unconnected) // one of two coincident faces was turned
+            return edges.flipped[edge / 3] != edges.flipped[edges.opposite[edge] / 3];
+        return own == EdgeClass::border || own == EdgeClass::non_manifold;
     }
 
     Touches touches_of(std::uint32_t edge) const;
@@ -119,7 +117,7 @@ class SeamSearch {
   private:
     glm::dvec3 corner(FaceId face, std::uint32_t c) const
     {
-        return glm::dvec3(mesh_.positions[mesh_.corners[face][static_cast<int>(c)]]);
+        return glm::dvec3(scene_.mesh.positions[scene_.mesh.corners[face][static_cast<int>(c)]]);
     }
     bool has_edge(FaceId face, const glm::dvec3& a, const glm::dvec3& b) const
     {
@@ -129,36 +127,32 @@ class SeamSearch {
         return ends == 2;
     }
 
-    const TriangleMesh& mesh_;
-    const HalfEdges& edges_;
-    std::span<const EdgeClass> classes_;
-    const FaceTree& tree_;
-    double error_;
+    const SeamScene& scene_;
 };
 
 Touches SeamSearch::touches_of(std::uint32_t edge) const
 {
     Touches touches;
     const FaceId face = edge / 3;
-    const ContactFace own(mesh_, face, error_);
+    const ContactFace own(scene_.mesh, face, scene_.error);
     if (own.too_thin())
         return {};
     const glm::dvec3 a = start(edge);
     const glm::dvec3 b = end(edge);
-    const glm::dvec3 outward = -3 * error_ * own.planes[edge % 3].inward;
-    const Bounds<glm::vec3> box = box_about(a, b, 4 * error_);
+    const glm::dvec3 outward = -3 * scene_.error * own.planes[edge % 3].inward;
+    const Bounds<glm::vec3> box = box_about(a, b, 4 * scene_.error);
     bool crossed = false;
     int looked_at = 0;
     const auto look_at = [&](FaceId other) {
         if (other == face || touches.given_up)
             return;
-        const Bounds<glm::vec3> there_box = face_box(mesh_, other);
-        if (!meet(box, there_box) || !passes(there_box, a, b, 4 * error_))
+        const Bounds<glm::vec3> there_box = face_box(scene_.mesh, other);
+        if (!meet(box, there_box) || !passes(there_box, a, b, 4 * scene_.error))
             return;
         touches.given_up = ++looked_at > kMostLookedAt;
-        const ContactFace there(mesh_, other, error_);
+        const ContactFace there(scene_.mesh, other, scene_.error);
         if (there.too_thin() || !parallel(own, there)) {
-            crossed |= classes_[edge] == EdgeClass::non_manifold && has_edge(other, a, b);
+            crossed |= scene_.classes[edge] == EdgeClass::non_manifold && has_edge(other, a, b);
             return;
         }
         if (!(glm::dot(own.normal, there.normal) > 0 && there.part_on(a, b)))
@@ -169,9 +163,9 @@ Touches SeamSearch::touches_of(std::uint32_t edge) const
             touches.of.push_back({other, there.part_on(a + outward, b + outward)});
     };
     const auto skip = [&](const FaceTree::Range& range) {
-        return touches.given_up || !passes(tree_.box(range), a, b, 4 * error_);
+        return touches.given_up || !passes(scene_.tree.box(range), a, b, 4 * scene_.error);
     };
-    tree_.visit(box, skip, look_at);
+    scene_.tree.visit(box, skip, look_at);
     if (crossed)
         touches.of.clear();
     std::ranges::sort(touches.of, {}, &Touch::face);
@@ -238,13 +232,11 @@ void bridge(const SeamSearch& search, std::uint32_t edge, const std::vector<Inte
 
 } // namespace
 
-Seams find_seams(const TriangleMesh& mesh, const HalfEdges& edges,
-                 std::span<const EdgeClass> classes, const SharedMaps& maps, const FaceTree& tree,
-                 double error)
+Seams find_seams(const SeamScene& scene, const SharedMaps& maps)
 {
-    const SeamSearch search(mesh, edges, classes, tree, error);
+    const SeamSearch search(scene);
     std::vector<std::uint32_t> ends; // of maps
-    for (std::uint32_t edge = 0; edge < classes.size(); ++edge)
+    for (std::uint32_t edge = 0; edge < scene.classes.size(); ++edge)
         if (search.may_go_on(edge))
             ends.push_back(edge);
     Seams out;
@@ -257,9 +249,9 @@ Seams find_seams(const TriangleMesh& mesh, const HalfEdges& edges,
         for (std::size_t i = 0; i < count; ++i) {
             const std::uint32_t edge = ends[first + i];
             const std::vector<Interval> covered =
-                join_across(edge / 3, touches[i].of, edges.flipped, maps, sets);
-            if (!covered.empty() && classes[edge] != EdgeClass::unconnected)
-                bridge(search, edge, covered, error, out);
+                join_across(edge / 3, touches[i].of, scene.edges.flipped, maps, sets);
+            if (!covered.empty() && scene.classes[edge] != EdgeClass::unconnected)
+                bridge(search, edge, covered, scene.error, out);
             out.given_up += touches[i].given_up;
         }
     }

@@ -6,6 +6,15 @@
 
 namespace hipmap {
 
+/// What `find_seams` reads; all outlive the call.
+struct SeamScene {
+    const TriangleMesh& mesh;
+    const HalfEdges& edges;
+    std::span<const EdgeClass> classes; ///< [3F], of connected edges
+    const FaceTree& tree;               ///< of all faces but the degenerate ones
+    double error = 0.0;                 ///< tolerance, scene units
+};
+
 struct Seams {
     SharedMaps maps;                          ///< after joining
     std::vector<std::uint8_t> turned;         ///< [maps before] 1: its faces' `flipped` must change
@@ -18,10 +27,7 @@ struct Seams {
 /// line or overlap without sharing an edge that is connected: T-junctions, abutting walls of
 /// separate objects, coincident faces.  Edges beyond which such a face goes on are bridged.
 /// An edge of several faces joins nothing if one of them is out of the plane.
-/// classes: of connected edges.  tree: all faces but the degenerate ones.
-/// error: tolerance, scene units.  Near linear, parallel; the same at any thread count.
-Seams find_seams(const TriangleMesh& mesh, const HalfEdges& edges,
-                 std::span<const EdgeClass> classes, const SharedMaps& maps, const FaceTree& tree,
-                 double error);
+/// Near linear, parallel; the same at any thread count.
+Seams find_seams(const SeamScene& scene, const SharedMaps& maps);
 
 } // namespace hipmap
