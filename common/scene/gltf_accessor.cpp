@@ -93,8 +93,11 @@ GltfAccessor::GltfAccessor(const tinygltf::Model& model, int index,
     type_ = accessor.type;
     normalized_ = accessor.normalized;
     if (accessor.bufferView >= 0) {
-        base_ = elements(model, accessor.bufferView, accessor.byteOffset, accessor.type,
-                         accessor.componentType, accessor.count);
+        base_ = elements(model, {.view = accessor.bufferView,
+                                 .offset = accessor.byteOffset,
+                                 .type = accessor.type,
+                                 .component_type = accessor.componentType,
+                                 .count = accessor.count});
     } else {
         // Nothing in the file backs the count, so nothing else bounds what it makes us allocate.
         if (count_ > all_bytes(model))
@@ -116,12 +119,17 @@ void GltfAccessor::read_sparse(const tinygltf::Model& model, const tinygltf::Acc
          index_type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT))
         fail("has a damaged sparse part");
     const auto changed = static_cast<std::size_t>(sparse.count);
-    const ElementSpan indices = elements(model, sparse.indices.bufferView,
-                                         static_cast<std::size_t>(sparse.indices.byteOffset),
-                                         TINYGLTF_TYPE_SCALAR, index_type, changed);
-    sparse_values_ = elements(model, sparse.values.bufferView,
-                              static_cast<std::size_t>(sparse.values.byteOffset), accessor.type,
-                              accessor.componentType, changed);
+    const ElementSpan indices =
+        elements(model, {.view = sparse.indices.bufferView,
+                         .offset = static_cast<std::size_t>(sparse.indices.byteOffset),
+                         .type = TINYGLTF_TYPE_SCALAR,
+                         .component_type = index_type,
+                         .count = changed});
+    sparse_values_ = elements(model, {.view = sparse.values.bufferView,
+                                      .offset = static_cast<std::size_t>(sparse.values.byteOffset),
+                                      .type = accessor.type,
+                                      .component_type = accessor.componentType,
+                                      .count = changed});
     sparse_indices_.reserve(changed);
     for (std::size_t i = 0; i < changed; ++i) {
         const auto at = static_cast<std::uint32_t>(indices.component(i, 0));
@@ -131,23 +139,24 @@ void GltfAccessor::read_sparse(const tinygltf::Model& model, const tinygltf::Acc
     }
 }
 
-ElementSpan GltfAccessor::elements(const tinygltf::Model& model, int view_index, std::size_t offset,
-                                   int type, int component_type, std::size_t count) const
+ElementSpan GltfAccessor::elements(const tinygltf::Model& model, const ElementLayout& layout) const
 {
-    const tinygltf::BufferView& view = model.bufferViews[static_cast<std::size_t>(view_index)];
-    const int components = tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(type));
-    const std::size_t component = component_size(component_type);
+    const tinygltf::BufferView& view = model.bufferViews[static_cast<std::size_t>(layout.view)];
+    const int components =
+        tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(layout.type));
+    const std::size_t component = component_size(layout.component_type);
     if (components < 1 || component == 0)
         fail("has an unknown type or component type");
     const std::size_t size = component * static_cast<std::size_t>(components);
     const std::size_t stride = view.byteStride == 0 ? size : view.byteStride;
     if (stride < size)
         fail("has elements that overlap");
-    if (count < 1 || offset > view.byteLength || size > view.byteLength - offset ||
-        count - 1 > (view.byteLength - offset - size) / stride)
+    if (layout.count < 1 || layout.offset > view.byteLength ||
+        size > view.byteLength - layout.offset ||
+        layout.count - 1 > (view.byteLength - layout.offset - size) / stride)
         fail("runs past the end of its bufferView");
     const tinygltf::Buffer& buffer = model.buffers[static_cast<std::size_t>(view.buffer)];
-    return {buffer.data.data() + view.byteOffset + offset, stride, component_type};
+    return {buffer.data.data() + view.byteOffset + layout.offset, stride, layout.component_type};
 }
 
 double GltfAccessor::value(std::size_t i, int c) const

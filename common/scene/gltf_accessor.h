@@ -22,6 +22,15 @@ struct ElementSpan {
     double component(std::size_t i, int c) const;
 };
 
+/// Where the elements of a glTF accessor, or of its sparse part, lie in a bufferView.
+struct ElementLayout {
+    int view = 0;           ///< index of the bufferView
+    std::size_t offset = 0; ///< bytes from its start
+    int type = 0;           ///< TINYGLTF_TYPE_
+    int component_type = 0; ///< 5120 to 5126
+    std::size_t count = 0;  ///< elements
+};
+
 /// The elements of a glTF accessor, all of them known to lie within their buffer.
 class GltfAccessor {
   public:
@@ -44,8 +53,7 @@ class GltfAccessor {
 
   private:
     void read_sparse(const tinygltf::Model& model, const tinygltf::Accessor& accessor);
-    ElementSpan elements(const tinygltf::Model& model, int view, std::size_t offset, int type,
-                         int component_type, std::size_t count) const;
+    ElementSpan elements(const tinygltf::Model& model, const ElementLayout& layout) const;
     double value(std::size_t i, int c) const;
     [[noreturn]] void fail(const std::string& what) const;
 

@@ -106,22 +106,9 @@ GltfPrimitive GltfMeshReader::read_primitive(const tinygltf::Primitive& primitiv
     GltfPrimitive out;
     out.material = primitive.material;
     out.corners = read_corners(primitive, positions.size(), place);
-    if (local_.size() < positions.size())
-        local_.resize(positions.size(), kNone);
-    std::vector<std::uint32_t> used;
-    for (glm::uvec3& face : out.corners) {
-        for (int c = 0; c < 3; ++c) {
-            std::uint32_t& local = local_[face[c]];
-            if (local == kNone) {
-                local = static_cast<std::uint32_t>(used.size());
-                used.push_back(face[c]);
-            }
-            face[c] = local;
-        }
-    }
+    const std::vector<std::uint32_t> used = number_used(out.corners, positions.size());
     out.positions.reserve(used.size());
     for (const std::uint32_t vertex : used) {
-        local_[vertex] = kNone;
         out.positions.push_back(positions.vec3(vertex));
         if (normals)
             out.normals.push_back(normals->vec3(vertex));
@@ -134,6 +121,28 @@ GltfPrimitive GltfMeshReader::read_primitive(const tinygltf::Primitive& primitiv
     out.attributes =
         read_attributes({model_, primitive, scene_.path, place}, wanted_, positions.size(), used);
     return out;
+}
+
+/// Numbers the vertices of the corners in the order of their first use; returns which of the file's
+/// they are.
+std::vector<std::uint32_t> GltfMeshReader::number_used(std::vector<glm::uvec3>& corners,
+                                                       std::size_t vertex_count)
+{
+    if (local_.size() < vertex_count)
+        local_.resize(vertex_count, kNone);
+    std::vector<std::uint32_t> used;
+    for (glm::uvec3& face : corners)
+        for (int c = 0; c < 3; ++c) {
+            std::uint32_t& local = local_[face[c]];
+            if (local == kNone) {
+                local = static_cast<std::uint32_t>(used.size());
+                used.push_back(face[c]);
+            }
+            face[c] = local;
+        }
+    for (const std::uint32_t vertex : used)
+        local_[vertex] = kNone;
+    return used;
 }
 
 std::vector<glm::uvec3> GltfMeshReader::read_corners(const tinygltf::Primitive& primitive,

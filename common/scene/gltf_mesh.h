@@ -37,6 +37,8 @@ class GltfMeshReader {
 
   private:
     GltfPrimitive read_primitive(const tinygltf::Primitive& primitive, const std::string& place);
+    std::vector<std::uint32_t> number_used(std::vector<glm::uvec3>& corners,
+                                           std::size_t vertex_count);
     std::vector<glm::uvec3> read_corners(const tinygltf::Primitive& primitive,
                                          std::size_t vertex_count, const std::string& place);
 
