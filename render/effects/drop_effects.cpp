@@ -19,40 +19,45 @@ void drop_medium(Material& material)
     material.alpha_cutoff = 1;
 }
 
+/// Removes from a material the effects that the plan leaves out.
+void drop_from_material(Material& material, const EffectPlan& plan)
+{
+    if (!plan.has(Effect::absorption) && !material.holds_medium())
+        material.absorption = Rgb(0);
+    if (!plan.has(Effect::dispersion))
+        material.dispersion = 0;
+    if (!plan.has(Effect::clearcoat))
+        material.clearcoat = 0;
+    if (!plan.has(Effect::sheen))
+        material.sheen_color = Rgb(0);
+    if (!plan.has(Effect::diffuse_transmission))
+        material.diffuse_transmission = 0;
+    if (!plan.has(Effect::anisotropy)) {
+        material.anisotropy = 0;
+        material.isotropy = 1;
+    }
+    if (!plan.has(Effect::reflection_models))
+        material.reflection_model = ReflectionModel::metallic_roughness;
+    if (!plan.has(Effect::alpha))
+        material.alpha_mode = AlphaMode::opaque;
+    const bool beneath = material.boundary && !is_black(material.scattering);
+    if (!plan.has(beneath ? Effect::subsurface : Effect::media))
+        drop_medium(material);
+    if (!plan.has(Effect::normal_maps))
+        std::erase_if(material.textures, [](const TextureSlot& slot) {
+            return slot.use == TextureUse::normal || slot.use == TextureUse::clearcoat_normal;
+        });
+    if (!plan.has(Effect::textures))
+        std::erase_if(material.textures,
+                      [](const TextureSlot& slot) { return is_rendered(slot.use); });
+}
+
 } // namespace
 
 void drop_effects(Scene& scene, const EffectPlan& plan)
 {
-    for (Material& material : scene.materials) {
-        if (!plan.has(Effect::absorption) && !material.holds_medium())
-            material.absorption = Rgb(0);
-        if (!plan.has(Effect::dispersion))
-            material.dispersion = 0;
-        if (!plan.has(Effect::clearcoat))
-            material.clearcoat = 0;
-        if (!plan.has(Effect::sheen))
-            material.sheen_color = Rgb(0);
-        if (!plan.has(Effect::diffuse_transmission))
-            material.diffuse_transmission = 0;
-        if (!plan.has(Effect::anisotropy)) {
-            material.anisotropy = 0;
-            material.isotropy = 1;
-        }
-        if (!plan.has(Effect::reflection_models))
-            material.reflection_model = ReflectionModel::metallic_roughness;
-        if (!plan.has(Effect::alpha))
-            material.alpha_mode = AlphaMode::opaque;
-        const bool beneath = material.boundary && !is_black(material.scattering);
-        if (!plan.has(beneath ? Effect::subsurface : Effect::media))
-            drop_medium(material);
-        if (!plan.has(Effect::normal_maps))
-            std::erase_if(material.textures, [](const TextureSlot& slot) {
-                return slot.use == TextureUse::normal || slot.use == TextureUse::clearcoat_normal;
-            });
-        if (!plan.has(Effect::textures))
-            std::erase_if(material.textures,
-                          [](const TextureSlot& slot) { return is_rendered(slot.use); });
-    }
+    for (Material& material : scene.materials)
+        drop_from_material(material, plan);
     scene.nested_dielectrics = plan.has(Effect::nested_dielectrics);
     if (!plan.has(Effect::vertex_colours))
         scene.mesh.attributes.colours.clear();
