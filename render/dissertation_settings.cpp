@@ -23,6 +23,18 @@ constexpr double kMostLocalPhotons = 4e9;
 
 constexpr const char* kDissertationSection = "To compare with the dissertation";
 
+OptionRow irradiance_row(GatheredIrradiance& irradiance)
+{
+    return {.name = "irradiance",
+            .section = kDissertationSection,
+            .field = choice_field<GatheredIrradiance>(irradiance, kIrradiances),
+            .help = "Irradiance at the end of a final-gather ray: estimated there, or precomputed "
+                    "at a quarter of the photons (Christensen), which is off by some percent of "
+                    "indirect light and no faster",
+            .changes = Changes::passes,
+            .only_with = {{"precomputed", "integrator", {"progressive"}}}};
+}
+
 } // namespace
 
 std::vector<OptionRow> dissertation_rows(DissertationOptions& asked)
@@ -52,14 +64,7 @@ std::vector<OptionRow> dissertation_rows(DissertationOptions& asked)
                      "the point) or thesis (k over the whole disc)",
              .changes = Changes::passes,
              .only_with = {{"thesis", "integrator", {"direct"}}}},
-            {.name = "irradiance",
-             .section = kDissertationSection,
-             .field = choice_field<GatheredIrradiance>(asked.irradiance, kIrradiances),
-             .help = "Irradiance at the end of a final-gather ray: estimated there, or precomputed "
-                     "at a quarter of the photons (Christensen), which is off by some percent of "
-                     "indirect light and no faster",
-             .changes = Changes::passes,
-             .only_with = {{"precomputed", "integrator", {"progressive"}}}},
+            irradiance_row(asked.irradiance),
             {.name = "local-min",
              .section = kDissertationSection,
              .field = number_or_none_field(asked.local_min, kLocalMinOpen, {1, kMostLocalPhotons}),

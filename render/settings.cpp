@@ -106,6 +106,18 @@ std::vector<OptionRow> output_rows(OutputFiles& files, bool required)
              .unset = "auto"}};
 }
 
+OptionRow photons_row(std::optional<std::uint64_t>& photons)
+{
+    return {.name = "photons",
+            .section = kMethodSection,
+            .field = number_field(photons, {0, kMostPhotons}),
+            .help = "Light paths to emit in each pass",
+            .unset = "as many as a pass has samples, within " +
+                     std::to_string(kFewestDefaultPhotons) + " and " +
+                     std::to_string(kMostDefaultPhotons),
+            .changes = Changes::passes};
+}
+
 std::vector<OptionRow> method_rows(RenderArguments& arguments)
 {
     RenderOptions& render = arguments.render;
@@ -116,14 +128,7 @@ std::vector<OptionRow> method_rows(RenderArguments& arguments)
                      "pass to pass; direct: estimates at the first diffuse surface, fast and "
                      "blurred; path: path tracing without photons, for comparison",
              .changes = Changes::passes},
-            {.name = "photons",
-             .section = kMethodSection,
-             .field = number_field(arguments.photons, {0, kMostPhotons}),
-             .help = "Light paths to emit in each pass",
-             .unset = "as many as a pass has samples, within " +
-                      std::to_string(kFewestDefaultPhotons) + " and " +
-                      std::to_string(kMostDefaultPhotons),
-             .changes = Changes::passes},
+            photons_row(arguments.photons),
             {.name = "neighbours",
              .section = kMethodSection,
              .field = number_field(render.maps.neighbours, {2, kMostNeighbours}),
