@@ -67,8 +67,8 @@ std::vector<LocalQuery> make_queries(const RenderScene& scene, const Dissertatio
             if (index == kNone)
                 continue;
             const PhotonQuery query{at.point.position, at.normal, hit->face, at.side};
-            const FoundPhotons found = find_in_shared(maps, scene.partition, query,
-                                                      maps.shared.options.neighbours, {wide, kd});
+            const FoundPhotons found = find_in_shared(
+                maps, scene.partition, {query, maps.shared.options.neighbours}, {wide, kd});
             queries.push_back(
                 {query, &maps.locals.maps[index],
                  limiting_radius(scene.mesh(), scene.partition, hit->face, query.position),
@@ -120,7 +120,7 @@ void search_all(const RenderScene& scene, const DissertationMaps& maps,
             if (find_in_map(tree, at.local->tree, wanted, {local, kd}).slots.size() == k)
                 continue;
         }
-        find_in_shared(maps, scene.partition, at.query, k, {shared, kd});
+        find_in_shared(maps, scene.partition, {at.query, k}, {shared, kd});
     }
 }
 

@@ -59,7 +59,7 @@ struct LevelledSearch {
     template <typename Accept>
     FoundPhotons accepted(const PhotonQuery& query, const Accept& accept) const
     {
-        return find_in_shared(maps, surfaces.partition, query, options().neighbours,
+        return find_in_shared(maps, surfaces.partition, {query, options().neighbours},
                               {scratch.search.accepted, below.kd}, accept);
     }
     std::pair<SearchStatistics, LevelStatistics> counted() const
@@ -97,7 +97,7 @@ Rgb estimate_plainly(const LevelledSearch& search, PhotonQuery query)
 }
 
 /// Photon by photon over whole discs.
-RadiusEstimates estimate_in_discs(const FoundPhotons& found, const ListEstimate& wanted)
+RadiusEstimates estimate_in_discs(const FoundPhotons& found, const RadiusQuery& wanted)
 {
     RadiusEstimates out;
     std::array<glm::dvec3, 3> sums{};
@@ -129,9 +129,9 @@ RadiusEstimates estimate_from_all(const DissertationMaps& maps, const MapSurface
     PhotonQuery within = query;
     within.radius = radii[0];
     constexpr std::size_t kAll = std::numeric_limits<std::uint32_t>::max();
-    const FoundPhotons found = find_in_shared(maps, surfaces.partition, within, kAll,
+    const FoundPhotons found = find_in_shared(maps, surfaces.partition, {within, kAll},
                                               {estimate.search.within, scratch_of(scratch).kd});
-    const ListEstimate wanted{maps.shared.power_scale, surfaces, query, radii};
+    const RadiusQuery wanted{maps.shared.power_scale, surfaces, query, radii};
     return maps.one_map() ? estimate_in_discs(found, wanted)
                           : estimate_from_list(found, wanted, estimate);
 }

@@ -67,17 +67,22 @@ struct Sums {
 
 using LimitingRadius = float (*)(const TriangleMesh&, const Partition&, FaceId, const glm::vec3&);
 
-float limit_of(const Asked& asked, LimitingRadius radius)
+/// The limiting radius of a map level, and the counts of the searches there.
+struct LevelRule {
+    LimitingRadius limiting_radius;
+    LevelSearches& searches;
+};
+
+float limit_of(const Asked& asked, const LevelRule& rule)
 {
-    return radius(asked.surfaces.mesh, asked.surfaces.partition, asked.query.face,
-                  asked.query.position);
+    return rule.limiting_radius(asked.surfaces.mesh, asked.surfaces.partition, asked.query.face,
+                                asked.query.position);
 }
 
 /// Algorithm 4 of the thesis up to where it turns to the shared map; empty: it does turn there.
 template <typename How>
 typename How::Found find_in_local(const Asked& asked, const LocalMaps& locals,
-                                  LimitingRadius limiting, LevelSearches& searches,
-                                  const EitherScratch& scratch)
+                                  const LevelRule& rule, const EitherScratch& scratch)
 {
     if (locals.maps.empty())
         return {};
@@ -85,19 +90,19 @@ typename How::Found find_in_local(const Asked& asked, const LocalMaps& locals,
     if (index == kNone)
         return {};
     const LocalMap& local = locals.maps[index];
-    const float limit = limit_of(asked, limiting);
+    const float limit = limit_of(asked, rule);
     if (local.filter_radius > limit) {
-        ++searches.skipped;
+        ++rule.searches.skipped;
         return {};
     }
-    ++searches.begun;
+    ++rule.searches.begun;
     TreeQuery in_local = asked.in_tree();
     // A photon at the limiting radius itself is already too far.
     in_local.radius2 = std::min(in_local.radius2, std::nextafter(limit * limit, 0.0f));
     in_local.order = local.shared_slots.data();
     const typename How::Found found = How::search(asked, local, in_local, scratch);
     if (How::count(found) < in_local.photons && limit <= asked.query.radius) {
-        ++searches.abandoned;
+        ++rule.searches.abandoned;
         return {};
     }
     return found;
@@ -117,27 +122,27 @@ float expected_radius(const WideTree& shared, const LevelMap& map, const TreeQue
 /// which the level has k is remembered for the next one.
 template <typename How>
 typename How::Found find_in_level(const Asked& asked, const PhotonMap& shared,
-                                  const LevelMaps& level, LimitingRadius limiting,
-                                  LevelSearches& searches, const EitherScratch& scratch)
+                                  const LevelMaps& level, const LevelRule& rule,
+                                  const EitherScratch& scratch)
 {
     if (level.of_face.empty())
         return {};
     const std::uint32_t index = level.of_face[asked.index()];
     if (index == kNone)
         return {};
-    const float limit = limit_of(asked, limiting);
+    const float limit = limit_of(asked, rule);
     TreeQuery query = asked.in_tree();
     if (expected_radius(shared.tree, level.maps[index], query, scratch.wide) > limit) {
-        ++searches.skipped;
+        ++rule.searches.skipped;
         return {};
     }
-    ++searches.begun;
+    ++rule.searches.begun;
     query.from = level.maps[index].node;
     const typename How::Found found = How::search(asked, shared, query, scratch);
     const float reached2 = How::count(found) == query.photons ? found.farthest2 : query.radius2;
     if (reached2 < limit * limit || !std::isfinite(limit))
         return found;
-    ++searches.abandoned;
+    ++rule.searches.abandoned;
     scratch.wide.last_missed = true;
     if (!std::isfinite(scratch.wide.last_radius))
         scratch.wide.last_tree = 0;
@@ -154,16 +159,15 @@ typename How::Found find_below(const Asked& asked, const PhotonMap& map,
     DissertationScratch& below = scratch.below;
     LevelStatistics& counts = below.levels;
     const EitherScratch local{below.local, below.kd}, shared{scratch.shared.nearest, below.kd};
-    typename How::Found found = find_in_local<How>(
-        asked, maps.locals, thesis ? limiting_radius : exact_limiting_radius, counts.local, local);
+    const LevelRule in_local{thesis ? limiting_radius : exact_limiting_radius, counts.local};
+    const LevelRule in_group{exact_group_radius, counts.group};
+    typename How::Found found = find_in_local<How>(asked, maps.locals, in_local, local);
     if (How::count(found) == 0)
-        found = find_in_local<How>(asked, maps.groups, exact_group_radius, counts.group, local);
+        found = find_in_local<How>(asked, maps.groups, in_group, local);
     if (How::count(found) == 0)
-        found = find_in_level<How>(asked, map, maps.local_level, exact_limiting_radius,
-                                   counts.local, shared);
+        found = find_in_level<How>(asked, map, maps.local_level, in_local, shared);
     if (How::count(found) == 0)
-        found = find_in_level<How>(asked, map, maps.group_level, exact_group_radius, counts.group,
-                                   shared);
+        found = find_in_level<How>(asked, map, maps.group_level, in_group, shared);
     return found;
 }
 
@@ -215,7 +219,7 @@ FoundPhotons find_photons(const DissertationMaps& maps, const MapSurfaces& surfa
         return {};
     if (passes_over(maps)) {
         const FoundPhotons found =
-            find_in_shared(maps, surfaces.partition, query, maps.shared.options.neighbours,
+            find_in_shared(maps, surfaces.partition, {query, maps.shared.options.neighbours},
                            {scratch.shared.nearest, scratch.below.kd});
         statistics.photons_found += found.slots.size();
         return found;

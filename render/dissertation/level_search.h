@@ -55,26 +55,33 @@ FoundSlots find_in_map(const KdTree* kd_tree, const WideTree& wide, const TreeQu
     return find_nearest(wide, wanted, scratch.wide, accept);
 }
 
-/// The `most` nearest photons of the shared map alone that `accept(map, slot)` lets through.
+/// A query, and how many photons it asks for.
+struct NearestQuery {
+    const PhotonQuery& query;
+    std::size_t most;
+};
+
+/// The wanted.most nearest photons of the shared map alone that `accept(map, slot)` lets through.
 template <typename Accept = AcceptAll>
 FoundPhotons find_in_shared(const DissertationMaps& maps, const Partition& partition,
-                            const PhotonQuery& query, std::size_t most,
-                            const EitherScratch& scratch, const Accept& accept = {})
+                            const NearestQuery& wanted, const EitherScratch& scratch,
+                            const Accept& accept = {})
 {
+    const PhotonQuery& query = wanted.query;
     const PhotonMap* map = map_of_query(maps, partition, query);
     if (map == nullptr)
         return {};
-    const TreeQuery wanted{query.position, most, query.radius * query.radius};
+    const TreeQuery in_tree{query.position, wanted.most, query.radius * query.radius};
     const KdTree* const kd = maps.kd_tree(*map);
     FoundSlots found;
     if (passes_over(maps)) {
-        found = find_in_map(kd, map->tree, wanted, scratch, [&](std::uint32_t slot) {
+        found = find_in_map(kd, map->tree, in_tree, scratch, [&](std::uint32_t slot) {
             return glm::dot(map->direction(slot), query.normal) > 0 && accept(*map, slot);
         });
     } else if constexpr (std::is_same_v<Accept, AcceptAll>) {
-        found = find_in_map(kd, map->tree, wanted, scratch);
+        found = find_in_map(kd, map->tree, in_tree, scratch);
     } else {
-        found = find_in_map(kd, map->tree, wanted, scratch,
+        found = find_in_map(kd, map->tree, in_tree, scratch,
                             [&](std::uint32_t slot) { return accept(*map, slot); });
     }
     return {map, found.slots, found.farthest2};

@@ -96,7 +96,7 @@ void count_searches(const DissertationMaps& maps, const TriangleMesh& mesh,
         const glm::vec3 position = map.tree.position(slot);
         const PhotonQuery query{position, glm::vec3(0.0f), face, map.side};
         const FoundPhotons found =
-            find_in_shared(maps, partition, query, maps.shared.options.neighbours, {wide, kd});
+            find_in_shared(maps, partition, {query, maps.shared.options.neighbours}, {wide, kd});
         const float limit = draft.limit(mesh, partition, face, position);
         if (!(found.farthest2 < limit * limit))
             return;

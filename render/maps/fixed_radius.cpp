@@ -12,19 +12,18 @@ namespace hipmap {
 
 namespace {
 
-RadiusEstimates estimate_from_sums(const PhotonMaps& maps, const PhotonMap& map,
-                                   const PhotonQuery& query, const std::array<float, 3>& radii,
+RadiusEstimates estimate_from_sums(const PhotonMap& map, const RadiusQuery& wanted,
                                    EstimateScratch& scratch)
 {
+    const std::array<float, 3>& radii = wanted.radii;
     const std::array<float, 3> radii2{radii[0] * radii[0], radii[1] * radii[1],
                                       radii[2] * radii[2]};
     const RadiusSums<3> sums =
-        sum_within(map.tree, map.powers, query.position, radii2, scratch.search.within);
+        sum_within(map.tree, map.powers, wanted.query.position, radii2, scratch.search.within);
     RadiusEstimates out;
     out.photons = static_cast<std::uint32_t>(sums[0].photons);
     for (std::size_t r = 0; r < radii.size(); ++r)
-        out.irradiance[r] =
-            per_area(maps.power_scale, glm::dvec3(sums[r].power), disc_area(radii[r]));
+        out.irradiance[r] = per_area(wanted.scale, glm::dvec3(sums[r].power), disc_area(radii[r]));
     return out;
 }
 
@@ -38,30 +37,31 @@ FoundPhotons list_within(const PhotonMap& map, const PhotonQuery& query, TreeScr
 }
 
 /// For a query with a map, and a first radius above zero.
-RadiusEstimates estimate_in_map(const PhotonMaps& maps, const PhotonMap& map,
-                                const MapSurfaces& surfaces, const PhotonQuery& query,
-                                const std::array<float, 3>& radii, EstimateScratch& scratch)
+RadiusEstimates estimate_in_map(const PhotonMap& map, const RadiusQuery& wanted,
+                                EstimateScratch& scratch)
 {
+    const PhotonQuery& query = wanted.query;
+    const std::array<float, 3>& radii = wanted.radii;
     const bool whole = query.lobes == nullptr;
     // No boundary needs to be looked at where there is no photon.  Beside a boundary a list will be
     // needed anyhow.
     const bool sums_first = whole && !std::exchange(scratch.near_boundary, false);
     RadiusEstimates from_sums;
     if (sums_first) {
-        from_sums = estimate_from_sums(maps, map, query, radii, scratch);
+        from_sums = estimate_from_sums(map, wanted, scratch);
         if (from_sums.photons == 0)
             return from_sums;
     }
-    const float seen = look_around(surfaces, query, radii[0], scratch);
+    const float seen = look_around(wanted.surfaces, query, radii[0], scratch);
     if (!(seen > 0))
         return {};
     if (seen == radii[0] && whole && scratch.segments.empty())
-        return sums_first ? from_sums : estimate_from_sums(maps, map, query, radii, scratch);
+        return sums_first ? from_sums : estimate_from_sums(map, wanted, scratch);
     PhotonQuery within = query;
     within.radius = seen;
     const FoundPhotons found = list_within(map, within, scratch.search.within);
     const RadiusEstimates out = estimate_from_list(
-        found, {maps.power_scale, surfaces, query, narrowed(radii, seen)}, scratch);
+        found, {wanted.scale, wanted.surfaces, query, narrowed(radii, seen)}, scratch);
     scratch.near_boundary = !scratch.segments.empty() && out.photons > 0;
     return out;
 }
@@ -76,7 +76,7 @@ std::array<float, 3> narrowed(const std::array<float, 3>& radii, float seen)
     return {seen, std::min(seen, shrink * radii[1]), shrink * radii[2]};
 }
 
-RadiusEstimates estimate_from_list(const FoundPhotons& found, const ListEstimate& wanted,
+RadiusEstimates estimate_from_list(const FoundPhotons& found, const RadiusQuery& wanted,
                                    const EstimateScratch& scratch)
 {
     const bool tilted = !scratch.segments.empty(); // docs/photon_maps.md (4)
@@ -113,7 +113,8 @@ RadiusEstimates estimate_within(const PhotonMaps& maps, const MapSurfaces& surfa
     const PhotonMap* map = map_of_query(maps, surfaces.partition, query);
     if (map == nullptr || !(radii[0] > 0))
         return {};
-    const RadiusEstimates out = estimate_in_map(maps, *map, surfaces, query, radii, scratch);
+    const RadiusEstimates out =
+        estimate_in_map(*map, {maps.power_scale, surfaces, query, radii}, scratch);
     statistics.photons_found += out.photons;
     return out;
 }

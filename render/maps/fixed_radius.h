@@ -17,17 +17,17 @@ struct RadiusEstimates {
 /// the estimates differ by still tells the bias of the first.  seen: at most radii[0].
 std::array<float, 3> narrowed(const std::array<float, 3>& radii, float seen);
 
-/// An estimate from a list of photons.
-struct ListEstimate {
-    const PowerScale& scale;
+/// An estimate from the photons of one map within three radii.
+struct RadiusQuery {
+    const PowerScale& scale; ///< of the map's photons
     const MapSurfaces& surfaces;
     const PhotonQuery& query;
-    std::array<float, 3> radii; ///< as look_around allows them
+    std::array<float, 3> radii; ///< scene units, descending
 };
 
 /// Adds up the photons of a list that count: those that scratch.disc, pointed by look_around, sees.
-/// found: all photons within the first radius.
-RadiusEstimates estimate_from_list(const FoundPhotons& found, const ListEstimate& wanted,
+/// found: all photons within the first radius.  wanted.radii: as look_around allows them.
+RadiusEstimates estimate_from_list(const FoundPhotons& found, const RadiusQuery& wanted,
                                    const EstimateScratch& scratch);
 
 /// The irradiance at a point from all photons within each of the radii, docs/photon_maps.md (3):
