@@ -14,24 +14,26 @@ namespace hipmap::tree_search::HWY_NAMESPACE {
 /// More than the roundings of a few operations take away.
 constexpr float kRoundedUp = 1.00001f;
 
-/// Writes those children of `count` nodes of a level whose boxes touch the ball, in order; returns
-/// their number.
+struct Ball {
+    PointVec point;
+    FloatVec radius2;
+};
+
+/// Writes those children of nodes of a level whose boxes touch the ball, in order; returns their
+/// number.
 HWY_INLINE std::size_t touched(const WideTree& tree, std::uint32_t level,
-                               const std::vector<std::uint32_t>& parents, std::size_t count,
-                               const PointVec& point, FloatVec radius2,
+                               std::span<const std::uint32_t> parents, const Ball& ball,
                                std::vector<std::uint32_t>& children)
 {
-    grow(children, kTreeWidth * (count + 1));
+    grow(children, kTreeWidth * (parents.size() + 1));
     const BoxNode* const nodes = tree.nodes.data() + tree.first_node[level];
     std::size_t written = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-        const std::uint32_t node = parents[i];
+    for (const std::uint32_t node : parents)
         for (std::uint32_t lane = 0; lane < kTreeWidth; lane += hn::Lanes(Floats())) {
-            const FloatVec nearest = box_distances2(nodes[node], lane, point).nearest;
-            written += write_lanes(kTreeWidth * node + lane, hn::Le(nearest, radius2),
+            const FloatVec nearest = box_distances2(nodes[node], lane, ball.point).nearest;
+            written += write_lanes(kTreeWidth * node + lane, hn::Le(nearest, ball.radius2),
                                    children.data() + written);
         }
-    }
     return written;
 }
 
@@ -43,11 +45,12 @@ void keep_nodes(const WideTree& tree, const TreeQuery& query, float radius, Tree
     scratch.kept = 1;
     // Squares that are nearly zero have few digits.
     constexpr float kRoundedOff = std::numeric_limits<float>::min();
-    const FloatVec radius2 = hn::Set(Floats(), radius * radius * kRoundedUp + kRoundedOff);
+    const Ball ball{spread(query.point),
+                    hn::Set(Floats(), radius * radius * kRoundedUp + kRoundedOff)};
     for (std::uint32_t level = query.from.level; level + 1 < tree.levels; ++level) {
         scratch.nodes.swap(scratch.parents);
-        scratch.kept = touched(tree, level, scratch.parents, scratch.kept, spread(query.point),
-                               radius2, scratch.nodes);
+        scratch.kept =
+            touched(tree, level, {scratch.parents.data(), scratch.kept}, ball, scratch.nodes);
     }
     scratch.kept_tree = tree.number;
     scratch.kept_from = query.from;
@@ -90,10 +93,10 @@ std::size_t Collect(const WideTree& tree, const TreeQuery& query, const Bounds2&
     if (tree.size == 0)
         return 0;
     find_nodes(tree, query, bounds.high2, scratch);
-    const PointVec point = spread(query.point);
-    const std::size_t count = touched(tree, tree.levels - 1, scratch.nodes, scratch.kept, point,
-                                      hn::Set(Floats(), bounds.high2), scratch.blocks);
-    return measure(tree, point, bounds, count, scratch);
+    const Ball ball{spread(query.point), hn::Set(Floats(), bounds.high2)};
+    const std::size_t count =
+        touched(tree, tree.levels - 1, {scratch.nodes.data(), scratch.kept}, ball, scratch.blocks);
+    return measure(tree, ball.point, bounds, count, scratch);
 }
 
 /// Writes the children of the kept nodes that are wholly nearer than bounds.low2 to scratch.whole,

@@ -118,6 +118,13 @@ NearerSum SumNearer(const PhotonPowers& powers, float farthest2, const TreeScrat
     return out;
 }
 
+/// Balls about one point.
+template <std::size_t n>
+struct Balls {
+    PointVec point;
+    const std::array<float, n>& radii2; ///< descending
+};
+
 /// Children of nodes: those within the balls 0 to r and outside the others, by r, and those that
 /// the boundary of a ball may cross.
 template <std::size_t n>
@@ -130,17 +137,16 @@ struct RingCounts {
 /// within the balls 0 to r that are outside the others to ring r; adds their numbers to the counts.
 template <std::size_t n>
 HWY_INLINE void sort_children(const BoxNode& boxes, std::uint32_t first_child,
-                              const PointVec& point, const std::array<float, n>& radii2,
-                              TreeScratch& scratch, RingCounts<n>& count)
+                              const Balls<n>& balls, TreeScratch& scratch, RingCounts<n>& count)
 {
     const Floats d;
     for (std::uint32_t lane = 0; lane < kTreeWidth; lane += hn::Lanes(d)) {
-        const BoxDistances2 box = box_distances2(boxes, lane, point);
-        Mask crossed = hn::Le(box.nearest, hn::Set(d, radii2[0]));
+        const BoxDistances2 box = box_distances2(boxes, lane, balls.point);
+        Mask crossed = hn::Le(box.nearest, hn::Set(d, balls.radii2[0]));
         for (std::size_t r = 0; r < n; ++r) {
-            Mask ring = hn::Le(box.farthest, hn::Set(d, radii2[r]));
+            Mask ring = hn::Le(box.farthest, hn::Set(d, balls.radii2[r]));
             if (r + 1 < n)
-                ring = hn::And(ring, hn::Gt(box.nearest, hn::Set(d, radii2[r + 1])));
+                ring = hn::And(ring, hn::Gt(box.nearest, hn::Set(d, balls.radii2[r + 1])));
             crossed = hn::AndNot(ring, crossed);
             if (!hn::AllFalse(d, ring))
                 count.ring[r] +=
@@ -154,8 +160,7 @@ HWY_INLINE void sort_children(const BoxNode& boxes, std::uint32_t first_child,
 /// Sorts the children of the first `parents` nodes in scratch.parents.
 template <std::size_t n>
 HWY_INLINE RingCounts<n> sort_level(const WideTree& tree, std::uint32_t level, std::size_t parents,
-                                    const PointVec& point, const std::array<float, n>& radii2,
-                                    TreeScratch& scratch)
+                                    const Balls<n>& balls, TreeScratch& scratch)
 {
     const std::size_t most = kTreeWidth * (parents + 1);
     grow(scratch.blocks, most);
@@ -164,8 +169,8 @@ HWY_INLINE RingCounts<n> sort_level(const WideTree& tree, std::uint32_t level, s
     RingCounts<n> count;
     for (std::size_t i = 0; i < parents; ++i) {
         const std::uint32_t node = scratch.parents[i];
-        sort_children(tree.nodes[tree.first_node[level] + node], kTreeWidth * node, point, radii2,
-                      scratch, count);
+        sort_children(tree.nodes[tree.first_node[level] + node], kTreeWidth * node, balls, scratch,
+                      count);
     }
     return count;
 }
@@ -179,15 +184,12 @@ HWY_INLINE void add_to_rings(const RadiusSum& sum, std::size_t ring, RadiusSums<
     }
 }
 
-/// Adds the photons of the blocks in scratch.blocks and in the rings.
+/// Adds the photons within each of the balls, of blocks that their boundaries may cross.
 template <std::size_t n>
-HWY_INLINE void measure_blocks(const WideTree& tree, const PhotonPowers& powers,
-                               const PointVec& point, const std::array<float, n>& radii2,
-                               const RingCounts<n>& count, const TreeScratch& scratch,
-                               RadiusSums<n>& out)
+HWY_INLINE void add_crossed(const WideTree& tree, const PhotonPowers& powers, const Balls<n>& balls,
+                            std::span<const std::uint32_t> crossed, RadiusSums<n>& out)
 {
     const Floats d;
-    const std::span<const std::uint32_t> crossed(scratch.blocks.data(), count.crossed);
     for (std::size_t begin = 0; begin < crossed.size(); begin += kChunk) {
         LaneSums sums[n];
         WordVec counts[n];
@@ -197,9 +199,9 @@ HWY_INLINE void measure_blocks(const WideTree& tree, const PhotonPowers& powers,
         }
         for (const std::uint32_t block : chunk_of(crossed, begin))
             for (std::size_t lane = 0; lane < kTreeWidth; lane += hn::Lanes(d)) {
-                const FloatVec distance2 = photon_distance2(tree.blocks[block], lane, point);
+                const FloatVec distance2 = photon_distance2(tree.blocks[block], lane, balls.point);
                 for (std::size_t r = 0; r < n; ++r) {
-                    const Mask within = hn::Le(distance2, hn::Set(d, radii2[r]));
+                    const Mask within = hn::Le(distance2, hn::Set(d, balls.radii2[r]));
                     counts[r] = count_lanes(counts[r], within);
                     add_lanes(powers.blocks[block], lane, within, sums[r]);
                 }
@@ -209,6 +211,14 @@ HWY_INLINE void measure_blocks(const WideTree& tree, const PhotonPowers& powers,
             out[r].photons += sum_lanes(counts[r]);
         }
     }
+}
+
+/// Adds the photons of the blocks in the rings.
+template <std::size_t n>
+HWY_INLINE void add_rings(const WideTree& tree, const PhotonPowers& powers,
+                          const RingCounts<n>& count, const TreeScratch& scratch,
+                          RadiusSums<n>& out)
+{
     for (std::size_t r = 0; r < n; ++r) {
         const std::span<const std::uint32_t> ring(scratch.rings[r].data(), count.ring[r]);
         for (std::size_t begin = 0; begin < ring.size(); begin += kChunk) {
@@ -227,13 +237,13 @@ HWY_INLINE RadiusSums<n> sum_within_radii(const WideTree& tree, const PhotonPowe
     RadiusSums<n> out;
     if (tree.size == 0)
         return out;
-    const PointVec point = spread(at);
+    const Balls<n> balls{spread(at), radii2};
     grow(scratch.parents, kTreeWidth);
     scratch.parents[0] = 0;
     RingCounts<n> count;
     count.crossed = 1;
     for (std::uint32_t level = 0; level + 1 < tree.levels; ++level) {
-        count = sort_level(tree, level, count.crossed, point, radii2, scratch);
+        count = sort_level(tree, level, count.crossed, balls, scratch);
         for (std::size_t r = 0; r < n; ++r)
             for (std::size_t i = 0; i < count.ring[r]; ++i) {
                 const std::uint32_t node = scratch.rings[r][i];
@@ -243,8 +253,9 @@ HWY_INLINE RadiusSums<n> sum_within_radii(const WideTree& tree, const PhotonPowe
             }
         scratch.parents.swap(scratch.blocks);
     }
-    count = sort_level(tree, tree.levels - 1, count.crossed, point, radii2, scratch);
-    measure_blocks(tree, powers, point, radii2, count, scratch, out);
+    count = sort_level(tree, tree.levels - 1, count.crossed, balls, scratch);
+    add_crossed(tree, powers, balls, {scratch.blocks.data(), count.crossed}, out);
+    add_rings(tree, powers, count, scratch, out);
     return out;
 }
 
