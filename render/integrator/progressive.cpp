@@ -24,6 +24,24 @@ struct Progressive {
     PhotonCache* cache = nullptr;
 };
 
+/// One pass: its scene, options, number and radii.
+struct ProgressivePass {
+    MappedScene mapped;
+    const RenderOptions& options;
+    std::uint64_t number = 0;
+    double shrink = 1; ///< radius over the first radius
+};
+
+/// Pass `number` of the image, with the radii of its number.
+ProgressivePass numbered_pass(const MappedScene& mapped, const RenderOptions& options,
+                              std::uint64_t number)
+{
+    return {.mapped = mapped,
+            .options = options,
+            .number = number,
+            .shrink = radius_of_pass(number, options.alpha)};
+}
+
 /// It is Lambert's alone.
 bool precomputes(const RenderScene& scene, const RenderOptions& options)
 {
@@ -83,12 +101,13 @@ void count_searches(const GatherScratch& scratch, RenderStatistics& statistics)
     statistics.indirect.add_searches(scratch.indirect);
 }
 
-ProgressiveMaps make_maps(const MappedScene& mapped, const ProgressiveRadii& first,
-                          const RenderOptions& options, std::uint64_t pass, double shrink,
+ProgressiveMaps make_maps(const ProgressivePass& pass, const ProgressiveRadii& first,
                           RenderStatistics& statistics)
 {
+    const MappedScene& mapped = pass.mapped;
     const RenderScene& scene = mapped.scene;
-    const TracedPhotons traced = trace_linked(scene, options, pass, statistics);
+    const RenderOptions& options = pass.options;
+    const TracedPhotons traced = trace_linked(scene, options, pass.number, statistics);
     const Stopwatch watch;
     ProgressiveMaps maps;
     const auto build = [&](ChosenMaps& to, const std::vector<Photon>& photons,
@@ -105,44 +124,43 @@ ProgressiveMaps make_maps(const MappedScene& mapped, const ProgressiveRadii& fir
                   statistics.indirect);
         },
         [&] {
-            maps.volume = build_volume(scene, traced, first.volume, static_cast<float>(shrink));
+            maps.volume =
+                build_volume(scene, traced, first.volume, static_cast<float>(pass.shrink));
         });
     count_maps(maps.volume, watch, statistics);
     return maps;
 }
 
-/// shrink: radius over the first radius.
-RenderedPass gather_pass(const MappedScene& mapped, const Progressive& shared,
-                         const ProgressiveMaps& photons, const PictureJob& job, double shrink,
-                         const PassControl& control, RenderStatistics& statistics)
+RenderedPass gather_pass(const ProgressivePass& pass, const Progressive& shared,
+                         const ProgressiveMaps& photons, const PassControl& control,
+                         RenderStatistics& statistics)
 {
-    const GatherMaps maps{mapped.scene,
-                          mapped.surfaces,
+    const RenderScene& scene = pass.mapped.scene;
+    const GatherMaps maps{scene,
+                          pass.mapped.surfaces,
                           photons.caustic,
                           photons.global,
                           photons.indirect,
                           shared.first->surfaces,
-                          static_cast<float>(shrink),
-                          job.options.light.indirect,
+                          static_cast<float>(pass.shrink),
+                          pass.options.light.indirect,
                           photons.volume ? &*photons.volume : nullptr};
     return render_tiles<3, GatherScratch>(
-        job, after(control, kPhotonShare), statistics,
+        {scene, pass.options, pass.number, shared.allotment}, after(control, kPhotonShare),
+        statistics,
         [&](const Ray& ray, SeenLights seen, RandomSequence& random, GatherScratch& scratch) {
             return trace_gather_path(maps, ray, seen, random, scratch);
         },
         [&](const GatherScratch& scratch) { count_searches(scratch, statistics); });
 }
 
-RenderedPass render_pass(const MappedScene& mapped, const Progressive& shared,
-                         const RenderOptions& options, std::uint64_t pass,
+RenderedPass render_pass(const ProgressivePass& pass, const Progressive& shared,
                          const PassControl& control, RenderStatistics& statistics)
 {
-    const double shrink = radius_of_pass(pass, options.alpha);
-    const auto photons = maps_of_pass(shared.cache, pass, statistics, [&](RenderStatistics& made) {
-        return make_maps(mapped, *shared.first, options, pass, shrink, made);
-    });
-    return gather_pass(mapped, shared, *photons, {mapped.scene, options, pass, shared.allotment},
-                       shrink, control, statistics);
+    const auto photons =
+        maps_of_pass(shared.cache, pass.number, statistics,
+                     [&](RenderStatistics& made) { return make_maps(pass, *shared.first, made); });
+    return gather_pass(pass, shared, *photons, control, statistics);
 }
 
 /// Allots samples by two images from the same photons; returns the mean of their channels.
@@ -153,14 +171,14 @@ double render_pilot(const MappedScene& mapped, const RenderOptions& options, Pro
     RenderOptions small = pilot_options(options);
     small.width = (options.width + 1) / 2;
     small.height = (options.height + 1) / 2;
+    const auto pilot = [&](std::uint64_t number) { return ProgressivePass{mapped, small, number}; };
     const auto photons =
         maps_of_pass(shared.cache, kPilotPass, ignored, [&](RenderStatistics& made) {
-            return make_maps(mapped, *shared.first, small, kPilotPass, 1, made);
+            return make_maps(pilot(kPilotPass), *shared.first, made);
         });
-    const SampleAllotment evenly{{}, allot_light_samples(scene, small)};
-    const auto image_of = [&](std::uint64_t pass) {
-        return gather_pass(mapped, shared, *photons, {scene, small, pass, evenly}, 1.0, {}, ignored)
-            .images.radiance;
+    const Progressive evenly{shared.first, {{}, allot_light_samples(scene, small)}};
+    const auto image_of = [&](std::uint64_t number) {
+        return gather_pass(pilot(number), evenly, *photons, {}, ignored).images.radiance;
     };
     const Image first = image_of(kPilotPass), second = image_of(kPilotPass - 1);
     shared.allotment = allot_samples(first, second, options.width, options.height, options.samples);
@@ -191,13 +209,15 @@ PassSource make_progressive_source(const RenderScene& scene, const RenderOptions
     source.bias = precomputes(scene, options) ? BiasKnowledge::unknown : BiasKnowledge::from_radii;
     source.render = [&scene, &options, &statistics, surfaces, shared](std::uint64_t pass,
                                                                       const PassControl& control) {
-        return render_pass({scene, *surfaces}, *shared, options, pass, control, statistics);
+        return render_pass(numbered_pass({scene, *surfaces}, options, pass), *shared, control,
+                           statistics);
     };
     source.render_in = [&options, &statistics, shared](const RenderScene& now, std::uint64_t pass,
                                                        const PassControl& control) {
         const MapSurfaces surfaces_now(now.mesh(), now.partition);
         const Progressive anew{shared->first, shared->allotment};
-        return render_pass({now, surfaces_now}, anew, options, pass, control, statistics);
+        return render_pass(numbered_pass({now, surfaces_now}, options, pass), anew, control,
+                           statistics);
     };
     return source;
 }
