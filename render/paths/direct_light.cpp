@@ -51,11 +51,16 @@ LightReceiver receiver(const Interaction& at)
     return {at.point.position, both ? glm::vec3(0) : at.normal};
 }
 
-/// chosen: how many samples of the light there are, on average.
-Rgb from_light(const RenderScene& scene, const Interaction& at, const Light& light, double chosen,
+/// A light to sample.
+struct SampledLight {
+    const Light& light;
+    double samples = 1; ///< of the light at a point, on average
+};
+
+Rgb from_light(const RenderScene& scene, const Interaction& at, const SampledLight& sampled,
                const LobeRays& rays, RandomSequence& random)
 {
-    const std::optional<LightSample> sample = sample_li(light, receiver(at), random);
+    const std::optional<LightSample> sample = sample_li(sampled.light, receiver(at), random);
     if (!sample)
         return Rgb(0);
     Ray shadow;
@@ -67,9 +72,9 @@ Rgb from_light(const RenderScene& scene, const Interaction& at, const Light& lig
     }
     const InLobes lobes = in_lobes(at, shadow.direction, rays);
     const Rgb value = sample->pdf > 0
-                          ? weighed(lobes, rays, static_cast<float>(chosen * sample->pdf))
+                          ? weighed(lobes, rays, static_cast<float>(sampled.samples * sample->pdf))
                           : lobes.gathered.value + lobes.followed.value;
-    const Rgb sent = value * sample->light / static_cast<float>(chosen);
+    const Rgb sent = value * sample->light / static_cast<float>(sampled.samples);
     return is_black(sent) ? sent : sent * unoccluded(scene, at, shadow);
 }
 
@@ -115,15 +120,17 @@ Rgb analytic_light(const RenderScene& scene, const Interaction& at, const LobeRa
     const LightSet& lights = scene.lights;
     Rgb sum(0.0f);
     for (const std::uint32_t light : lights.sampled)
-        sum += from_light(scene, at, lights.lights[light], 1, rays, random);
+        sum += from_light(scene, at, {.light = lights.lights[light]}, rays, random);
     if (lights.tree.empty())
         return sum;
     const LightReceiver from = receiver(at);
     for (int i = 0; i < kChosenLights; ++i) {
         const double u = (i + double{random.next()}) / kChosenLights;
         if (const std::optional<ChosenLight> chosen = choose_light(lights.tree, from, u))
-            sum += from_light(scene, at, lights.lights[lights.chosen[chosen->light]],
-                              kChosenLights * chosen->probability, rays, random);
+            sum += from_light(scene, at,
+                              {.light = lights.lights[lights.chosen[chosen->light]],
+                               .samples = kChosenLights * chosen->probability},
+                              rays, random);
     }
     return sum;
 }
@@ -133,7 +140,7 @@ Rgb environment_light(const RenderScene& scene, const Interaction& at, const Lob
 {
     Rgb sum(0.0f);
     for (const std::uint32_t light : scene.lights.environments)
-        sum += from_light(scene, at, scene.lights.lights[light], 1, rays, random);
+        sum += from_light(scene, at, {.light = scene.lights.lights[light]}, rays, random);
     return sum;
 }
 
