@@ -179,12 +179,11 @@ std::optional<RayHit> fly(const RenderScene& scene, LightPath& path, TracedPhoto
     return hit;
 }
 
-/// True: the path goes on through the face, but leaves a photon, docs/light_transport.md (22).
-bool pass_face(const RenderScene& scene, const Interaction& at, const Wanted& wanted,
-               RandomSequence& random, LightPath& path, TracedPhotons& out)
+/// Sends the path on through a face that its opacity does not stop.  Stores a photon there all the
+/// same, docs/light_transport.md (22).
+void pass_face(const RenderScene& scene, const Interaction& at, const Wanted& wanted,
+               LightPath& path, TracedPhotons& out)
 {
-    if (random.next() < at.coverage)
-        return false;
     const FaceId face = at.point.face;
     const Bsdf& worn = scene.bsdfs[scene.mesh().material_of_face[face]];
     if ((at.bsdf().gathers || worn.gathers) && scene.partition.map_of_face[face] != kNone) {
@@ -192,7 +191,6 @@ bool pass_face(const RenderScene& scene, const Interaction& at, const Wanted& wa
         store(at, passing, scene.directional, wanted, out);
     }
     path.ray.origin = offset_origin(at.point, path.ray.direction);
-    return true;
 }
 
 template <bool media>
@@ -212,8 +210,10 @@ void trace(const RenderScene& scene, const Wanted& wanted, RandomSequence& rando
         Interaction at = interact(scene, path.ray, *hit);
         if constexpr (media)
             at.inside = &path.inside;
-        if (at.coverage < 1 && pass_face(scene, at, wanted, random, path, out))
+        if (at.coverage < 1 && random.next() >= at.coverage) {
+            pass_face(scene, at, wanted, path, out);
             continue;
+        }
         find_index(scene, at, path.nanometres, path.power, random);
         if (at.bsdf().gathers && scene.partition.map_of_face[hit->face] != kNone)
             store(at, path, scene.directional, wanted, out);

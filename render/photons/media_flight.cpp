@@ -14,45 +14,53 @@ constexpr int kMostScatterings = 1 << 14;
 /// leave thousands.
 constexpr int kFullScatterings = 16;
 
-/// Keeps a photon where a medium scatters the path.
-void store_in_medium(const glm::vec3& position, MaterialId inside, const LightPath& path,
-                     const Wanted& wanted, RandomSequence& random, TracedPhotons& out)
+/// Moves the path to the point of a medium where it scatters.
+void stop_in_medium(LightPath& path, const glm::vec3& position)
 {
-    const float chance = static_cast<float>(kFullScatterings) /
-                         static_cast<float>(std::max(path.scatterings, kFullScatterings));
-    if (!wants_class(path.behind, wanted) || !wanted.volume || !(random.next() < chance))
-        return;
-    const Rgb power = path.power / chance;
-    if (is_finite(power) && is_finite(position))
-        out.volume.push_back({position, power, path.ray.direction, inside});
-    else
-        ++out.dropped;
-}
-
-/// Scatters the path at a point of a medium, or ends it by Russian roulette against what it carried
-/// before.
-bool scatter_in_medium(const MediaSet& media, const glm::vec3& position, float before,
-                       const Wanted& wanted, RandomSequence& random, LightPath& path,
-                       TracedPhotons& out)
-{
-    const MaterialId inside = path.inside.current();
     ++path.scatterings;
     path.media_last = true;
     if (path.behind == LightPathClass::direct)
         path.behind = LightPathClass::volume;
     path.last = kNoPhoton;
     path.nanometres = 0;
-    store_in_medium(position, inside, path, wanted, random, out);
+    path.ray.origin = position;
+}
+
+/// Keeps a photon where a medium scatters the path: at the origin of its ray.
+void store_in_medium(const LightPath& path, const Wanted& wanted, RandomSequence& random,
+                     TracedPhotons& out)
+{
+    const glm::vec3& position = path.ray.origin;
+    const float chance = static_cast<float>(kFullScatterings) /
+                         static_cast<float>(std::max(path.scatterings, kFullScatterings));
+    if (!wants_class(path.behind, wanted) || !wanted.volume || !(random.next() < chance))
+        return;
+    const Rgb power = path.power / chance;
+    if (is_finite(power) && is_finite(position))
+        out.volume.push_back({position, power, path.ray.direction, path.inside.current()});
+    else
+        ++out.dropped;
+}
+
+/// Whether a path that a medium scatters goes on: by Russian roulette against what it carried
+/// before.
+bool survives_in_medium(float before, const Wanted& wanted, RandomSequence& random, LightPath& path,
+                        TracedPhotons& out)
+{
     const float chance = std::min(1.0f, max_channel(path.power) / before);
     const bool goes_on = random.next() < chance && !is_done(path, wanted);
     const Rgb incoming = path.power;
     path.power = goes_on ? incoming / chance : Rgb(0);
     out.power.absorbed += glm::dvec3(incoming - path.power);
-    path.ray.origin = position;
-    path.ray.direction =
-        sample_phase(media.medium(inside).phase, path.ray.direction, random.next2());
-    path.ray.far = std::numeric_limits<float>::infinity();
     return goes_on;
+}
+
+/// Sends the path on in a direction drawn from the phase function of its medium.
+void scatter_in_medium(const MediaSet& media, RandomSequence& random, LightPath& path)
+{
+    const Medium& medium = media.medium(path.inside.current());
+    path.ray.direction = sample_phase(medium.phase, path.ray.direction, random.next2());
+    path.ray.far = std::numeric_limits<float>::infinity();
 }
 
 } // namespace
@@ -78,8 +86,11 @@ std::optional<RayHit> fly_through_media(const MediaSet& media, const Wanted& wan
                 out.power.escaped += glm::dvec3(path.power);
             return end.hit;
         }
-        if (!scatter_in_medium(media, position, max_channel(before), wanted, random, path, out))
+        stop_in_medium(path, position);
+        store_in_medium(path, wanted, random, out);
+        if (!survives_in_medium(max_channel(before), wanted, random, path, out))
             return std::nullopt;
+        scatter_in_medium(media, random, path);
     }
     ++out.cut;
     return std::nullopt;
