@@ -83,6 +83,19 @@ void time_run(const std::vector<PhotonQuery>& queries, const Act& act, double& b
     best = std::min(best, 1e9 * seconds / static_cast<double>(queries.size()));
 }
 
+/// Lowers `best` by a run of limiting radii; returns their sum, so that none is left out.
+template <typename Limit>
+float time_limits(const Floor& floor, const std::vector<PhotonQuery>& queries, Limit limit,
+                  double& best)
+{
+    float sum = 0;
+    const auto add = [&](const PhotonQuery& query) {
+        sum += limit(floor.scene.mesh, floor.partition, query.face, query.position);
+    };
+    time_run(queries, add, best);
+    return sum;
+}
+
 void print_level(const char* name, const LevelMaps& level, const LevelSearches& searches)
 {
     std::printf("  %s: %zu maps; asked %.3f, answered %.3f, saving %.2f nodes; %llu begun, %llu "
@@ -95,10 +108,9 @@ void print_level(const char* name, const LevelMaps& level, const LevelSearches& 
 void measure(std::uint32_t cells, std::size_t photon_count, std::uint32_t k)
 {
     const Floor floor = make_floor(cells);
-    const TriangleMesh& mesh = floor.scene.mesh;
     const std::vector<Photon> photons = make_photons(floor, photon_count);
     const std::vector<PhotonQuery> queries = make_queries(floor);
-    const MapSurfaces surfaces(mesh, floor.partition);
+    const MapSurfaces surfaces(floor.scene.mesh, floor.partition);
     DissertationOptions options{MapMode::shared, 10 * k};
     const auto build = [&] { return build_dissertation_maps(photons, surfaces, {k}, options); };
     const DissertationMaps shared = build();
@@ -111,13 +123,7 @@ void measure(std::uint32_t cells, std::size_t photon_count, std::uint32_t k)
     DissertationScratch below[3];
     const DissertationMaps* const maps[] = {&shared, &paying, &all};
     double ns[3] = {1e30, 1e30, 1e30}, local = 1e30, group = 1e30;
-    float sum = 0; // so that asking is not left out
-    const auto ask = [&](auto limit, double& best) {
-        const auto add = [&](const PhotonQuery& query) {
-            sum += limit(mesh, floor.partition, query.face, query.position);
-        };
-        time_run(queries, add, best);
-    };
+    float sum = 0;
     for (int run = 0; run < kRuns; ++run) {
         for (int i = 0; i < 3; ++i) {
             const auto find = [&](const PhotonQuery& query) {
@@ -125,13 +131,14 @@ void measure(std::uint32_t cells, std::size_t photon_count, std::uint32_t k)
             };
             time_run(queries, find, ns[i]);
         }
-        ask(exact_limiting_radius, local);
-        ask(exact_group_radius, group);
+        sum += time_limits(floor, queries, exact_limiting_radius, local);
+        sum += time_limits(floor, queries, exact_group_radius, group);
     }
     std::printf("%zu faces, %zu photons, k = %u, %u levels: shared %.1f ns, paying %.1f (%.3f), "
                 "all %.1f (%.3f); limiting radius: local %.1f, group %.1f ns%s\n",
-                mesh.face_count(), photon_count, k, shared.shared.maps[0].tree.levels, ns[0], ns[1],
-                ns[0] / ns[1], ns[2], ns[0] / ns[2], local, group, sum < 0 ? "!" : "");
+                floor.scene.mesh.face_count(), photon_count, k, shared.shared.maps[0].tree.levels,
+                ns[0], ns[1], ns[0] / ns[1], ns[2], ns[0] / ns[2], local, group,
+                sum < 0 ? "!" : "");
     print_level("local", all.local_level, below[2].levels.local);
     print_level("group", all.group_level, below[2].levels.group);
 }
