@@ -5,7 +5,7 @@
 #include "common/stopwatch.h"
 #include "preprocess/colouring/coloured_glb.h"
 #include "preprocess/colouring/partition_pictures.h"
-#include "preprocess/partition/former_frame.h"
+#include "preprocess/partition/previous_frame.h"
 #include "preprocess/summary.h"
 
 #include <numbers>
@@ -24,7 +24,7 @@ void print_summary(const PartitionSummary& summary, double angle_deg, Report& re
 
 /// Makes the partition of a scene, by that of the frame before, if there was one.
 void make_partition(const PreprocessArguments& arguments, const Scene& scene,
-                    std::optional<FormerFrame>& frame, Report& report)
+                    std::optional<PreviousFrame>& frame, Report& report)
 {
     if (frame && frame->result.partition.scene == fingerprint(scene)) {
         report.line("no face has moved since the frame before: its partition serves");
@@ -57,7 +57,7 @@ std::vector<LegendedPicture> paint_pictures(const PreprocessArguments& arguments
 
 /// frame: the one before, if there was one; becomes this one.
 int preprocess(const PreprocessArguments& arguments, SceneSource& source,
-               std::optional<FormerFrame>& frame)
+               std::optional<PreviousFrame>& frame)
 {
     Report report;
     const ThreadLimit threads(arguments.threads);
@@ -99,9 +99,10 @@ int preprocess_frames(const PreprocessArguments& arguments)
         return kExitDone;
     });
     SceneSource source(arguments.scene, arguments.scene_options);
-    std::optional<FormerFrame> former;
-    return for_each_frame_of(
-        arguments, [&](const PreprocessArguments& one) { return preprocess(one, source, former); });
+    std::optional<PreviousFrame> previous;
+    return for_each_frame_of(arguments, [&](const PreprocessArguments& one) {
+        return preprocess(one, source, previous);
+    });
 }
 
 } // namespace

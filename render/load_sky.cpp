@@ -10,20 +10,20 @@ namespace hipmap {
 
 EnvironmentMap load_sky(const Scene& scene, double turn_deg)
 {
-    if (scene.environment_picture.empty())
+    if (scene.environment_map_file.empty())
         return {};
-    const Image picture = read_image(scene.environment_picture);
-    for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
-        const Rgb& pixel = picture.pixels[i];
-        const auto width = static_cast<std::size_t>(picture.width);
+    const Image map = read_image(scene.environment_map_file);
+    for (std::size_t i = 0; i < map.pixels.size(); ++i) {
+        const Rgb& pixel = map.pixels[i];
+        const auto width = static_cast<std::size_t>(map.width);
         if (!(std::min({pixel.x, pixel.y, pixel.z}) >= 0))
             throw InputError(
-                scene.environment_picture + ": pixel (" + std::to_string(i % width) + ", " +
+                scene.environment_map_file + ": pixel (" + std::to_string(i % width) + ", " +
                 std::to_string(i / width) +
                 ") is below zero; a sky has no such radiance, write the picture again");
     }
     const double whole_turn_deg = scene.environment_turn_deg + turn_deg;
-    return make_environment_map(picture, scene.environment_strength,
+    return make_environment_map(map, scene.environment_strength,
                                 static_cast<float>(whole_turn_deg * std::numbers::pi / 180));
 }
 

@@ -39,8 +39,8 @@ void write_results(const PreparedFrame& frame, const RenderedFrame& rendered, Re
     write_statistics(arguments.files, statistics_json(frame, rendered, written), report);
 }
 
-/// former: the previous frame, and this one afterwards; null: there is a single frame.
-int render(const RenderArguments& request, SceneSource& source, FormerFrame* former)
+/// previous: the previous frame, and this one afterwards; null: there is a single frame.
+int render(const RenderArguments& request, SceneSource& source, PreviousFrame* previous)
 {
     Report report;
     const ThreadLimit threads(request.threads);
@@ -53,7 +53,7 @@ int render(const RenderArguments& request, SceneSource& source, FormerFrame* for
     print_preparation(frame, report);
     std::signal(SIGINT, ask_to_stop);
     std::signal(SIGTERM, ask_to_stop);
-    const RenderedFrame rendered = render_frame(frame, source, former, g_stop, report);
+    const RenderedFrame rendered = render_frame(frame, source, previous, g_stop, report);
     write_results(frame, rendered, report);
     if (rendered.result.reason == StopReason::caller) {
         report.line("stopped by a signal after " +
@@ -76,10 +76,10 @@ int render_frames(const RenderArguments& arguments)
         Report().line("assumed: each frame is exposed by itself, so brightness may jump "
                       "(--exposure EV holds it)");
     SceneSource source(arguments.scene, arguments.scene_options);
-    FormerFrame former;
+    PreviousFrame previous;
     const bool further = arguments.frames.last > arguments.frames.first;
     return for_each_frame_of(arguments, [&](const RenderArguments& one) {
-        return render(one, source, further ? &former : nullptr);
+        return render(one, source, further ? &previous : nullptr);
     });
 }
 

@@ -24,16 +24,16 @@ void choose_reflections(const RenderArguments& arguments, LoadedScene& loaded)
         material.energy_compensation = arguments.energy_compensation;
 }
 
-void choose_sky_picture(const RenderArguments& arguments, LoadedScene& loaded)
+void choose_environment_map(const RenderArguments& arguments, LoadedScene& loaded)
 {
-    if (!arguments.sky.picture.empty()) {
+    if (!arguments.sky.map_file.empty()) {
         loaded.scene.environment = Rgb(0);
-        loaded.scene.environment_picture = arguments.sky.picture;
+        loaded.scene.environment_map_file = arguments.sky.map_file;
         loaded.scene.environment_strength = 1;
         loaded.scene.environment_turn_deg = 0;
     }
-    if (!loaded.scene.environment_picture.empty())
-        loaded.audit.found.push_back("a picture of the sky, " + loaded.scene.environment_picture);
+    if (!loaded.scene.environment_map_file.empty())
+        loaded.audit.found.push_back("a picture of the sky, " + loaded.scene.environment_map_file);
 }
 
 /// As many as a pass has samples: then photons cost a small part of it wherever rays cost more, and
@@ -76,7 +76,7 @@ LoadedScene load_at(const RenderArguments& arguments, SceneSource& source,
 {
     LoadedScene loaded = source.at(time, !arguments.frames.asked());
     choose_reflections(arguments, loaded);
-    choose_sky_picture(arguments, loaded);
+    choose_environment_map(arguments, loaded);
     return loaded;
 }
 

@@ -68,18 +68,18 @@ PassSource make_source(const PreparedFrame& frame, const RenderScene& scene, Sce
 }
 
 /// The photons that frames share; null: none, or none may be shared.
-PhotonCache* find_cache(const PreparedFrame& frame, FormerFrame* former)
+PhotonCache* find_cache(const PreparedFrame& frame, PreviousFrame* previous)
 {
-    if (former == nullptr || frame.effects.has(Effect::motion_blur))
+    if (previous == nullptr || frame.effects.has(Effect::motion_blur))
         return nullptr;
-    return &cache_for(*former, frame.loaded.scene, frame.partition, frame.sky,
+    return &cache_for(*previous, frame.loaded.scene, frame.partition, frame.sky,
                       frame.arguments.photon_cache_mib);
 }
 
-RenderedFrame render_passes(PreparedFrame& frame, SceneSource& source, FormerFrame* former,
+RenderedFrame render_passes(PreparedFrame& frame, SceneSource& source, PreviousFrame* previous,
                             const std::atomic<bool>& stop, Report& report)
 {
-    PhotonCache* const cache = find_cache(frame, former);
+    PhotonCache* const cache = find_cache(frame, previous);
     RenderedFrame out;
     const Stopwatch building;
     const RenderScene scene(frame.loaded.scene, frame.partition, std::move(frame.sky));
@@ -95,24 +95,24 @@ RenderedFrame render_passes(PreparedFrame& frame, SceneSource& source, FormerFra
 
 } // namespace
 
-RenderedFrame render_frame(PreparedFrame& frame, SceneSource& source, FormerFrame* former,
+RenderedFrame render_frame(PreparedFrame& frame, SceneSource& source, PreviousFrame* previous,
                            const std::atomic<bool>& stop, Report& report)
 {
-    if (former == nullptr)
-        return render_passes(frame, source, former, stop, report);
-    if (former->rendered && former->settings == frame.settings && !frame.found) {
+    if (previous == nullptr)
+        return render_passes(frame, source, previous, stop, report);
+    if (previous->rendered && previous->settings == frame.settings && !frame.found) {
         report.line("nothing has moved since the frame before: its image serves");
         if (!frame.arguments.files.state.empty())
-            write_state(frame.arguments.files.state, former->rendered->state);
-        RenderedFrame out = *former->rendered;
+            write_state(frame.arguments.files.state, previous->rendered->state);
+        RenderedFrame out = *previous->rendered;
         out.seconds_rays = 0;
         return out;
     }
-    RenderedFrame out = render_passes(frame, source, former, stop, report);
-    former->settings = frame.settings;
-    former->rendered.reset();
+    RenderedFrame out = render_passes(frame, source, previous, stop, report);
+    previous->settings = frame.settings;
+    previous->rendered.reset();
     if (!frame.found && out.result.reason != StopReason::caller)
-        former->rendered = out;
+        previous->rendered = out;
     return out;
 }
 

@@ -1,16 +1,16 @@
 #pragma once
 
 #include "common/report.h"
-#include "render/former_frame.h"
 #include "render/prepare_frame.h"
+#include "render/previous_frame.h"
 
 namespace hipmap {
 
 /// Renders a frame, or takes the image of the previous one if that shows the same.  Writes the
 /// state if one is asked for.  Moves the sky out of `frame`.
-/// former: the previous frame, and this one afterwards; null: there is a single frame.  stop: set
+/// previous: the previous frame, and this one afterwards; null: there is a single frame.  stop: set
 /// from outside to end early.
-RenderedFrame render_frame(PreparedFrame& frame, SceneSource& source, FormerFrame* former,
+RenderedFrame render_frame(PreparedFrame& frame, SceneSource& source, PreviousFrame* previous,
                            const std::atomic<bool>& stop, Report& report);
 
 } // namespace hipmap

@@ -21,7 +21,7 @@ ShutterTime shutter_time(const RenderArguments& arguments);
 
 /// What a scene does while the shutter is open.
 struct ShutterMotion {
-    /// The names of objects, lamps and the camera that are not where they are at the moment of the
+    /// The names of objects, lights and the camera that are not where they are at the moment of the
     /// frame at some of five moments from the shutter's opening to its closing.
     std::vector<std::string> names;
     Setting setting; ///< for a state, besides settings_of

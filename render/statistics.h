@@ -1,8 +1,8 @@
 #pragma once
 
-#include "render/former_frame.h"
 #include "render/outputs.h"
 #include "render/prepare_frame.h"
+#include "render/previous_frame.h"
 
 #include <string>
 

@@ -16,15 +16,15 @@ void parse_environment(const std::string& text, SceneOptions& options, SkyOption
     const bool is_number = CLI::detail::lexical_cast(text, radiance);
     if (is_number && !(radiance >= 0 && radiance <= kMostRadiance))
         throw CLI::ValidationError("--environment", text + " is no radiance from 0 to 1e12");
-    sky.picture = is_number ? "" : text;
+    sky.map_file = is_number ? "" : text;
     // With an environment map, the loader must not take the scene for one without light.
     options.environment = Rgb(is_number ? static_cast<float>(radiance) : 1.0f);
 }
 
 SettingValue environment_of(const SceneOptions& options, const SkyOptions& sky)
 {
-    if (!sky.picture.empty())
-        return sky.picture;
+    if (!sky.map_file.empty())
+        return sky.map_file;
     return options.environment ? SettingValue(double{options.environment->x}) : SettingValue();
 }
 

@@ -5,10 +5,10 @@
 
 namespace hipmap {
 
-/// A picture of the sky instead of the scene's own.
+/// A environment map instead of the scene's own.
 struct SkyOptions {
-    std::string picture;   ///< path; empty: none
-    double turn_deg = 0.0; ///< of any picture, about +y, counter-clockwise from above
+    std::string map_file;  ///< path; empty: none
+    double turn_deg = 0.0; ///< of any texture, about +y, counter-clockwise from above
 };
 
 /// The options that both tools give to load_scene, bound to `options` and `sky`.

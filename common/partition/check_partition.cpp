@@ -20,7 +20,7 @@ std::string defect_of_sizes(const Partition& p)
     if (p.edge_class.size() != 3 * faces || p.opposite.size() != 3 * faces ||
         p.flipped.size() != faces || p.closed.size() != faces || p.reach.size() != faces ||
         p.candidate.size() != faces || p.kept_edges.size() != faces ||
-        p.clearance.size() != faces || p.group_of_face.size() != faces ||
+        p.self_distance.size() != faces || p.group_of_face.size() != faces ||
         p.group_radius.size() != faces)
         return "its arrays differ in length";
     return {};
@@ -38,7 +38,7 @@ std::string defect_of_faces(const Partition& p)
             ++next;
         if (!(p.reach[face] >= 0))
             return place() + " has no valid reach";
-        if (!(p.clearance[face] >= 0) || p.kept_edges[face] > 7)
+        if (!(p.self_distance[face] >= 0) || p.kept_edges[face] > 7)
             return place() + " has no valid clearance";
         if (map == kNone && p.candidate[face])
             return place() + " has no map but asks for a local one";

@@ -14,7 +14,7 @@ constexpr double kDistanceRounding = 1e-6;
 float exact_limiting_radius(const TriangleMesh& mesh, const Partition& partition, FaceId face,
                             const glm::vec3& point)
 {
-    double nearest = partition.clearance[face];
+    double nearest = partition.self_distance[face];
     for (int corner = 0; corner < 3; ++corner) {
         if (!(partition.kept_edges[face] >> corner & 1))
             continue;

@@ -28,7 +28,7 @@ inline EdgePlane edge_plane(const TriangleMesh& mesh, FaceId face, int corner)
 }
 
 /// Distance from a point of `face` within which its shared map has photons of this face alone:
-///     r(x) = min(heights of x over the planes of the kept edges, clearance)
+///     r(x) = min(heights of x over the planes of the kept edges, self-distance)
 /// docs/partition_file.md (4), less what the rounding of positions and of distances in float can
 /// amount to.  A search of the face's photons that ends strictly within it finds what a search of
 /// the whole shared map would find, photon for photon.
@@ -37,7 +37,7 @@ inline EdgePlane edge_plane(const TriangleMesh& mesh, FaceId face, int corner)
 float exact_limiting_radius(const TriangleMesh& mesh, const Partition& partition, FaceId face,
                             const glm::vec3& point);
 
-/// Where equation (5) has the clearance of a face in a group: the mean of its corners.
+/// Where equation (5) has the self-distance of a face in a group: the mean of its corners.
 glm::dvec3 face_centre(const TriangleMesh& mesh, FaceId face);
 
 /// Distance from a point within which its shared map has photons of the face's group alone,

@@ -49,8 +49,9 @@ struct Partition {
     std::vector<std::uint8_t> candidate; ///< [F] 1: worth a local map
     std::vector<std::uint8_t>
         kept_edges; ///< [F] bit c: the plane through edge c bounds the exact limiting radius
-    std::vector<float> clearance; ///< [F] what else bounds it, scene units; infinity: nothing, 0 if
-                                  ///<     degenerate; see exact_limiting_radius
+    std::vector<float>
+        self_distance; ///< [F] what else bounds it, scene units; infinity: nothing, 0 if
+                       ///<     degenerate; see exact_limiting_radius
     std::uint32_t group_count = 0;            ///< ids 0..group_count-1 by lowest face
     std::vector<std::uint32_t> group_of_face; ///< [F] patch worth a group map; kNone if there is
                                               ///<     none

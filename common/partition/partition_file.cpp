@@ -68,7 +68,7 @@ Partition unpack(const file::Partition& stored)
     copy_array(p.reach, stored.reach());
     copy_array(p.candidate, stored.candidate());
     copy_array(p.kept_edges, stored.kept_edges());
-    copy_array(p.clearance, stored.clearance());
+    copy_array(p.self_distance, stored.clearance());
     p.position_error = stored.position_error();
     copy_array(p.bridged_edges, stored.bridged_edges());
     unpack_contacts(p.contacts, stored);
@@ -90,7 +90,7 @@ flatbuffers::Offset<file::Partition> pack(flatbuffers::FlatBufferBuilder& builde
     const auto reach = builder.CreateVector(p.reach);
     const auto candidate = builder.CreateVector(p.candidate);
     const auto kept_edges = builder.CreateVector(p.kept_edges);
-    const auto clearance = builder.CreateVector(p.clearance);
+    const auto self_distance = builder.CreateVector(p.self_distance);
     const auto bridged = builder.CreateVector(p.bridged_edges);
     std::vector<MapId> maps;
     std::vector<float> points;
@@ -106,7 +106,7 @@ flatbuffers::Offset<file::Partition> pack(flatbuffers::FlatBufferBuilder& builde
     return file::CreatePartition(builder, kVersion, partition_checksum(p), p.scene.words[0],
                                  p.scene.words[1], p.angle_threshold, p.map_count, map_of_face,
                                  edge_class, opposite, flipped, closed, reach, candidate,
-                                 kept_edges, clearance, p.position_error, bridged, contact_map,
+                                 kept_edges, self_distance, p.position_error, bridged, contact_map,
                                  contact_points, p.group_count, group_of_face, group_radius);
 }
 
@@ -138,7 +138,7 @@ std::uint64_t partition_checksum(const Partition& p)
     add(p.reach);
     add(p.candidate);
     add(p.kept_edges);
-    add(p.clearance);
+    add(p.self_distance);
     add(std::array{p.position_error});
     add(p.bridged_edges);
     add(p.contacts);

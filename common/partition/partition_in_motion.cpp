@@ -61,7 +61,7 @@ Partition partition_in_motion(const Partition& partition, const TriangleMesh& th
         if (out.map_of_face[face] == kNone || moved.maps[out.map_of_face[face]] == 0)
             continue;
         out.candidate[face] = 0;
-        out.reach[face] = out.clearance[face] = out.group_radius[face] = 0;
+        out.reach[face] = out.self_distance[face] = out.group_radius[face] = 0;
         out.group_of_face[face] = kNone;
     }
     std::erase_if(out.contacts, [&](const MapContact& contact) {

@@ -23,7 +23,7 @@ constexpr float kLargestCoordinate = 1e18f;
 struct Query {
     RTCIntersectContext context; // first, so that the filter can get from it to the rest
     const Ray* ray;
-    const Coverage* coverage;
+    const Opacity* opacity;
 };
 
 /// What the filter of one `nearest` query remembers besides: the best hit so far.
@@ -52,7 +52,7 @@ bool stops(const RTCFilterFunctionNArguments* args)
 {
     const auto* query = reinterpret_cast<const Query*>(args->context);
     const FaceId face = RTCHitN_primID(args->hit, args->N, 0);
-    const float share = (*query->coverage)(
+    const float share = (*query->opacity)(
         face, {RTCHitN_u(args->hit, args->N, 0), RTCHitN_v(args->hit, args->N, 0)});
     return share >= 1 || uniform_of(*query->ray, face) < share;
 }
@@ -166,7 +166,7 @@ struct EmbreeScene::Handles {
     RTCDevice device = nullptr;
     RTCScene scene = nullptr;
     RTCGeometry geometry = nullptr; ///< borrowed from the scene; null: no faces
-    Coverage coverage;
+    Opacity opacity;
 
     ~Handles()
     {
@@ -177,10 +177,10 @@ struct EmbreeScene::Handles {
     }
 };
 
-EmbreeScene::EmbreeScene(const TriangleMesh& mesh, Coverage coverage)
+EmbreeScene::EmbreeScene(const TriangleMesh& mesh, Opacity opacity)
     : handles_(std::make_unique<Handles>())
 {
-    handles_->coverage = std::move(coverage);
+    handles_->opacity = std::move(opacity);
     handles_->device = rtcNewDevice(nullptr);
     if (handles_->device == nullptr)
         throw std::bad_alloc();
@@ -208,7 +208,7 @@ EmbreeScene& EmbreeScene::operator=(EmbreeScene&&) noexcept = default;
 
 std::optional<RayHit> EmbreeScene::nearest(const Ray& ray) const
 {
-    return find_nearest(ray, static_cast<bool>(handles_->coverage));
+    return find_nearest(ray, static_cast<bool>(handles_->opacity));
 }
 
 std::optional<RayHit> EmbreeScene::nearest_face(const Ray& ray) const
@@ -216,7 +216,7 @@ std::optional<RayHit> EmbreeScene::nearest_face(const Ray& ray) const
     return find_nearest(ray, false);
 }
 
-/// that_stops: there is a coverage, which is to be asked.
+/// that_stops: there is a opacity, which is to be asked.
 std::optional<RayHit> EmbreeScene::find_nearest(const Ray& ray, bool that_stops) const
 {
     if (!can_cast(ray))
@@ -225,7 +225,7 @@ std::optional<RayHit> EmbreeScene::find_nearest(const Ray& ray, bool that_stops)
     rtcInitIntersectContext(&query.context);
     query.context.filter = that_stops ? keep_lowest_face_that_stops : keep_lowest_face;
     query.ray = &ray;
-    query.coverage = &handles_->coverage;
+    query.opacity = &handles_->opacity;
     query.distance = std::numeric_limits<float>::infinity();
     query.face = kNone;
 
@@ -244,10 +244,10 @@ bool EmbreeScene::occluded(const Ray& ray) const
         return false;
     Query query;
     rtcInitIntersectContext(&query.context);
-    if (handles_->coverage) {
+    if (handles_->opacity) {
         query.context.filter = keep_what_stops;
         query.ray = &ray;
-        query.coverage = &handles_->coverage;
+        query.opacity = &handles_->opacity;
     }
     RTCRay shadow = embree_ray(ray);
     rtcOccluded1(handles_->scene, &query.context, &shadow);

@@ -26,17 +26,17 @@ struct RayHit {
 
 /// The share, 0 to 1, of the light that meets a face at a point which the face stops; the rest goes
 /// on as if the face were not there.  barycentric: as in RayHit.  Must be thread-safe.
-using Coverage = std::function<float(FaceId face, const glm::vec2& barycentric)>;
+using Opacity = std::function<float(FaceId face, const glm::vec2& barycentric)>;
 
 /// The faces of a mesh, ready for ray casting (Embree, robust).
 /// Read-only once built: any number of threads may cast rays.
 class EmbreeScene {
   public:
     /// Copies what it needs of the mesh.  O(n log n).  An empty mesh is never hit.
-    /// coverage: empty if every face stops all light; else a face that stops a part of it stops
+    /// opacity: empty if every face stops all light; else a face that stops a part of it stops
     /// that share of all rays, by the bits of the ray and the face: the same ray always ends at the
     /// same place.
-    explicit EmbreeScene(const TriangleMesh& mesh, Coverage coverage = {});
+    explicit EmbreeScene(const TriangleMesh& mesh, Opacity opacity = {});
     ~EmbreeScene();
     EmbreeScene(EmbreeScene&&) noexcept;
     EmbreeScene& operator=(EmbreeScene&&) noexcept;

@@ -74,43 +74,43 @@ bool note_analytic_lights(const Scene& scene, std::vector<std::string>& dark, Sc
     return emits;
 }
 
-/// Lists what shines; whether anything does.
+/// Lists what emits; whether anything does.
 bool note_lights(const Scene& scene, const std::vector<std::size_t>& faces, SceneAudit& audit)
 {
     std::vector<std::string> dark;
-    bool shines = note_analytic_lights(scene, dark, audit);
+    bool has_light = note_analytic_lights(scene, dark, audit);
     for (std::size_t i = 0; i < scene.materials.size(); ++i) {
         if (is_black(scene.materials[i].emission) || faces[i] == 0)
             continue;
         audit.found.push_back("glowing material " + quote_name(scene.materials[i].name) + " on " +
                               counted(faces[i], "face"));
-        shines = true;
+        has_light = true;
     }
     for (std::size_t i = 0; i < scene.materials.size(); ++i)
         if (!is_black(scene.materials[i].medium_emission) && faces[i] > 0) {
             audit.found.push_back("glowing medium in " + quote_name(scene.materials[i].name));
-            shines = true;
+            has_light = true;
         }
-    if (scene.around.glows()) {
+    if (scene.around.emits()) {
         audit.found.push_back("a glowing medium around the scene");
-        shines = true;
+        has_light = true;
     }
     if (!dark.empty())
         audit.warnings.push_back("no power in light " + list_names(dark) + ": it lights nothing");
-    return shines;
+    return has_light;
 }
 
-void choose_sky(LoadedScene& loaded, bool shines, const SceneOptions& options)
+void choose_sky(LoadedScene& loaded, bool has_light, const SceneOptions& options)
 {
     if (options.environment)
-        loaded.scene.environment_picture.clear();
-    if (!loaded.scene.environment_picture.empty()) {
+        loaded.scene.environment_map_file.clear();
+    if (!loaded.scene.environment_map_file.empty()) {
         loaded.scene.environment = Rgb(0);
         return;
     }
     if (options.environment) {
         loaded.scene.environment = *options.environment;
-        if (!shines && is_black(*options.environment))
+        if (!has_light && is_black(*options.environment))
             loaded.audit.warnings.push_back("nothing shines and the sky is dark: the picture will "
                                             "be black; see --environment");
         return;
@@ -119,7 +119,7 @@ void choose_sky(LoadedScene& loaded, bool shines, const SceneOptions& options)
         loaded.audit.found.push_back("a sky of the scene's own (world_color)");
         return;
     }
-    if (shines)
+    if (has_light)
         return;
     loaded.scene.environment = Rgb(kSkyRadiance);
     loaded.audit.assumed.push_back(
@@ -149,9 +149,9 @@ void complete_scene(LoadedScene& loaded, const SceneOptions& options,
     if (scene.materials.empty())
         scene.materials.emplace_back();
     const std::vector<std::size_t> faces = count_material_faces(scene);
-    const bool shines = note_lights(scene, faces, loaded.audit);
+    const bool has_light = note_lights(scene, faces, loaded.audit);
     choose_camera(loaded, options, path);
-    choose_sky(loaded, shines, options);
+    choose_sky(loaded, has_light, options);
     note_materials(scene, faces, loaded.audit);
 }
 

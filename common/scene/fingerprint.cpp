@@ -126,9 +126,9 @@ void add_medium(Hasher& hasher, const Medium& medium)
     add_density(hasher, density.get());
 }
 
-void add_picture(Hasher& hasher, const TextureImage& picture)
+void add_image(Hasher& hasher, const TextureImage& texture)
 {
-    const auto& [name, width, height, rgba] = picture;
+    const auto& [name, width, height, rgba] = texture;
     hasher.add(width, height);
     hasher.add_array(rgba);
 }
@@ -165,18 +165,18 @@ void add_each(Hasher& hasher, const std::vector<T>& values, const Add& add)
 /// Everything but the camera.
 Hasher hash_still(const Scene& scene)
 {
-    const auto& [frame, mesh, materials, images, lights, area_lights, environment, picture,
+    const auto& [frame, mesh, materials, images, lights, area_lights, environment, map_file,
                  strength, turn_deg, around, cameras, camera, diffuse_model, nested] = scene;
     Hasher hasher;
     add_geometry(hasher, scene);
     add_rest_of_mesh(hasher, mesh);
     add_each(hasher, materials, add_material);
-    add_each(hasher, images, add_picture);
+    add_each(hasher, images, add_image);
     add_each(hasher, lights, [](Hasher& h, const PunctualLight& light) { add_light(h, light); });
     add_each(hasher, area_lights, [](Hasher& h, const AreaLight& light) { add_light(h, light); });
     hasher.add(environment, strength, turn_deg, diffuse_model);
     add_medium(hasher, around);
-    hasher.add_array(std::vector<char>(picture.begin(), picture.end()));
+    hasher.add_array(std::vector<char>(map_file.begin(), map_file.end()));
     return hasher;
 }
 

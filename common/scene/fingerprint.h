@@ -20,8 +20,8 @@ Fingerprint fingerprint(const Scene& scene);
 /// Of all that light depends on: as `content_fingerprint`, without the camera.
 Fingerprint still_fingerprint(const Scene& scene);
 
-/// Of all that a picture depends on: as `fingerprint`, and normals, textures, materials, lights,
-/// the sky and the camera rendered from.  Not of names.  Cost: linear in mesh and pictures.
+/// Of all that a texture depends on: as `fingerprint`, and normals, textures, materials, lights,
+/// the sky and the camera rendered from.  Not of names.  Cost: linear in mesh and textures.
 Fingerprint content_fingerprint(const Scene& scene);
 
 } // namespace hipmap

@@ -45,7 +45,7 @@ glm::dvec4 value_at(const AnimationChannel& channel, double time);
 /// Gives the nodes that move the transforms of `time`.
 void pose_nodes(const GltfAnimation& animation, double time, tinygltf::Model& model);
 
-/// Where the faces of each object, lamps and cameras come in the course of the animation, by the
+/// Where the faces of each object, lights and cameras come in the course of the animation, by the
 /// poses at its keys (at 256 of them at most); none if nothing moves.  Throws as place_nodes does.
 /// Leaves the model in some pose.
 std::optional<SceneSweep> sweep_nodes(const GltfAnimation& animation, tinygltf::Model& model,

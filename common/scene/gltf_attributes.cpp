@@ -32,7 +32,7 @@ void note_textures(const json& holder, WantedAttributes& wanted)
             note_texture(key, value, wanted);
 }
 
-/// Schlick's reflection is stretched along tangents, docs/scene.md.
+/// Schlick's reflection is anisotropic along tangents, docs/scene.md.
 bool has_isotropy(const json& material)
 {
     const auto extras = material.find("extras");
@@ -120,7 +120,7 @@ WantedAttributes find_wanted_attributes(const GltfDocument& document)
             if (name.starts_with("KHR_materials_")) // others are not checked
                 note_textures(extension, wanted);
             if (name ==
-                "KHR_materials_anisotropy") // along the tangents, else the first picture's right
+                "KHR_materials_anisotropy") // along the tangents, else the first texture's right
                 wanted.tangents = wanted.uv[0] = true;
         }
     }

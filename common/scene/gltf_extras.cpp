@@ -141,12 +141,13 @@ void read_world_extras(const GltfDocument& document, RawScene& scene)
     if (colour)
         scene.world = *colour * strength;
     const std::optional<double> turn = extras.within("world_turn_deg", 360);
-    const std::optional<std::string> picture = extras.text("world_hdri");
-    if (picture) {
-        scene.world_picture = file_beside(scene.path, "scene, custom property 'hipmap'", *picture);
+    const std::optional<std::string> map_file = extras.text("world_hdri");
+    if (map_file) {
+        scene.world_map_file =
+            file_beside(scene.path, "scene, custom property 'hipmap'", *map_file);
         scene.world_strength = strength;
     }
-    if (turn && !picture)
+    if (turn && !map_file)
         extras.fail("world_turn_deg", "has no meaning without 'world_hdri'");
     scene.world_turn_deg = turn.value_or(0.0);
     if (std::optional<HipmapExtras> keys = extras.object("medium"))

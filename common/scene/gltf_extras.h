@@ -15,7 +15,7 @@ void read_light_extras(const GltfDocument& document, std::size_t node, std::size
 /// The lens of the camera that was added last, from a node and the camera it bears.
 void read_camera_extras(const GltfDocument& document, std::size_t node, std::size_t camera,
                         RawScene& scene);
-/// An area light where a node that bears nothing stands (as Blender exports area lamps).
+/// An area light where a node that bears nothing stands (as Blender exports area lights).
 void read_empty_extras(const GltfDocument& document, const PlacedNode& at, RawScene& scene);
 /// The world, from the scene's extras.
 void read_world_extras(const GltfDocument& document, RawScene& scene);

@@ -105,7 +105,7 @@ bool is_unlit(const json& material)
     return extensions != material.end() && extensions->contains("KHR_materials_unlit");
 }
 
-/// An unlit material shows its colour whatever the light: it glows and reflects nothing.
+/// An unlit material shows its colour whatever the light: it emits and reflects nothing.
 void make_unlit(Material& material)
 {
     material.unlit = true;

@@ -8,7 +8,7 @@
 namespace hipmap {
 
 /// Reads the materials of a checked document into `scene.materials`, absorption per metre, their
-/// pictures into `scene.images`, and notes in its audit what is assumed of them and what is lost.
+/// textures into `scene.images`, and notes in its audit what is assumed of them and what is lost.
 /// Factors beyond their range are clamped and warned of.  Throws InputError, naming the material:
 /// negative emission, an index of refraction below 1.
 void read_gltf_materials(const GltfDocument& document, const tinygltf::Model& model,

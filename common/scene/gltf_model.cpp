@@ -14,7 +14,7 @@ namespace hipmap {
 namespace {
 
 /// The JSON that tinygltf gets to see.  It would fail a load whose indices or buffers exist in
-/// compressed form only, so these are left to us, as are materials and pictures.
+/// compressed form only, so these are left to us, as are materials and textures.
 std::string text_for_tinygltf(const GltfDocument& document)
 {
     const std::set<std::string> ours = {"buffers",  "images",    "textures",

@@ -8,7 +8,7 @@ namespace hipmap {
 
 /// Parses the checked document with tinygltf, loads its buffers and decodes what is compressed
 /// (KHR_draco_mesh_compression, EXT_meshopt_compression), so that accessors read alike whatever
-/// the file's form.  Materials, textures and pictures are left alone.
+/// the file's form.  Materials, textures and textures are left alone.
 /// Throws InputError: an unknown or unreadable required extension, a buffer that is missing, too
 /// short, or not beside the scene (absolute, "..", another scheme), damaged compressed data.
 tinygltf::Model parse_gltf(const GltfDocument& document);

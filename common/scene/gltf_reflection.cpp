@@ -49,7 +49,7 @@ void read_schlick(HipmapExtras& extras, Material& material)
     material.isotropy = static_cast<float>(isotropy.value_or(1.0));
 }
 
-/// Pictures of what the model has.
+/// Textures of what the model has.
 bool has_use(ReflectionModel model, TextureUse use)
 {
     switch (use) {

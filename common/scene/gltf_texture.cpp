@@ -48,7 +48,7 @@ Filter filter_of(const json& sampler, const char* key)
 }
 
 /// KHR_texture_transform: scaled, turned, moved.  A positive angle turns the coordinates
-/// counter-clockwise as one sees them on the picture, whose v runs downwards.
+/// counter-clockwise as one sees them on the texture, whose v runs downwards.
 glm::mat3x2 uv_transform_of(const json& transform)
 {
     const json offset = transform.value("offset", json{0, 0});
@@ -176,23 +176,23 @@ std::optional<std::uint32_t> GltfTextureReader::load_image(std::size_t index)
     std::string name = clean_name(listed.value("name", std::string()));
     if (name.empty())
         name = "image " + std::to_string(index);
-    DecodedPicture picture;
+    DecodedTexture texture;
     try {
-        picture = decode_picture(encoded_bytes(index), std::min(kMostPixels, pixels_left_));
-    } catch (const InputError& error) { // as of a buffer, but a scene can do without a picture
+        texture = decode_texture(encoded_bytes(index), std::min(kMostPixels, pixels_left_));
+    } catch (const InputError& error) { // as of a buffer, but a scene can do without a texture
         const std::string line = error.what();
         const std::string prefix = scene_.path.string() + ": ";
-        picture.problem =
+        texture.problem =
             "cannot be read (" + line.substr(line.starts_with(prefix) ? prefix.size() : 0) + ")";
     }
-    if (!picture.problem.empty()) {
-        scene_.audit.warnings.push_back("picture " + quote_name(name) + " " + picture.problem +
+    if (!texture.problem.empty()) {
+        scene_.audit.warnings.push_back("picture " + quote_name(name) + " " + texture.problem +
                                         "; plain colours stand in for it");
         return std::nullopt;
     }
-    pixels_left_ -= picture.image.rgba.size() / 4;
-    picture.image.name = name;
-    scene_.images.push_back(std::move(picture.image));
+    pixels_left_ -= texture.image.rgba.size() / 4;
+    texture.image.name = name;
+    scene_.images.push_back(std::move(texture.image));
     return static_cast<std::uint32_t>(scene_.images.size() - 1);
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "common/scene/decode_picture.h"
+#include "common/scene/decode_texture.h"
 #include "common/scene/gltf_document.h"
 #include "common/scene/raw_scene.h"
 
@@ -11,7 +11,7 @@
 
 namespace hipmap {
 
-/// Reads the textures of materials, and each picture they name once.
+/// Reads the textures of materials, and each texture they name once.
 class GltfTextureReader {
   public:
     GltfTextureReader(const GltfDocument& document, const tinygltf::Model& model, RawScene& scene)
@@ -19,7 +19,7 @@ class GltfTextureReader {
     {
     }
 
-    /// The textures of a checked material.  A picture that is missing, damaged, too large or in a
+    /// The textures of a checked material.  A texture that is missing, damaged, too large or in a
     /// format that is not read, and a third set of texture coordinates, are warned of; the texture
     /// is left out, so that the factor stands alone.
     std::vector<TextureSlot> read(const nlohmann::json& material, const std::string& name);

@@ -11,7 +11,7 @@
 namespace hipmap {
 
 /// What the numbers of punctual lights mean (Blender's exporter calls the modes Standard, Unitless
-/// and Raw): lumen-based as the specification has it, W/sr and W/m2, or lamp watts.
+/// and Raw): lumen-based as the specification has it, W/sr and W/m2, or light watts.
 enum class LightUnits { spec, compat, raw };
 
 struct SceneOptions {
@@ -46,7 +46,7 @@ class SceneSource {
 
     /// The scene at `time` of its animation, s; none: as the file places it.  Moved into its
     /// SceneFrame, the same at all times, and supplied with what a scene cannot do without: a
-    /// camera that frames everything, a uniform grey sky if nothing shines.  Same faces in the
+    /// camera that frames everything, a uniform grey sky if nothing emits.  Same faces in the
     /// same order at all times.  Throws InputError: a number that is not finite, no face at all,
     /// an unknown camera or excluded name.  last: nothing will be asked for
     /// afterwards, which saves memory.  Not for several threads at once.

@@ -37,8 +37,8 @@ struct Medium {
     /// What a ray loses per scene unit where the density is 1.
     Rgb extinction() const { return absorption + scattering; }
     bool scatters() const { return !is_black(scattering); }
-    bool glows() const { return !is_black(emission); }
-    bool is_clear() const { return is_black(extinction()) && !glows(); }
+    bool emits() const { return !is_black(emission); }
+    bool is_clear() const { return is_black(extinction()) && !emits(); }
 };
 
 } // namespace hipmap

@@ -19,7 +19,7 @@ inline constexpr std::uint32_t kNone = 0xffffffffu;
 
 /// What vertices may have besides position and normal; an array is empty where none has it.
 struct VertexAttributes {
-    std::array<std::vector<glm::vec2>, 2> uv; ///< [V] of two sets, (0, 0) the picture's top left
+    std::array<std::vector<glm::vec2>, 2> uv; ///< [V] of two sets, (0, 0) the texture's top left
     std::vector<glm::vec4> colours;           ///< [V] linear RGBA in [0, 1], multiplies the base
                                               ///<     colour; white where there is none
     std::vector<glm::vec4> tangents; ///< [V] unit, along rising u; w = 1 or -1, bitangent =

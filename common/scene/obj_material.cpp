@@ -109,8 +109,8 @@ bool has_unread_factor(const tinyobj::material_t& mtl)
     return mtl.sheen > 0 || mtl.clearcoat_thickness > 0 || mtl.anisotropy > 0;
 }
 
-/// A lamp by its name or by an ambient term above 1, but without the Ke that makes it shine.
-bool looks_like_dark_lamp(const tinyobj::material_t& mtl)
+/// A light by its name or by an ambient term above 1, but without the Ke that makes it emit.
+bool looks_like_dark_light(const tinyobj::material_t& mtl)
 {
     if (max_channel(colour(mtl.emission)) > 0)
         return false;
@@ -169,14 +169,14 @@ std::vector<tinyobj::material_t> load_library(const std::string& line, RawScene&
 
 void note_materials(const std::vector<tinyobj::material_t>& materials, SceneAudit& audit)
 {
-    std::vector<std::string> textured, unread, dark_lamps;
+    std::vector<std::string> textured, unread, dark_lights;
     for (const tinyobj::material_t& mtl : materials) {
         if (has_texture(mtl))
             textured.push_back(mtl.name);
         if (has_unread_factor(mtl))
             unread.push_back(mtl.name);
-        if (looks_like_dark_lamp(mtl))
-            dark_lamps.push_back(mtl.name);
+        if (looks_like_dark_light(mtl))
+            dark_lights.push_back(mtl.name);
     }
     if (!textured.empty())
         audit.warnings.push_back("not read yet: textures of materials (" + list_names(textured) +
@@ -184,8 +184,8 @@ void note_materials(const std::vector<tinyobj::material_t>& materials, SceneAudi
     if (!unread.empty())
         audit.warnings.push_back("not read yet: sheen, clearcoat and anisotropy of materials (" +
                                  list_names(unread) + ")");
-    if (!dark_lamps.empty())
-        audit.warnings.push_back("material " + list_names(dark_lamps) +
+    if (!dark_lights.empty())
+        audit.warnings.push_back("material " + list_names(dark_lights) +
                                  " looks like a lamp but does not shine: give it a line such as "
                                  "'Ke 20 20 20' in the .mtl file");
 }

@@ -18,7 +18,7 @@ struct RawObject {
     std::string mesh_name; ///< of the shared mesh data; may be empty
 };
 
-/// A lamp as its file has it: intensity in the file's own unit.
+/// A light as its file has it: intensity in the file's own unit.
 struct RawLight {
     std::string name;
     LightKind kind = LightKind::point;
@@ -31,7 +31,7 @@ struct RawLight {
     double half_angle = 0.0; ///< radians; directional
 };
 
-/// A flat light that shines to one side.
+/// A flat light that emits to one side.
 struct RawAreaLight {
     std::string name;
     bool is_disc = false;
@@ -57,7 +57,7 @@ struct RawCamera {
 /// Where things come in the course of an animation, metres.
 struct SceneSweep {
     std::vector<Bounds<glm::dvec3>> objects; ///< [O] of their faces
-    Bounds<glm::dvec3> others;               ///< lamps, cameras and other nodes without a mesh
+    Bounds<glm::dvec3> others;               ///< lights, cameras and other nodes without a mesh
 };
 
 /// A scene as its file has it: metres, world space, doubles.  Every vertex is used by some face.
@@ -75,8 +75,8 @@ struct RawScene {
     std::vector<RawLight> lights;
     std::vector<RawAreaLight> area_lights;
     std::vector<RawCamera> cameras;
-    glm::dvec3 world{0.0};               ///< radiance of the sky, W/(m2 sr)
-    std::filesystem::path world_picture; ///< empty: none
+    glm::dvec3 world{0.0};                ///< radiance of the sky, W/(m2 sr)
+    std::filesystem::path world_map_file; ///< empty: none
     double world_strength = 1.0;
     double world_turn_deg = 0.0;
     Medium around; ///< per metre

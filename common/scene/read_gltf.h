@@ -20,14 +20,14 @@ class GltfSource {
     explicit GltfSource(const std::filesystem::path& path);
 
     /// time: of the animation, s; none: the nodes as they stand in the file.  last: nothing will be
-    /// asked for afterwards, so pictures need not be copied.  Throws likewise.
+    /// asked for afterwards, so textures need not be copied.  Throws likewise.
     RawScene at(std::optional<double> time, bool last);
 
   private:
     GltfDocument document_;
     tinygltf::Model model_;
     std::vector<tinygltf::Node> rest_; ///< the model's nodes as in the file
-    RawScene timeless_;                ///< materials, pictures and what the audit says of them
+    RawScene timeless_;                ///< materials, textures and what the audit says of them
     GltfAnimation animation_;
     std::optional<SceneSweep> sweep_;
     bool swept_ = false;

@@ -26,7 +26,7 @@ enum class AlphaMode : std::uint8_t { opaque, mask, blend };
 /// How a surface reflects, docs/light_transport.md.
 enum class ReflectionModel : std::uint8_t {
     metallic_roughness, ///< glTF's, with all its layers
-    phong,              ///< a lobe about the mirror direction over a matt base (35)
+    phong,              ///< a lobe about the mirror direction over a diffuse base (35)
     schlick,            ///< one layer, even, spread and mirror by its roughness (36)
 };
 
@@ -91,18 +91,18 @@ struct PunctualLight {
                                    ///< directional: W/m2 on a plane across the direction
     float cos_inner = 1.0f;        ///< spot: full intensity within, cos_inner > cos_outer
     float cos_outer = 0.0f;        ///< spot: none beyond
-    float radius = 0.0f;           ///< point, spot: of the sphere that shines, scene units
+    float radius = 0.0f;           ///< point, spot: of the sphere that emits, scene units
     float half_angle = 0.0f;       ///< directional: half the angle it fills, radians
 };
 
-/// A flat light that shines to one side, Lambertian.
+/// A flat light that emits to one side, Lambertian.
 struct AreaLight {
     std::string name;
     bool is_disc = false;          ///< an ellipse, not a rectangle
     glm::vec3 centre{0.0f};        ///< scene units
     glm::vec3 half_right{1, 0, 0}; ///< from the centre to the middle of a side, scene units
     glm::vec3 half_up{0, 1, 0};
-    glm::vec3 direction{0, 0, -1}; ///< unit, the side that shines
+    glm::vec3 direction{0, 0, -1}; ///< unit, the side that emits
     Rgb radiance{0.0f};            ///< W/(m2 sr)
 };
 
@@ -141,7 +141,7 @@ struct Scene {
     std::vector<PunctualLight> lights;
     std::vector<AreaLight> area_lights;
     Rgb environment{0.0f};             ///< radiance of a uniform sky, W/(m2 sr)
-    std::string environment_picture;   ///< path of an HDR picture of the sky; empty: none
+    std::string environment_map_file;  ///< path of an environment map; empty: none
     float environment_strength = 1.0f; ///< its factor
     float environment_turn_deg = 0.0f; ///< its turn about +y, counter-clockwise from above
     Medium around;                     ///< what is in no closed mesh, docs/media.md

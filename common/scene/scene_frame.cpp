@@ -275,7 +275,7 @@ Scene to_scene_units(RawScene& raw, LightUnits units)
         scene.area_lights.push_back(convert.area_light(light));
     scene.environment = convert.world(raw.world);
     scene.around = convert.around(raw.around);
-    scene.environment_picture = raw.world_picture.string();
+    scene.environment_map_file = raw.world_map_file.string();
     scene.environment_strength = static_cast<float>(raw.world_strength);
     scene.environment_turn_deg = static_cast<float>(raw.world_turn_deg);
     scene.diffuse_model = raw.diffuse_model;

@@ -8,7 +8,7 @@
 
 namespace hipmap {
 
-/// A picture as its file has it, 8 bits a channel, rows from the top left.
+/// A texture as its file has it, 8 bits a channel, rows from the top left.
 struct TextureImage {
     std::string name;
     int width = 0;
@@ -16,11 +16,11 @@ struct TextureImage {
     std::vector<std::uint8_t> rgba; ///< [4 * width * height]
 };
 
-/// What lies beyond [0, 1]: the picture again, its mirror image, or its edge.
+/// What lies beyond [0, 1]: the texture again, its mirror image, or its edge.
 enum class Wrap : std::uint8_t { repeat, mirror, clamp };
 enum class Filter : std::uint8_t { linear, nearest };
 
-/// How a picture is read.
+/// How a texture is read.
 struct Sampler {
     Wrap wrap_u = Wrap::repeat;
     Wrap wrap_v = Wrap::repeat;
@@ -63,10 +63,10 @@ struct TextureSlot {
 /// The slot for `use`; null if there is none.
 const TextureSlot* find_texture(const std::vector<TextureSlot>& slots, TextureUse use);
 
-/// The picture's value at `uv`, (0, 0) its top left corner and (1, 1) its bottom right one: linear
+/// The texture's value at `uv`, (0, 0) its top left corner and (1, 1) its bottom right one: linear
 /// RGB and alpha in [0, 1].  Bilinear between the middles of pixels, after sRGB values are made
 /// linear; or the pixel that holds the point, if sampler.magnify says nearest.
-/// A coordinate that is not finite counts as 0; no picture is white.  Thread-safe.
+/// A coordinate that is not finite counts as 0; no texture is white.  Thread-safe.
 glm::vec4 sample_texture(const TextureImage& image, const Sampler& sampler, glm::vec2 uv);
 
 } // namespace hipmap

@@ -2,11 +2,11 @@
 
 #include "common/input_error.h"
 #include "common/stopwatch.h"
-#include "preprocess/partition/clearance.h"
-#include "preprocess/partition/former_frame.h"
 #include "preprocess/partition/group_candidates.h"
 #include "preprocess/partition/local_candidates.h"
 #include "preprocess/partition/patches.h"
+#include "preprocess/partition/previous_frame.h"
+#include "preprocess/partition/self_distance.h"
 #include "preprocess/partition/summarise.h"
 
 #include <tbb/parallel_for.h>
@@ -20,8 +20,9 @@ namespace {
 /// Makes the partition of one frame, by what is known of the one before.
 class PartitionBuilder {
   public:
-    PartitionBuilder(const Scene& scene, const PartitionOptions& options, const FormerFrame* former)
-        : scene_(scene), options_(options), former_(former)
+    PartitionBuilder(const Scene& scene, const PartitionOptions& options,
+                     const PreviousFrame* previous)
+        : scene_(scene), options_(options), previous_(previous)
     {
     }
 
@@ -33,7 +34,7 @@ class PartitionBuilder {
     /// The partition.
     PartitionResult finish();
     /// What this frame leaves to the next one, but for its partition; after which all is gone.
-    FormerFrame leave();
+    PreviousFrame leave();
 
   private:
     /// Runs a pass and notes how long it took.
@@ -51,14 +52,14 @@ class PartitionBuilder {
     void build_tree();
     bool refit_tree();
     std::size_t join_seams();
-    Clearances find_all_clearances() const;
+    SelfDistances find_all_self_distances() const;
     GroupCandidates find_all_groups() const;
     std::size_t find_all_contacts();
 
     const Scene& scene_;
     const TriangleMesh& mesh_ = scene_.mesh;
     const PartitionOptions& options_;
-    const FormerFrame* former_; ///< null: there is none
+    const PreviousFrame* previous_; ///< null: there is none
     PartitionResult result_;
     Partition& out_ = result_.partition;
     PartitionSummary& summary_ = result_.summary;
@@ -83,7 +84,8 @@ void PartitionBuilder::join_faces()
     weld_ = timed("weld vertices",
                   [&] { return weld_vertices(mesh_.positions, options_.weld_distance); });
     edges_ = timed("find half-edges", [&] {
-        return former_ ? find_half_edges(mesh_, weld_, *former_) : find_half_edges(mesh_, weld_);
+        return previous_ ? find_half_edges(mesh_, weld_, *previous_)
+                         : find_half_edges(mesh_, weld_);
     });
     EdgeClasses classes = timed("classify edges", [&] {
         return classify_edges(mesh_, edges_, options_.angle_threshold, options_.split);
@@ -108,12 +110,12 @@ void PartitionBuilder::build_tree()
     tree_ = FaceTree(mesh_, faces);
 }
 
-/// Returns whether the former frame's tree serves.
+/// Returns whether the previous frame's tree serves.
 bool PartitionBuilder::refit_tree()
 {
-    is_refitted_ = former_ && tree_serves(mesh_, maps_.map_of_face, *former_);
+    is_refitted_ = previous_ && tree_serves(mesh_, maps_.map_of_face, *previous_);
     if (is_refitted_) {
-        tree_ = former_->tree;
+        tree_ = previous_->tree;
         tree_.refit(mesh_);
     }
     return is_refitted_;
@@ -162,21 +164,21 @@ void PartitionBuilder::join_maps()
     out_.opposite = std::move(edges_.opposite);
     out_.flipped = std::move(edges_.flipped);
     out_.closed = std::move(edges_.closed);
-    if (former_)
-        known_ = timed("compare maps", [&] { return find_known_maps(mesh_, out_, *former_); });
+    if (previous_)
+        known_ = timed("compare maps", [&] { return find_known_maps(mesh_, out_, *previous_); });
     else
         known_.changed.assign(maps_.count, 1);
 }
 
-Clearances PartitionBuilder::find_all_clearances() const
+SelfDistances PartitionBuilder::find_all_self_distances() const
 {
-    Clearances out{std::vector<std::uint8_t>(mesh_.face_count(), 0),
-                   std::vector<float>(mesh_.face_count(), 0.0f)};
-    if (former_)
-        copy_known_clearances(*former_, known_, maps_.map_of_face, out);
+    SelfDistances out{std::vector<std::uint8_t>(mesh_.face_count(), 0),
+                      std::vector<float>(mesh_.face_count(), 0.0f)};
+    if (previous_)
+        copy_known_self_distances(*previous_, known_, maps_.map_of_face, out);
     tbb::parallel_for(MapId{0}, maps_.count, [&](MapId map) {
         if (known_.changed[map] != 0)
-            find_clearances({mesh_, trees_[map]}, out_.edge_class, out_.position_error, out);
+            find_self_distances({mesh_, trees_[map]}, out_.edge_class, out_.position_error, out);
     });
     return out;
 }
@@ -185,8 +187,8 @@ GroupCandidates PartitionBuilder::find_all_groups() const
 {
     GroupCandidates out{std::vector<std::uint32_t>(mesh_.face_count(), kNone),
                         std::vector<float>(mesh_.face_count(), 0.0f)};
-    if (former_)
-        copy_known_groups(*former_, known_, maps_.map_of_face, out);
+    if (previous_)
+        copy_known_groups(*previous_, known_, maps_.map_of_face, out);
     tbb::parallel_for(MapId{0}, maps_.count, [&](MapId map) {
         if (known_.changed[map] != 0)
             find_group_candidates({mesh_, trees_[map]}, out_.position_error, out);
@@ -202,12 +204,13 @@ void PartitionBuilder::look_around_maps()
     LocalCandidates locals = timed("find local candidates", [&] {
         return find_local_candidates(mesh_, out_.edge_class, maps_);
     });
-    Clearances clearances = timed("find clearances", [&] { return find_all_clearances(); });
+    SelfDistances self_distances =
+        timed("find clearances", [&] { return find_all_self_distances(); });
     GroupCandidates groups = timed("find group candidates", [&] { return find_all_groups(); });
     out_.reach = std::move(locals.reach);
     out_.candidate = std::move(locals.candidate);
-    out_.kept_edges = std::move(clearances.kept_edges);
-    out_.clearance = std::move(clearances.clearance);
+    out_.kept_edges = std::move(self_distances.kept_edges);
+    out_.self_distance = std::move(self_distances.self_distance);
     out_.group_count = number_by_first(groups.group_of_face);
     out_.group_of_face = std::move(groups.group_of_face);
     out_.group_radius = std::move(groups.group_radius);
@@ -218,7 +221,7 @@ void PartitionBuilder::look_around_maps()
 std::size_t PartitionBuilder::find_all_contacts()
 {
     // Where some faces were given up, it depends on all that they meet which of them count.
-    const bool keep = former_ && former_->found_all_contacts;
+    const bool keep = previous_ && previous_->found_all_contacts;
     const std::vector<std::uint8_t> all(keep ? 0 : maps_.count, 1);
     const std::span<const std::uint8_t> wanted = keep ? known_.changed : all;
     const ContactScene scene{mesh_,
@@ -229,8 +232,9 @@ std::size_t PartitionBuilder::find_all_contacts()
                              out_.position_error};
     std::size_t given_up = 0;
     contacts_.clear();
-    for (const FoundContacts& found : {find_contacts(scene, tree_, wanted),
-                                       find_own_contacts(scene, tree_, out_.clearance, wanted)}) {
+    for (const FoundContacts& found :
+         {find_contacts(scene, tree_, wanted),
+          find_own_contacts(scene, tree_, out_.self_distance, wanted)}) {
         contacts_.insert(contacts_.end(), found.contacts.begin(), found.contacts.end());
         given_up += found.given_up;
     }
@@ -239,7 +243,7 @@ std::size_t PartitionBuilder::find_all_contacts()
         return find_all_contacts();
     }
     if (keep)
-        append_known_contacts(*former_, known_, contacts_);
+        append_known_contacts(*previous_, known_, contacts_);
     sort_contacts(contacts_);
     return given_up;
 }
@@ -261,7 +265,7 @@ PartitionResult PartitionBuilder::finish()
     return std::move(result_);
 }
 
-FormerFrame PartitionBuilder::leave()
+PreviousFrame PartitionBuilder::leave()
 {
     return {mesh_.positions,
             std::move(weld_),
@@ -293,13 +297,13 @@ PartitionResult build_partition(const Scene& scene, const PartitionOptions& opti
 }
 
 void build_partition(const Scene& scene, const PartitionOptions& options,
-                     std::optional<FormerFrame>& former)
+                     std::optional<PreviousFrame>& previous)
 {
-    PartitionBuilder builder(scene, options, former ? &*former : nullptr);
+    PartitionBuilder builder(scene, options, previous ? &*previous : nullptr);
     build(builder, scene.mesh);
     PartitionResult result = builder.finish();
-    former = builder.leave();
-    former->result = std::move(result);
+    previous = builder.leave();
+    previous->result = std::move(result);
 }
 
 } // namespace hipmap

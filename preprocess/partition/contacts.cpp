@@ -258,13 +258,13 @@ FoundContacts find_contacts(const ContactScene& scene, const FaceTree& tree,
 }
 
 FoundContacts find_own_contacts(const ContactScene& scene, const FaceTree& tree,
-                                std::span<const float> clearance,
+                                std::span<const float> self_distance,
                                 std::span<const std::uint8_t> wanted)
 {
     const auto& map_of_face = scene.map_of_face;
     const std::vector<MapId> map_of_node = tree.labels_of_nodes(map_of_face);
     // What stands on a face or cuts through it is in front of all of its planes.
-    const auto is_met = [&](FaceId face) { return clearance[face] <= scene.error; };
+    const auto is_met = [&](FaceId face) { return self_distance[face] <= scene.error; };
     return contacts_of_pairs(
         scene, tree, [&](FaceId face) { return wanted[map_of_face[face]] != 0 && is_met(face); },
         [&](const FaceTree::Range& range, MapId map) {

@@ -47,9 +47,9 @@ FoundContacts find_contacts(const ContactScene& scene, const FaceTree& tree,
                             std::span<const std::uint8_t> wanted);
 
 /// The contacts of all pairs of faces of one map, of the maps that are wanted.
-/// clearance: [F] as in Partition; only faces that have none need be looked at.
+/// self_distance: [F] as in Partition; only faces that have none need be looked at.
 FoundContacts find_own_contacts(const ContactScene& scene, const FaceTree& tree,
-                                std::span<const float> clearance,
+                                std::span<const float> self_distance,
                                 std::span<const std::uint8_t> wanted);
 
 } // namespace hipmap

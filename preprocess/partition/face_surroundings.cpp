@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// A face whose clearance takes more faces than this is given up.
+/// A face whose self-distance takes more faces than this is given up.
 constexpr int kMostFaces = 4096;
 
 std::array<glm::dvec3, 3> corners_of(const TriangleMesh& mesh, FaceId face)

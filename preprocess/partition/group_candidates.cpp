@@ -1,6 +1,6 @@
 #include "preprocess/partition/group_candidates.h"
 
-#include "preprocess/partition/group_clearance.h"
+#include "preprocess/partition/group_self_distance.h"
 #include "preprocess/partition/local_candidates.h"
 #include "preprocess/partition/patches.h"
 
@@ -13,7 +13,7 @@
 namespace hipmap {
 namespace {
 
-/// What a clearance may fall short by, of the radius of a disc as large as the patch.
+/// What a self-distance may fall short by, of the radius of a disc as large as the patch.
 constexpr double kSlack = 1.0 / 16;
 
 float rounded_down(double value)

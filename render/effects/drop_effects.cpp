@@ -68,7 +68,7 @@ void drop_effects(Scene& scene, const EffectPlan& plan)
         scene.around = {};
     if (!plan.has(Effect::environment)) {
         scene.environment = Rgb(0);
-        scene.environment_picture.clear();
+        scene.environment_map_file.clear();
     }
 }
 

@@ -1,8 +1,8 @@
 #include "render/effects/effect_findings.h"
 
 #include "common/scene/scene_names.h"
-#include "render/shading/coverage.h"
-#include "render/shading/stretch.h"
+#include "render/shading/anisotropy_tangent.h"
+#include "render/shading/opacity.h"
 #include "render/shading/textured_material.h"
 
 #include <algorithm>
@@ -175,7 +175,8 @@ Finding find_anisotropy(const SceneFacts& facts)
         const MaterialId material = mesh.material_of_face[face];
         if (directed[material] == 0 && facts.bsdfs[material].is_directed)
             directed[material] =
-                stretched_along(facts.scene, surface_point(mesh, face, middle), middle).has_value();
+                anisotropy_tangent(facts.scene, surface_point(mesh, face, middle), middle)
+                    .has_value();
     }
     const auto names = [&](std::uint8_t wanted) {
         return facts.materials_where([&](const Material& material, const Bsdf& bsdf, bool) {

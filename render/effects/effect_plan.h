@@ -85,7 +85,7 @@ EffectPlan plan_effects(const Scene& scene, const Partition& partition,
 /// The light that the plan has followed.
 LightClasses light_classes(const EffectPlan& plan);
 
-/// "caustics: on; light reaches matt surfaces by way of 'Glass'; costs ...".
+/// "caustics: on; light reaches diffuse surfaces by way of 'Glass'; costs ...".
 std::string describe(const PlannedEffect& effect);
 
 /// The names of those that are on: "indirect, caustics"; "none".

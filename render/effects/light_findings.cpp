@@ -36,21 +36,21 @@ Finding find_soft_shadows(const SceneFacts& facts)
         if (!more.empty())
             lights += (lights.empty() ? "" : " and ") + more;
     };
-    const std::vector<std::string> lamps = lights_with_size(facts);
-    if (!lamps.empty())
-        add("the lamps " + list_names(lamps));
-    if (!is_black(facts.scene.environment) || !facts.scene.environment_picture.empty())
+    const std::vector<std::string> with_size = lights_with_size(facts);
+    if (!with_size.empty())
+        add("the lamps " + list_names(with_size));
+    if (!is_black(facts.scene.environment) || !facts.scene.environment_map_file.empty())
         add("the sky");
     if (lights.empty())
-        return {false, facts.shines ? "all light comes from points and suns without size" : kDark,
-                ""};
+        return {false,
+                facts.has_light ? "all light comes from points and suns without size" : kDark, ""};
     return {true, "light comes from the whole of " + lights,
             "a shadow ray to a point drawn on what glows, from each surface"};
 }
 
 Finding find_indirect(const SceneFacts& facts)
 {
-    if (!facts.shines)
+    if (!facts.has_light)
         return {false, kDark, ""};
     const std::string names = gathering_materials(facts);
     if (names.empty())
@@ -67,7 +67,7 @@ Finding find_caustics(const SceneFacts& facts)
         });
     if (names.empty())
         return {false, "no surface is specular", ""};
-    if (!facts.shines)
+    if (!facts.has_light)
         return {false, "no specular surface is lit", ""};
     if (gathering_materials(facts).empty())
         return {false, "no surface gathers what specular ones send on", ""};
@@ -77,7 +77,7 @@ Finding find_caustics(const SceneFacts& facts)
 
 Finding find_environment(const SceneFacts& facts)
 {
-    if (!facts.scene.environment_picture.empty())
+    if (!facts.scene.environment_map_file.empty())
         return {true, "a picture of the sky shines",
                 "light paths from it, a shadow ray towards it; rays that leave the scene see it"};
     if (is_black(facts.scene.environment))

@@ -35,14 +35,14 @@ SceneFacts gather_facts(const Scene& scene, const Partition& partition)
         facts.worn[material] = 1;
         if (partition.closed[face] != 0)
             facts.solid[material] = 1;
-        facts.shines = facts.shines || !is_black(scene.materials[material].emission) ||
-                       !is_black(scene.materials[material].medium_emission);
+        facts.has_light = facts.has_light || !is_black(scene.materials[material].emission) ||
+                          !is_black(scene.materials[material].medium_emission);
     }
     const std::vector<NamedLight> lights = named_lights(scene);
-    facts.shines = facts.shines || !is_black(scene.environment) ||
-                   !scene.environment_picture.empty() || scene.around.glows() ||
-                   std::any_of(lights.begin(), lights.end(),
-                               [](const NamedLight& light) { return light.emits; });
+    facts.has_light = facts.has_light || !is_black(scene.environment) ||
+                      !scene.environment_map_file.empty() || scene.around.emits() ||
+                      std::any_of(lights.begin(), lights.end(),
+                                  [](const NamedLight& light) { return light.emits; });
     return facts;
 }
 

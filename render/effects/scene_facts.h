@@ -18,7 +18,7 @@ struct SceneFacts {
     std::vector<std::uint8_t> solid;   ///< [M] 1: some face of a closed surface does
     std::vector<std::uint8_t> nested;  ///< [M] 1: a dielectric that lies in another, or has one in
                                        ///<     it (nested_dielectrics.h)
-    bool shines = false;               ///< there is any light
+    bool has_light = false;            ///< there is any light
     bool shutter = false;              ///< it is open for a time
     std::vector<std::string> moving{}; ///< names of what moves meanwhile
 

@@ -38,7 +38,7 @@ Products combined(const BatchProducts& products, double a, double b)
     return out;
 }
 
-/// The square of the bias, by a ratio and how far off chance may have put it.
+/// The square of the bias, by a ratio and how far off probability may have put it.
 struct RatedSquare {
     double value = 0;
     double deviation = 0;

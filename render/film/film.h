@@ -28,7 +28,7 @@ struct Film {
     int width = 0;
     int height = 0;
     int scale = 0; ///< values are counted in units of 2^-scale W/(m2 sr), docs/error.md (2)
-    std::uint64_t allotment = 0; ///< what the samples of its pixels are, docs/error.md (14)
+    std::uint64_t allocation = 0; ///< what the samples of its pixels are, docs/error.md (14)
     BiasKnowledge bias = BiasKnowledge::unknown;
     PassSet passes;
 
@@ -50,7 +50,7 @@ Film make_film(int width, int height, double mean, BiasKnowledge bias);
 /// Adds a pass, which must not be in the film yet; images of the film's size.
 void add_pass(Film& film, std::uint64_t pass, const PassImages& images);
 
-/// Adds the passes of another film of the same size, scale, allotment and knowledge; they must be
+/// Adds the passes of another film of the same size, scale, allocation and knowledge; they must be
 /// disjoint.
 void merge_film(Film& into, const Film& from);
 

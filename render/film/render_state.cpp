@@ -21,7 +21,7 @@ void put_film(StateWriter& out, const Film& film)
     out.put(film.width);
     out.put(film.height);
     out.put(film.scale);
-    out.put(film.allotment);
+    out.put(film.allocation);
     out.put(static_cast<std::uint32_t>(film.bias));
     out.put_array(film.passes.ranges);
     out.put_array(film.radiance);
@@ -91,7 +91,7 @@ Film get_film(StateReader& in)
                "picture size");
     film.scale = in.get<int>();
     in.require(film.scale >= -kMostScale && film.scale <= kMostScale, "scale");
-    film.allotment = in.get<std::uint64_t>();
+    film.allocation = in.get<std::uint64_t>();
     film.bias = get_bias(in);
     film.passes.ranges = in.get_array<PassRange>();
     in.require(is_valid(film.passes) && count(film.passes) <= kMostPasses, "set of passes");
@@ -207,7 +207,7 @@ void merge_state(RenderState& into, const RenderState& from, const std::filesyst
     check_settings(path, from.settings, into.settings);
     const Film& film = from.film;
     if (film.width != into.film.width || film.height != into.film.height ||
-        film.scale != into.film.scale || film.allotment != into.film.allotment ||
+        film.scale != into.film.scale || film.allocation != into.film.allocation ||
         film.bias != into.film.bias)
         throw InputError(path.string() + ": its picture is of another size or unit, or shares out "
                                          "its samples in another way; render it again");

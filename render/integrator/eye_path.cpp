@@ -21,17 +21,17 @@ struct EyeBranchStack {
     /// Unless Russian roulette ends it.
     void push(PathState branch, RandomSequence& random)
     {
-        if (max_channel(branch.weight) > 0 && survives(branch, random))
+        if (max_channel(branch.throughput) > 0 && survives(branch, random))
             branches[size++] = branch;
     }
 };
 
 /// What passes diffusely of light that photons bring to the other side of a surface.  query: of
 /// this side.
-[[gnu::noinline]] Rgb light_from_beyond(const PassMaps& maps, const GatheredLobes& lobes,
-                                        PhotonQuery query, EyeScratch& scratch)
+[[gnu::noinline]] Rgb light_from_transmitted_side(const PassMaps& maps, const GatheredLobes& lobes,
+                                                  PhotonQuery query, EyeScratch& scratch)
 {
-    query = beyond(query);
+    query = transmitted_side(query);
     query.radius = PhotonQuery{}.radius;
     Rgb light = estimate_irradiance(maps.global, maps.surfaces, query, scratch.global);
     query.radius = even_radius(maps.caustic, maps.surfaces, query);
@@ -50,8 +50,9 @@ Rgb photon_light(const PassMaps& maps, const Interaction& at, EyeScratch& scratc
     query.radius = even_radius(maps.caustic, maps.surfaces, query);
     light += estimate_irradiance(maps.caustic, maps.surfaces, query, scratch.caustic);
     light = maps.scene.directional ? light : lobes.base() * light;
-    return at.bsdf().transmits_diffusely ? light + light_from_beyond(maps, lobes, query, scratch)
-                                         : light;
+    return at.bsdf().transmits_diffusely
+               ? light + light_from_transmitted_side(maps, lobes, query, scratch)
+               : light;
 }
 
 /// Light from lights and photons that the surface sends back along the path; what followed lobes
@@ -64,9 +65,9 @@ Rgb scattered_light(const PassMaps& maps, const Interaction& at, RandomSequence&
     const LobeRays rays{samples ? 1.0f : 0.0f, at.follows() ? 1.0f : 0.0f};
     Rgb light(0.0f);
     if (rays.gathered + rays.followed > 0)
-        light = sampled_light(maps.scene, at, rays, random);
+        light = light_sampled_light(maps.scene, at, rays, random);
     if (samples)
-        light += found_light(maps.scene, at, random);
+        light += bsdf_sampled_light(maps.scene, at, random);
     if (gathers)
         light += photon_light(maps, at, scratch);
     return light;
@@ -76,25 +77,25 @@ void follow_specular(const RenderScene& scene, const Interaction& at, const Path
                      RandomSequence& random, EyeBranchStack& stack)
 {
     const SpecularLobes lobes = specular_lobes(at);
-    const float mirror = max_channel(from.weight * lobes.mirror);
-    const float transmit = max_channel(from.weight * lobes.transmit);
+    const float mirror = max_channel(from.throughput * lobes.mirror);
+    const float transmit = max_channel(from.throughput * lobes.transmit);
     if (!(mirror + transmit > 0))
         return;
-    float mirror_chance = 1, transmit_chance = 1;
+    float mirror_probability = 1, transmit_probability = 1;
     if (from.depth >= kSplitDepth && mirror > 0 && transmit > 0) {
-        mirror_chance = mirror / (mirror + transmit);
-        const bool picked = random.next() < mirror_chance;
-        transmit_chance = picked ? 0 : 1 - mirror_chance;
-        mirror_chance = picked ? mirror_chance : 0;
+        mirror_probability = mirror / (mirror + transmit);
+        const bool picked = random.next() < mirror_probability;
+        transmit_probability = picked ? 0 : 1 - mirror_probability;
+        mirror_probability = picked ? mirror_probability : 0;
     }
-    if (transmit_chance > 0 && transmit > 0) {
+    if (transmit_probability > 0 && transmit > 0) {
         PathState next = from;
-        go_through(scene, at, lobes, transmit_chance, next);
+        go_through(scene, at, lobes, transmit_probability, next);
         stack.push(next, random);
     }
-    if (mirror_chance > 0 && mirror > 0) {
+    if (mirror_probability > 0 && mirror > 0) {
         PathState next = from;
-        go_by_mirror(scene, at, lobes, mirror_chance, next);
+        go_by_mirror(scene, at, lobes, mirror_probability, next);
         stack.push(next, random);
     }
 }
@@ -107,8 +108,8 @@ Reached reach_by_beams(const RenderScene& scene, const VolumeMap* photons, bool 
         static const VolumeMap kNoPhotons;
         std::array<Rgb, 3> seen{};
         const MediaBeams beams{*scene.media, photons != nullptr ? *photons : kNoPhotons, {1, 1, 1}};
-        const Reached out{
-            see_media(beams, branch.ray, photons != nullptr, {branch.inside, branch.weight, seen})};
+        const Reached out{see_media(beams, branch.ray, photons != nullptr,
+                                    {branch.inside, branch.throughput, seen})};
         radiance += seen[0];
         return out;
     });
@@ -148,7 +149,7 @@ Rgb trace_eye_path(const PassMaps& maps, const Ray& ray, SeenLights seen, Random
         const Interaction at = meet(maps.scene, *reached.hit, random, branch);
         if (sees_lights)
             radiance += met_emission(maps.scene, at, reached.hit->distance, branch);
-        radiance += branch.weight * scattered_light(maps, at, random, scratch);
+        radiance += branch.throughput * scattered_light(maps, at, random, scratch);
         if (at.is_diffuse())
             continue;
         follow_specular(maps.scene, at, branch, random, stack);

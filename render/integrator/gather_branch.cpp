@@ -8,7 +8,7 @@ GatherBranch scatter(const RenderScene& scene, const GatherBranch& from, const I
     GatherBranch next = from;
     const bool through = go_by_lobes(scene, at, {lobes}, random, next);
     if (lobes == Lobes::gathered && through)
-        next.indirect_radius = from.beyond_radius;
+        next.indirect_radius = from.transmitted_radius;
     return next;
 }
 
@@ -38,7 +38,7 @@ void pick_one(Departures& out, RandomSequence& random)
     while (picked + 1 < out.size && !(drawn < importance(out.branches[picked])))
         drawn -= importance(out.branches[picked++]);
     out.branches[0] = out.branches[picked];
-    out.branches[0].weight *= sum / importance(out.branches[0]);
+    out.branches[0].throughput *= sum / importance(out.branches[0]);
     out.size = 1;
 }
 

@@ -14,8 +14,8 @@ constexpr int kMostRays = 4;
 
 /// A part of an eye path still to be followed.
 struct GatherBranch : PathState {
-    float indirect_radius = 0; ///< the first, of the indirect map at the last gathered lobe
-    float beyond_radius = 0;   ///< the same on the other side
+    float indirect_radius = 0;    ///< the first, of the indirect map at the last gathered lobe
+    float transmitted_radius = 0; ///< the same on the other side
 };
 
 /// The branches that leave a surface.

@@ -59,7 +59,7 @@ class GatherTracer {
         const Reached reached = reach(scene, branch, sees, lights, [&] {
             const MediaBeams beams{*scene.media, *maps_.volume, kScales};
             return Reached{see_media(beams, branch.ray, !is_gathered(branch.behind),
-                                     {branch.inside, branch.weight, radiance_})};
+                                     {branch.inside, branch.throughput, radiance_})};
         });
         if (!reached.hit)
             return add(lights);
@@ -69,16 +69,16 @@ class GatherTracer {
         GatherBranch gathering = branch;
         const bool onward = at.gathers() && !add_photons(gathering, at, reached.hit->distance);
         if (onward)
-            add(gathering.weight * sampled_light(scene, at, {.gathered = 1}, random_));
+            add(gathering.throughput * light_sampled_light(scene, at, {.gathered = 1}, random_));
         if (onward && !maps_.bounces)
-            add(gathering.weight * found_light(scene, at, random_));
+            add(gathering.throughput * bsdf_sampled_light(scene, at, random_));
         if (at.follows() && !is_gathered(branch.behind))
-            add(branch.weight * sampled_light(scene, at, {.followed = 1}, random_));
+            add(branch.throughput * light_sampled_light(scene, at, {.followed = 1}, random_));
         send_on(onward && maps_.bounces ? &gathering : nullptr, branch, at);
     }
 
     /// Adds what the gathered lobes send back of light from the maps.  True: that is all; false:
-    /// they are to send a ray on, with the weight and radius now in `branch`.
+    /// they are to send a ray on, with the throughput and radius now in `branch`.
     bool add_photons(GatherBranch& branch, const Interaction& at, float distance)
     {
         const GatheredLobes lobes(at);
@@ -93,16 +93,16 @@ class GatherTracer {
             if (shared_maps(maps_.global).maps.empty())
                 return true; // no photon has come anywhere
             const float first = radius_at(maps_.first.global, maps_.surfaces, query);
-            branch.weight *= weight_of(branch, first);
+            branch.throughput *= weight_of(branch, first);
             const float radius = maps_.shrink * first;
             if (!(branch.behind == EyePathClass::indirect && distance < radius)) {
-                add_gathered(branch.weight * factor, query, radius);
+                add_gathered(branch.throughput * factor, query, radius);
                 return true;
             }
         }
         if (!shared_maps(maps_.indirect).maps.empty()) {
             branch.indirect_radius = radius_at(maps_.first.indirect, maps_.surfaces, query);
-            add_indirect(branch.weight * factor, query, branch.indirect_radius);
+            add_indirect(branch.throughput * factor, query, branch.indirect_radius);
         }
         return false;
     }
@@ -114,19 +114,19 @@ class GatherTracer {
     {
         for (const bool other : {false, true}) {
             if (other)
-                query = beyond(query);
+                query = transmitted_side(query);
             const Rgb factor = maps_.scene.directional ? Rgb(1)
                                : other                 ? lobes.behind()
                                                        : lobes.base();
             add_caustic(branch, factor, query);
             if (is_gathered(branch.behind) && !shared_maps(maps_.global).maps.empty()) {
                 const float first = radius_at(maps_.first.global, maps_.surfaces, query);
-                const Rgb weight = branch.weight * factor * weight_of(branch, first);
+                const Rgb weight = branch.throughput * factor * weight_of(branch, first);
                 add_gathered(weight, query, maps_.shrink * first);
             } else if (!is_gathered(branch.behind) && !shared_maps(maps_.indirect).maps.empty()) {
                 const float first = radius_at(maps_.first.indirect, maps_.surfaces, query);
-                (other ? branch.beyond_radius : branch.indirect_radius) = first;
-                add_indirect(branch.weight * factor, query, first);
+                (other ? branch.transmitted_radius : branch.indirect_radius) = first;
+                add_indirect(branch.throughput * factor, query, first);
             }
         }
         return is_gathered(branch.behind);
@@ -144,7 +144,7 @@ class GatherTracer {
             return;
         const float first = radius_at(maps_.first.caustic, maps_.surfaces, query);
         const float share = is_gathered(branch.behind) ? weight_of(branch, first) : 1.0f;
-        add_within(branch.weight * factor * share, maps_.caustic, query, maps_.shrink * first,
+        add_within(branch.throughput * factor * share, maps_.caustic, query, maps_.shrink * first,
                    scratch_.caustic);
     }
 

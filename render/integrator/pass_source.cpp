@@ -1,6 +1,6 @@
 #include "render/integrator/pass_source.h"
 
-#include "render/integrator/light_allotment.h"
+#include "render/integrator/light_sample_allocation.h"
 #include "render/integrator/pass_photons.h"
 #include "render/integrator/path_tracer.h"
 #include "render/integrator/picture_tiles.h"
@@ -110,19 +110,19 @@ PassSource make_pass_source(const RenderScene& scene, const RenderOptions& optio
     source.pilot_mean = pilot_mean(scene, *surfaces, options);
     source.bias =
         options.integrator == Integrator::path ? BiasKnowledge::unbiased : BiasKnowledge::unknown;
-    auto allotment = std::make_shared<SampleAllotment>();
+    auto allocation = std::make_shared<SampleAllocation>();
     if (options.integrator == Integrator::direct)
-        allotment->lights = allot_light_samples(scene, options);
-    source.allotment = checksum(*allotment);
+        allocation->lights = allocate_light_samples(scene, options);
+    source.allocation = checksum(*allocation);
     source.render = [&scene, &options, &statistics, surfaces,
-                     allotment](std::uint64_t pass, const PassControl& control) {
-        return render_pass(scene, *surfaces, {scene, options, pass, *allotment}, control,
+                     allocation](std::uint64_t pass, const PassControl& control) {
+        return render_pass(scene, *surfaces, {scene, options, pass, *allocation}, control,
                            statistics);
     };
-    source.render_in = [&options, &statistics, allotment](
+    source.render_in = [&options, &statistics, allocation](
                            const RenderScene& now, std::uint64_t pass, const PassControl& control) {
         return render_pass(now, MapSurfaces(now.mesh(), now.partition),
-                           {now, options, pass, *allotment}, control, statistics);
+                           {now, options, pass, *allocation}, control, statistics);
     };
     return source;
 }

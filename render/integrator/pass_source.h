@@ -26,7 +26,7 @@ struct PassSource {
     /// Mean of the channels of an image by the pilot: the unit of the film.  A function of scene
     /// and settings alone, or states of several runs could not be merged.
     double pilot_mean = 0;
-    std::uint64_t allotment = 0; ///< checksum of the samples of each pixel; 0: the same of all
+    std::uint64_t allocation = 0; ///< checksum of the samples of each pixel; 0: the same of all
     BiasKnowledge bias = BiasKnowledge::unknown;
     double alpha = 2.0 / 3;    ///< how slowly radii shrink, docs/error.md (1)
     std::uint64_t photons = 0; ///< light paths of a pass
@@ -53,7 +53,7 @@ double mean_of(const Image& image);
 
 struct PhotonCache;
 
-/// The integrator that the options name.  Adds what passes do to `statistics`.  cache: of former
+/// The integrator that the options name.  Adds what passes do to `statistics`.  cache: of previous
 /// images of the scene, used and filled by integrator progressive; may be null.  Everything is
 /// borrowed, and must outlive the source.  Renders the pilot.
 PassSource make_pass_source(const RenderScene& scene, const RenderOptions& options,

@@ -6,8 +6,8 @@ namespace hipmap {
 
 namespace {
 
-/// Chances of the lobes of a surface; they add up to one, or are all zero if it is black.
-struct LobeChances {
+/// Probabilities of the lobes of a surface; they add up to one, or are all zero if it is black.
+struct LobeProbabilities {
     float gathered = 0.0f, followed = 0.0f, mirror = 0.0f, transmit = 0.0f;
 };
 
@@ -34,8 +34,8 @@ class PathTracer {
     }
 
   private:
-    /// To the next surface or scattering, and on; no weight is left where the path ends.  False: it
-    /// has left the scene.
+    /// To the next surface or scattering, and on; no throughput is left where the path ends. False:
+    /// it has left the scene.
     bool step()
     {
         const bool sees_lights = light_.caustic || path_.behind != EyePathClass::caustic;
@@ -53,10 +53,10 @@ class PathTracer {
             radiance_ += met_emission(scene_, at, reached.hit->distance, path_);
         if (!at.is_diffuse())
             leave(at);
-        else if (max_channel(path_.weight * at.bsdf().diffuse) > 0 && may_gather())
+        else if (max_channel(path_.throughput * at.bsdf().diffuse) > 0 && may_gather())
             leave_gathered(at);
         else
-            path_.weight = Rgb(0);
+            path_.throughput = Rgb(0);
         return true;
     }
 
@@ -66,28 +66,30 @@ class PathTracer {
     /// docs/media.md (6).
     Reached fly(const MediaSet& media)
     {
-        const WalkEnd end = walk(media, path_.ray, path_.inside, [&](const Stretch& stretch) {
-            const Medium& medium = media.medium(stretch.inside);
-            const Column column = column_along(media.density(stretch.inside), stretch.ray);
-            radiance_ += path_.weight * emitted_along(medium, column.whole);
-            const Flight flight = sample_flight(medium, column.whole, path_.weight, random_);
-            path_.weight *= flight.weight;
-            const float along = distance_at(column, flight.column);
-            scattering_ = {stretch.ray.origin + along * stretch.ray.direction, &medium};
-            return !flight.scattered;
+        const WalkEnd end = walk(media, path_.ray, path_.inside, [&](const MediumSegment& segment) {
+            const Medium& medium = media.medium(segment.inside);
+            const OpticalDepth optical_depth =
+                optical_depth_along(media.density(segment.inside), segment.ray);
+            radiance_ += path_.throughput * emitted_along(medium, optical_depth.total);
+            const FreePath free_path =
+                sample_free_path(medium, optical_depth.total, path_.throughput, random_);
+            path_.throughput *= free_path.weight;
+            const float along = distance_at(optical_depth, free_path.optical_depth);
+            scattering_ = {segment.ray.origin + along * segment.ray.direction, &medium};
+            return !free_path.scattered;
         });
         return {end.stopped ? std::nullopt : end.hit, end.stopped};
     }
 
-    LobeChances chances_at(const Interaction& at, const SpecularLobes& lobes) const
+    LobeProbabilities probabilities_at(const Interaction& at, const SpecularLobes& lobes) const
     {
-        LobeChances out;
+        LobeProbabilities out;
         if (at.gathers() && may_gather())
-            out.gathered = max_channel(path_.weight * scattered_share(at, Lobes::gathered));
+            out.gathered = max_channel(path_.throughput * scattered_share(at, Lobes::gathered));
         if (at.follows())
-            out.followed = max_channel(path_.weight * scattered_share(at, Lobes::followed));
-        out.mirror = max_channel(path_.weight * lobes.mirror);
-        out.transmit = max_channel(path_.weight * lobes.transmit);
+            out.followed = max_channel(path_.throughput * scattered_share(at, Lobes::followed));
+        out.mirror = max_channel(path_.throughput * lobes.mirror);
+        out.transmit = max_channel(path_.throughput * lobes.transmit);
         const float sum = out.gathered + out.followed + out.mirror + out.transmit;
         if (!(sum > 0))
             return {};
@@ -102,30 +104,31 @@ class PathTracer {
     void leave(const Interaction& at)
     {
         const SpecularLobes lobes = specular_lobes(at);
-        const LobeChances chances = chances_at(at, lobes);
-        const LobeRays rays{chances.gathered,
-                            light_.caustic || !is_gathered(path_.behind) ? chances.followed : 0};
+        const LobeProbabilities probabilities = probabilities_at(at, lobes);
+        const LobeRays rays{probabilities.gathered, light_.caustic || !is_gathered(path_.behind)
+                                                        ? probabilities.followed
+                                                        : 0};
         if (rays.gathered + rays.followed > 0)
-            radiance_ += path_.weight * sampled_light(scene_, at, rays, random_);
+            radiance_ += path_.throughput * light_sampled_light(scene_, at, rays, random_);
         float drawn = random_.next();
-        if (drawn < chances.gathered)
-            return follow({Lobes::gathered, chances.gathered}, at);
-        drawn -= chances.gathered;
-        if (drawn < chances.followed)
-            return follow({Lobes::followed, chances.followed}, at);
-        drawn -= chances.followed;
-        if (drawn < chances.mirror)
-            go_by_mirror(scene_, at, lobes, chances.mirror, path_);
-        else if (chances.transmit > 0)
-            go_through(scene_, at, lobes, chances.transmit, path_);
+        if (drawn < probabilities.gathered)
+            return follow({Lobes::gathered, probabilities.gathered}, at);
+        drawn -= probabilities.gathered;
+        if (drawn < probabilities.followed)
+            return follow({Lobes::followed, probabilities.followed}, at);
+        drawn -= probabilities.followed;
+        if (drawn < probabilities.mirror)
+            go_by_mirror(scene_, at, lobes, probabilities.mirror, path_);
+        else if (probabilities.transmit > 0)
+            go_through(scene_, at, lobes, probabilities.transmit, path_);
         else
-            path_.weight = Rgb(0);
+            path_.throughput = Rgb(0);
     }
 
     /// The same where one gathered lobe is all: a diffuse surface, or a point of a medium.
     void leave_gathered(const Interaction& at)
     {
-        radiance_ += path_.weight * sampled_light(scene_, at, {.gathered = 1}, random_);
+        radiance_ += path_.throughput * light_sampled_light(scene_, at, {.gathered = 1}, random_);
         follow({Lobes::gathered}, at);
     }
 

@@ -5,7 +5,7 @@
 #include "common/rays/camera_ray.h"
 #include "render/integrator/eye_path.h"
 #include "render/integrator/pass_source.h"
-#include "render/integrator/sample_allotment.h"
+#include "render/integrator/sample_allocation.h"
 
 #include <algorithm>
 #include <array>
@@ -17,15 +17,15 @@ struct PictureJob {
     const RenderScene& scene;
     const RenderOptions& options;
     std::uint64_t pass = 0;
-    const SampleAllotment& allotment;
+    const SampleAllocation& allocation;
 
     std::uint32_t samples(std::uint64_t pixel) const
     {
-        return allotment.samples.empty() ? options.samples : allotment.samples[pixel];
+        return allocation.samples.empty() ? options.samples : allocation.samples[pixel];
     }
     std::uint32_t light_samples(std::uint64_t pixel) const
     {
-        return allotment.lights.empty() ? 0 : allotment.lights[pixel];
+        return allocation.lights.empty() ? 0 : allocation.lights[pixel];
     }
 };
 

@@ -1,7 +1,7 @@
 #include "render/integrator/progressive.h"
 
 #include "render/integrator/gather_path.h"
-#include "render/integrator/light_allotment.h"
+#include "render/integrator/light_sample_allocation.h"
 #include "render/integrator/pass_photons.h"
 #include "render/integrator/photon_cache.h"
 #include "render/integrator/picture_tiles.h"
@@ -20,7 +20,7 @@ constexpr double kPhotonShare = 0.3;
 /// What all passes share.
 struct Progressive {
     std::shared_ptr<const ProgressiveRadii> first;
-    SampleAllotment allotment;
+    SampleAllocation allocation;
     PhotonCache* cache = nullptr;
 };
 
@@ -163,7 +163,7 @@ RenderedPass render_pass(const ProgressivePass& pass, const Progressive& shared,
     return gather_pass(pass, shared, *photons, control, statistics);
 }
 
-/// Allots samples by two images from the same photons; returns the mean of their channels.
+/// Allocates samples by two images from the same photons; returns the mean of their channels.
 double render_pilot(const MappedScene& mapped, const RenderOptions& options, Progressive& shared)
 {
     const RenderScene& scene = mapped.scene;
@@ -176,13 +176,14 @@ double render_pilot(const MappedScene& mapped, const RenderOptions& options, Pro
         maps_of_pass(shared.cache, kPilotPass, ignored, [&](RenderStatistics& made) {
             return make_maps(pilot(kPilotPass), *shared.first, made);
         });
-    const Progressive evenly{shared.first, {{}, allot_light_samples(scene, small)}};
+    const Progressive evenly{shared.first, {{}, allocate_light_samples(scene, small)}};
     const auto image_of = [&](std::uint64_t number) {
         return gather_pass(pilot(number), evenly, *photons, {}, ignored).images.radiance;
     };
     const Image first = image_of(kPilotPass), second = image_of(kPilotPass - 1);
-    shared.allotment = allot_samples(first, second, options.width, options.height, options.samples);
-    shared.allotment.lights = allot_light_samples(scene, options);
+    shared.allocation =
+        allocate_samples(first, second, options.width, options.height, options.samples);
+    shared.allocation.lights = allocate_light_samples(scene, options);
     return (mean_of(first) + mean_of(second)) / 2;
 }
 
@@ -205,7 +206,7 @@ PassSource make_progressive_source(const RenderScene& scene, const RenderOptions
     source.pilot_mean = render_pilot({scene, *surfaces}, options, *shared);
     source.alpha = options.alpha;
     source.photons = options.photons;
-    source.allotment = checksum(shared->allotment);
+    source.allocation = checksum(shared->allocation);
     source.bias = precomputes(scene, options) ? BiasKnowledge::unknown : BiasKnowledge::from_radii;
     source.render = [&scene, &options, &statistics, surfaces, shared](std::uint64_t pass,
                                                                       const PassControl& control) {
@@ -215,7 +216,7 @@ PassSource make_progressive_source(const RenderScene& scene, const RenderOptions
     source.render_in = [&options, &statistics, shared](const RenderScene& now, std::uint64_t pass,
                                                        const PassControl& control) {
         const MapSurfaces surfaces_now(now.mesh(), now.partition);
-        const Progressive anew{shared->first, shared->allotment};
+        const Progressive anew{shared->first, shared->allocation};
         return render_pass(numbered_pass({now, surfaces_now}, options, pass), anew, control,
                            statistics);
     };

@@ -13,7 +13,7 @@ constexpr double kSavingShare = 0.02;
 constexpr double kSecondsBetweenSaves = 0.2;
 
 /// Looks at the error before it is said how long it takes to meet one.
-constexpr std::size_t kLooksToForetell = 2;
+constexpr std::size_t kLooksToPredict = 2;
 
 /// Share of the way from `begun` to `end` passes that `now` is.
 double share_of(double begun, double now, double end)
@@ -87,7 +87,7 @@ class Run {
     /// After which the error is met at a check; none: not known yet, docs/error.md (12).
     std::optional<double> passes_to_error() const
     {
-        if (!(rules_.error > 0) || state_.checks.size() < kLooksToForetell)
+        if (!(rules_.error > 0) || state_.checks.size() < kLooksToPredict)
             return std::nullopt;
         const double needed = std::min(passes_for(error_law(state_.checks, alpha_), rules_.error),
                                        static_cast<double>(kMostPasses));
@@ -150,7 +150,7 @@ RenderState begin_state(const PassSource& source, std::vector<Setting> settings)
     state.photons_per_pass = source.photons;
     state.radius_decay = source.alpha;
     state.film = make_film(source.width, source.height, source.pilot_mean, source.bias);
-    state.film.allotment = source.allotment;
+    state.film.allocation = source.allocation;
     return state;
 }
 

@@ -88,8 +88,8 @@ LightSet collect_lights(const Scene& scene, const LightSources& sources)
         lights.push_back(ImageEnvironment{sources.environment_map, sphere});
     else if (!is_black(scene.environment))
         lights.push_back(ConstantEnvironment{scene.environment, sphere});
-    if (sources.media != nullptr && sources.media->glows)
-        lights.push_back(GlowingMedia{sources.media});
+    if (sources.media != nullptr && sources.media->emits)
+        lights.push_back(EmissiveMedia{sources.media});
     EmissiveMesh faces = make_emissive_mesh(sources.surfaces, powers);
     grow_tree(faces);
     return make_light_set(std::move(lights), std::move(faces));

@@ -21,7 +21,7 @@ struct SurfaceEmission {
     const TriangleMesh* mesh = nullptr; ///< borrowed
     std::vector<OfMaterial> materials;  ///< [M]
 
-    /// Radiance at a point of a face of a textured material, times the face's coverage there.
+    /// Radiance at a point of a face of a textured material, times the face's opacity there.
     /// barycentric: as in RayHit.  Must be thread-safe.
     std::function<Rgb(FaceId face, const glm::vec2& barycentric)> at;
     /// Radiance of a face of any material, on average over the face.

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "render/lights/constant_environment.h"
+#include "render/lights/emissive_media.h"
 #include "render/lights/emissive_mesh.h"
-#include "render/lights/glowing_media.h"
 #include "render/lights/image_environment.h"
 #include "render/lights/planar_light.h"
 #include "render/lights/point_light.h"
@@ -18,7 +18,7 @@ namespace hipmap {
 /// A light of any kind.  light_kind.h says what the functions do, the file of a kind what is
 /// special about it.
 using Light = std::variant<PointLight, SpotLight, SphereLight, SunLight, PlanarLight, EmissiveMesh,
-                           ConstantEnvironment, ImageEnvironment, GlowingMedia>;
+                           ConstantEnvironment, ImageEnvironment, EmissiveMedia>;
 
 /// Whether a kind has all functions of light_kind.h itself.  It is asked before those of `Light`
 /// are declared, to which every kind would convert.

@@ -38,15 +38,15 @@ float AnisotropicFacets::shadowing(const glm::vec3& in, float cos_in, const glm:
     return cos_in * (cos_out + slope_out) / (cos_out * slope(in) + cos_in * slope_out);
 }
 
-float AnisotropicFacets::reflected_density(const glm::vec3& out, const glm::vec3& half) const
+float AnisotropicFacets::reflected_pdf(const glm::vec3& out, const glm::vec3& half) const
 {
     return 0.5f * distribution(half) / (glm::dot(out, normal) + slope(out));
 }
 
-float AnisotropicFacets::density(const glm::vec3& out, const glm::vec3& half) const
+float AnisotropicFacets::pdf(const glm::vec3& out, const glm::vec3& half) const
 {
     const float visible = glm::dot(out, half);
-    return visible > 0 ? 4 * visible * reflected_density(out, half) : 0;
+    return visible > 0 ? 4 * visible * reflected_pdf(out, half) : 0;
 }
 
 glm::vec3 AnisotropicFacets::sample(const glm::vec3& out, const glm::vec2& u) const

@@ -32,10 +32,10 @@ struct AnisotropicFacets {
     float shadowing(const glm::vec3& in, float cos_in, const glm::vec3& out, float cos_out) const;
 
     /// As that of ggx.h.
-    float reflected_density(const glm::vec3& out, const glm::vec3& half) const;
+    float reflected_pdf(const glm::vec3& out, const glm::vec3& half) const;
 
-    /// Chance per solid angle of `half` that `sample` draws it; 0 for facets turned away.
-    float density(const glm::vec3& out, const glm::vec3& half) const;
+    /// Pdf of `half` that `sample` draws it; 0 for facets turned away.
+    float pdf(const glm::vec3& out, const glm::vec3& half) const;
 
     /// Normal of a facet, as those visible from `out` are distributed.  u: [0, 1)^2.
     glm::vec3 sample(const glm::vec3& out, const glm::vec2& u) const;

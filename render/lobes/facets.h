@@ -39,8 +39,8 @@ struct Facets {
     float pdf(const LobeView& view, const glm::vec3& half) const
     {
         if (is_anisotropic(view)) [[unlikely]]
-            return anisotropic(view).density(view.out, half);
-        return facet_density(view.normal, view.out, half, alpha);
+            return anisotropic(view).pdf(view.out, half);
+        return ggx_facet_pdf(view.normal, view.out, half, alpha);
     }
 
     /// Probability per solid angle that a facet drawn reflects `out` into the direction whose half
@@ -48,8 +48,8 @@ struct Facets {
     float reflected_pdf(const LobeView& view, const glm::vec3& half) const
     {
         if (is_anisotropic(view)) [[unlikely]]
-            return anisotropic(view).reflected_density(view.out, half);
-        return reflected_density(view.normal, view.out, half, alpha);
+            return anisotropic(view).reflected_pdf(view.out, half);
+        return ggx_reflected_pdf(view.normal, view.out, half, alpha);
     }
 
     /// Normal of a facet, distributed as those visible from `out`.  u: [0, 1)^2.

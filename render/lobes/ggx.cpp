@@ -32,18 +32,18 @@ float ggx_shadowing(float cos_in, float cos_out, float alpha)
     return cos_in * (cos_out + slope) / (cos_out * ggx_slope(cos_in, alpha) + cos_in * slope);
 }
 
-float reflected_density(const glm::vec3& normal, const glm::vec3& out, const glm::vec3& half,
+float ggx_reflected_pdf(const glm::vec3& normal, const glm::vec3& out, const glm::vec3& half,
                         float alpha)
 {
     const float cosine = glm::dot(normal, out);
     return 0.5f * ggx_distribution(normal, half, alpha) / (cosine + ggx_slope(cosine, alpha));
 }
 
-float facet_density(const glm::vec3& normal, const glm::vec3& out, const glm::vec3& half,
+float ggx_facet_pdf(const glm::vec3& normal, const glm::vec3& out, const glm::vec3& half,
                     float alpha)
 {
     const float visible = glm::dot(out, half);
-    return visible > 0 ? 4 * visible * reflected_density(normal, out, half, alpha) : 0;
+    return visible > 0 ? 4 * visible * ggx_reflected_pdf(normal, out, half, alpha) : 0;
 }
 
 glm::vec3 sample_facet(const glm::vec3& normal, const glm::vec3& out, float alpha,

@@ -22,14 +22,14 @@ float ggx_visibility(float cos_in, float cos_out, float alpha);
 /// `sample_facet`.  cos_in above zero.
 float ggx_shadowing(float cos_in, float cos_out, float alpha);
 
-/// Chance per solid angle that a facet drawn by `sample_facet` reflects `out` into the direction
-/// whose half vector with it is `half`: facet_density over 4 dot(out, half), which cancels out of
+/// Pdf that a facet drawn by `sample_facet` reflects `out` into the direction
+/// whose half vector with it is `half`: ggx_facet_pdf over 4 dot(out, half), which cancels out of
 /// it.
-float reflected_density(const glm::vec3& normal, const glm::vec3& out, const glm::vec3& half,
+float ggx_reflected_pdf(const glm::vec3& normal, const glm::vec3& out, const glm::vec3& half,
                         float alpha);
 
-/// Chance per solid angle of `half` that `sample_facet` draws it; 0 for facets turned away.
-float facet_density(const glm::vec3& normal, const glm::vec3& out, const glm::vec3& half,
+/// Pdf of `half` that `sample_facet` draws it; 0 for facets turned away.
+float ggx_facet_pdf(const glm::vec3& normal, const glm::vec3& out, const glm::vec3& half,
                     float alpha);
 
 /// Normal of a facet, as those visible from `out` (above the surface) are distributed.  u: [0,

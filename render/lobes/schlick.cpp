@@ -64,7 +64,7 @@ float Schlick::pdf(const LobeView& view, const glm::vec3& in) const
     const float even = shares_of(*this).even;
     const glm::vec3 half = glm::normalize(in + view.out);
     return even * glm::dot(in, view.normal) / kPi +
-           (1 - even) * reflected_density(view.normal, view.out, half, alpha);
+           (1 - even) * ggx_reflected_pdf(view.normal, view.out, half, alpha);
 }
 
 LobeSample Schlick::sample(const LobeView& view, RandomSequence& random) const

@@ -20,7 +20,7 @@ struct PhotonQuery {
 };
 
 /// A query on the other side of the surface.
-inline PhotonQuery beyond(PhotonQuery query)
+inline PhotonQuery transmitted_side(PhotonQuery query)
 {
     query.normal = -query.normal;
     query.side ^= 1;

@@ -136,7 +136,7 @@ float disc_area(const glm::vec3& wall, const glm::vec3& direction, float radius)
 void add_photon(const VolumeMap& map, std::uint32_t i, const Beam& beam, const BeamScales& scales,
                 std::array<Rgb, 3>& sums)
 {
-    const Ray& ray = beam.column.part;
+    const Ray& ray = beam.optical_depth.part;
     const VolumePhoton& photon = map.photons[i];
     const float radius = map.radii[i];
     const glm::vec3& wall = map.walls[i];
@@ -149,7 +149,8 @@ void add_photon(const VolumeMap& map, std::uint32_t i, const Beam& beam, const B
     if (!(distance2 < radius * radius) || -glm::dot(aside, wall) > glm::dot(wall, wall))
         return;
     const float phase = phase_value(beam.medium.phase, -glm::dot(photon.travel, ray.direction));
-    const Rgb left = transmitted(beam.medium.extinction(), column_to(beam.column, along));
+    const Rgb left =
+        transmitted(beam.medium.extinction(), optical_depth_to(beam.optical_depth, along));
     const Rgb part = photon.power * left * phase;
     for (std::size_t s = 0; s < scales.size(); ++s) {
         const float narrower = radius * scales[s];
@@ -226,7 +227,7 @@ std::array<Rgb, 3> beam_radiance(const VolumeMap& map, const Beam& beam, const B
     std::array<Rgb, 3> sums{};
     if (map.nodes.empty() || !beam.medium.scatters())
         return sums;
-    const Ray& ray = beam.column.part;
+    const Ray& ray = beam.optical_depth.part;
     const glm::vec3 inverse = 1.0f / ray.direction;
     std::array<std::uint32_t, 64> waiting; // the tree halves 2^32 photons at most
     std::size_t size = 0;

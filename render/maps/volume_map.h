@@ -52,7 +52,7 @@ using BeamScales = std::array<float, 3>;
 struct Beam {
     const Medium& medium;
     MaterialId inside; ///< kNone: around
-    const Column& column;
+    const OpticalDepth& optical_depth;
 };
 
 /// Radiance that photons in the medium of a beam scatter back along it, less what is lost on the

@@ -2,7 +2,7 @@
 
 namespace hipmap {
 
-/// Builds with HIPMAP_MATT_ONLY have diffuse surfaces that glow, in clear air, and nothing else:
+/// Builds with HIPMAP_MATT_ONLY have diffuse surfaces that emit, in clear air, and nothing else:
 /// bench/cost_of_absence.py measures what all other effects cost against them.
 #ifdef HIPMAP_MATT_ONLY
 inline constexpr bool kMattOnly = true;

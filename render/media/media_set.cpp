@@ -61,7 +61,7 @@ std::optional<MediaSet> collect_media(const Scene& scene, const Partition& parti
     out.nested = scene.nested_dielectrics;
     bool wanted = out.nested || !scene.around.is_clear();
     out.scatters = scene.around.scatters();
-    out.glows = scene.around.glows();
+    out.emits = scene.around.emits();
     for (std::size_t m = 0; m < scene.materials.size(); ++m) {
         const Material& material = scene.materials[m];
         out.insides.push_back(material.inside());
@@ -72,18 +72,18 @@ std::optional<MediaSet> collect_media(const Scene& scene, const Partition& parti
         wanted = wanted || (out.has_inside.back() != 0 && needs_media(material)) ||
                  (worn[m] != 0 && !material.boundary);
         out.scatters |= out.has_inside.back() != 0 && out.insides.back().scatters();
-        out.glows |= out.has_inside.back() != 0 && out.insides.back().glows();
+        out.emits |= out.has_inside.back() != 0 && out.insides.back().emits();
     }
     if (!wanted)
         return std::nullopt;
     out.densities = place_densities(scene, partition);
     find_spaces(out);
-    if (out.glows)
-        out.glow_power = mean_glow(out);
+    if (out.emits)
+        out.emission_power = mean_media_emission(out);
     return out;
 }
 
-void cross(const MediaSet& media, FaceId face, bool front, Interiors& inside)
+void cross(const MediaSet& media, FaceId face, bool front, MediumStack& inside)
 {
     if (!bounds_an_inside(media, face))
         return;
@@ -94,7 +94,7 @@ void cross(const MediaSet& media, FaceId face, bool front, Interiors& inside)
         inside.leave(material);
 }
 
-MaterialId dielectric_at(const MediaSet& media, const Interiors& inside)
+MaterialId dielectric_at(const MediaSet& media, const MediumStack& inside)
 {
     for (std::size_t i = inside.count; i-- > 0;)
         if (media.bends[inside.entered[i]] != 0)
@@ -102,21 +102,21 @@ MaterialId dielectric_at(const MediaSet& media, const Interiors& inside)
     return kNone;
 }
 
-bool is_surface(const MediaSet& media, FaceId face, bool front, const Interiors& inside)
+bool is_surface(const MediaSet& media, FaceId face, bool front, const MediumStack& inside)
 {
     const MaterialId material = media.mesh.material_of_face[face];
     if (!has_surface(media, face))
         return false;
     if (!media.nested || media.bends[material] == 0 || media.partition.closed[face] == 0)
         return true;
-    Interiors beyond = inside;
-    cross(media, face, front, beyond);
+    MediumStack behind = inside;
+    cross(media, face, front, behind);
     // What is left without having been entered, or is one too many, counts as a surface.
-    return beyond.count == inside.count ||
-           dielectric_at(media, beyond) != dielectric_at(media, inside);
+    return behind.count == inside.count ||
+           dielectric_at(media, behind) != dielectric_at(media, inside);
 }
 
-Interiors interiors_at(const MediaSet& media, const glm::vec3& point)
+MediumStack medium_stack_at(const MediaSet& media, const glm::vec3& point)
 {
     if (!(glm::all(glm::lessThanEqual(media.low, point)) &&
           glm::all(glm::lessThanEqual(point, media.high))))
@@ -124,7 +124,7 @@ Interiors interiors_at(const MediaSet& media, const glm::vec3& point)
     Ray ray;
     ray.origin = point;
     ray.direction = way_out();
-    Interiors passed;             // entered on the way
+    MediumStack passed;           // entered on the way
     std::vector<MaterialId> left; // without having been entered, inmost first
     for (int faces = 0; faces < kMostFaces; ++faces) {
         const std::optional<RayHit> hit = media.rays.nearest(ray);
@@ -138,7 +138,7 @@ Interiors interiors_at(const MediaSet& media, const glm::vec3& point)
             left.push_back(media.mesh.material_of_face[hit->face]);
         ray.origin = offset_origin(at, ray.direction);
     }
-    Interiors out;
+    MediumStack out;
     for (auto material = left.rbegin(); material != left.rend(); ++material)
         out.enter(*material, media.priority);
     return out;
@@ -160,11 +160,11 @@ Ray within_sphere(const MediaSet& media, const Ray& ray)
     return out;
 }
 
-Rgb let_through(const MediaSet& media, const Ray& ray, Interiors inside)
+Rgb let_through(const MediaSet& media, const Ray& ray, MediumStack inside)
 {
     Rgb left(1.0f);
-    const WalkEnd end = walk(media, ray, inside, [&](const Stretch& stretch) {
-        left *= left_along(media, stretch);
+    const WalkEnd end = walk(media, ray, inside, [&](const MediumSegment& segment) {
+        left *= left_along(media, segment);
         return !is_black(left);
     });
     return end.hit ? Rgb(0) : left;

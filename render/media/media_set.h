@@ -4,9 +4,9 @@
 #include "common/rays/embree_scene.h"
 #include "common/rays/surface_point.h"
 #include "common/scene/scene.h"
-#include "render/media/column.h"
-#include "render/media/flight.h"
-#include "render/media/interiors.h"
+#include "render/media/free_path.h"
+#include "render/media/medium_stack.h"
+#include "render/media/optical_depth.h"
 
 #include <cmath>
 #include <optional>
@@ -31,8 +31,8 @@ struct MediaSet {
     glm::vec3 low{0.0f}, high{0.0f}; ///< box of the faces that have an inside; low > high: none
     bool nested = false;             ///< dielectrics lie in one another
     bool scatters = false;           ///< any of them
-    bool glows = false;
-    Rgb glow_power{0.0f};                   ///< about, W / metres_per_unit^2
+    bool emits = false;
+    Rgb emission_power{0.0f};               ///< about, W / metres_per_unit^2
     std::vector<PlacedDensity> densities{}; ///< [M + 1] of the insides, and last of `around`
 
     const Medium& medium(MaterialId inside) const
@@ -45,7 +45,7 @@ struct MediaSet {
     }
 };
 
-/// Nothing if no medium scatters, glows or is around, every material has a surface and dielectrics
+/// Nothing if no medium scatters, emits or is around, every material has a surface and dielectrics
 /// lie side by side: then glass that absorbs is all there may be.
 std::optional<MediaSet> collect_media(const Scene& scene, const Partition& partition,
                                       const EmbreeScene& rays);
@@ -56,45 +56,45 @@ inline bool has_surface(const MediaSet& media, FaceId face)
 }
 
 /// Updates `inside` for a ray that passes through a face.  front: from its front to its back.
-void cross(const MediaSet& media, FaceId face, bool front, Interiors& inside);
+void cross(const MediaSet& media, FaceId face, bool front, MediumStack& inside);
 
 /// The dielectric by whose index light travels there; kNone: there is none, the index is 1.
-MaterialId dielectric_at(const MediaSet& media, const Interiors& inside);
+MaterialId dielectric_at(const MediaSet& media, const MediumStack& inside);
 
 /// Whether a ray in `inside` meets a surface at a face: not where there is none, and not where a
 /// dielectric begins or ends within one of a higher priority, docs/media.md (12).
-bool is_surface(const MediaSet& media, FaceId face, bool front, const Interiors& inside);
+bool is_surface(const MediaSet& media, FaceId face, bool front, const MediumStack& inside);
 
 /// What a point is in, by the faces met on the way out.  Cost: some rays where it lies in the box
 /// of faces that have an inside, else none.
-Interiors interiors_at(const MediaSet& media, const glm::vec3& point);
+MediumStack medium_stack_at(const MediaSet& media, const glm::vec3& point);
 
-/// Light that starts in a glowing medium.
-struct GlowPath {
+/// Light that starts in a emissive medium.
+struct MediaEmission {
     Ray ray;
     Rgb power{0.0f}; ///< W / metres_per_unit^2; black: the line drawn meets no such medium
 };
 
-/// Draws a line through the media, a point on it where they glow, and a way along it,
+/// Draws a line through the media, a point on it where they emit, and a way along it,
 /// docs/media.md (10).  The mean of the power is what they send out.  Cost: a ray for each face on
 /// the line.
-GlowPath sample_glow(const MediaSet& media, RandomSequence& random);
+MediaEmission sample_media_emission(const MediaSet& media, RandomSequence& random);
 
 /// The mean of the power of some of those paths, always the same.
-Rgb mean_glow(const MediaSet& media);
+Rgb mean_media_emission(const MediaSet& media);
 
 /// A part of a ray that lies in one medium.
-struct Stretch {
+struct MediumSegment {
     MaterialId inside = kNone; ///< kNone: around
     Ray ray;                   ///< of which it is the part from near to far, which is finite
     float before = 0.0f;       ///< from the start of the walk to the ray's origin
 };
 
-/// What is left of light over a stretch, docs/media.md (3).
-inline Rgb left_along(const MediaSet& media, const Stretch& stretch)
+/// What is left of light over a segment, docs/media.md (3).
+inline Rgb left_along(const MediaSet& media, const MediumSegment& segment)
 {
-    return transmitted(media.medium(stretch.inside).extinction(),
-                       whole_column(media.density(stretch.inside), stretch.ray));
+    return transmitted(media.medium(segment.inside).extinction(),
+                       total_optical_depth(media.density(segment.inside), segment.ray));
 }
 
 /// Where a walk has ended.
@@ -110,11 +110,11 @@ inline constexpr int kMostBoundaries = 256;
 Ray within_sphere(const MediaSet& media, const Ray& ray);
 
 /// Follows a ray from boundary to boundary to the first face with a surface, or to its far end, and
-/// calls `visit(stretch)` for each stretch of it that holds a medium; false stops the walk.
+/// calls `visit(segment)` for each segment of it that holds a medium; false stops the walk.
 /// inside: what the ray starts in; at the end what it ends in, before the face.
 /// all_faces: those too that would let the ray pass.
 template <bool all_faces = false, typename Visit>
-WalkEnd walk(const MediaSet& media, Ray ray, Interiors& inside, const Visit& visit)
+WalkEnd walk(const MediaSet& media, Ray ray, MediumStack& inside, const Visit& visit)
 {
     float before = 0;
     for (int crossed = 0; ray.far > 0; ++crossed) {
@@ -122,13 +122,13 @@ WalkEnd walk(const MediaSet& media, Ray ray, Interiors& inside, const Visit& vis
             all_faces ? media.rays.nearest_face(ray) : media.rays.nearest(ray);
         const MaterialId current = inside.current();
         if (!media.medium(current).is_clear()) {
-            Stretch stretch{current, ray, before};
-            stretch.ray.far = hit ? hit->distance : ray.far;
+            MediumSegment segment{current, ray, before};
+            segment.ray.far = hit ? hit->distance : ray.far;
             if (current == kNone)
-                stretch.ray = within_sphere(media, stretch.ray);
+                segment.ray = within_sphere(media, segment.ray);
             // An inside that never ends is that of a mesh which is not closed after all.
-            if (stretch.ray.near < stretch.ray.far && std::isfinite(stretch.ray.far) &&
-                !visit(stretch))
+            if (segment.ray.near < segment.ray.far && std::isfinite(segment.ray.far) &&
+                !visit(segment))
                 return {std::nullopt, true};
         }
         if (!hit)
@@ -149,6 +149,6 @@ WalkEnd walk(const MediaSet& media, Ray ray, Interiors& inside, const Visit& vis
 }
 
 /// What a ray between two points lets through: nothing if a face with a surface is between.
-Rgb let_through(const MediaSet& media, const Ray& ray, Interiors inside);
+Rgb let_through(const MediaSet& media, const Ray& ray, MediumStack inside);
 
 } // namespace hipmap

@@ -40,8 +40,8 @@ InLobes in_lobes(const Interaction& at, const glm::vec3& direction, const LobeRa
 /// What the lobes send of the light found with `pdf` in a direction.
 Rgb weighed(const InLobes& lobes, const LobeRays& rays, float pdf)
 {
-    return lobes.gathered.value * power_heuristic(pdf, rays.gathered * lobes.gathered.density) +
-           lobes.followed.value * power_heuristic(pdf, rays.followed * lobes.followed.density);
+    return lobes.gathered.value * power_heuristic(pdf, rays.gathered * lobes.gathered.pdf) +
+           lobes.followed.value * power_heuristic(pdf, rays.followed * lobes.followed.pdf);
 }
 
 /// Rough glass, and what passes light diffusely, takes light from both sides.
@@ -82,8 +82,8 @@ Rgb from_light(const RenderScene& scene, const Interaction& at, const SampledLig
 template <typename Chosen>
 Rgb weighed_hit(const LightHit& hit, const RaySource& source, const Chosen& chosen)
 {
-    return source.density > 0 ? hit.radiance * power_heuristic(source.density, chosen() * hit.pdf)
-                              : hit.radiance;
+    return source.pdf > 0 ? hit.radiance * power_heuristic(source.pdf, chosen() * hit.pdf)
+                          : hit.radiance;
 }
 
 /// The analytic lights along a ray; `left(distance)` is what is left of light from there.
@@ -151,17 +151,17 @@ float distance_of(const std::optional<RayHit>& hit)
     return hit ? hit->distance : std::numeric_limits<float>::infinity();
 }
 
-RaySource source_at(const Interaction& at, float density)
+RaySource source_at(const Interaction& at, float pdf)
 {
-    return {receiver(at), density};
+    return {receiver(at), pdf};
 }
 
 float hit_weight(const RenderScene& scene, const SurfacePoint& on_light, const glm::vec3& direction,
                  float distance, const RaySource& source)
 {
-    if (source.density == 0 || scene.lights.faces.empty())
+    if (source.pdf == 0 || scene.lights.faces.empty())
         return 1;
-    return power_heuristic(source.density,
+    return power_heuristic(source.pdf,
                            pdf_li(scene.lights.faces, source.at, on_light, direction, distance));
 }
 
@@ -172,7 +172,7 @@ Rgb lights_on_way(const RenderScene& scene, const Ray& ray, float distance, cons
                       [&](float to_light) { return transmittance(absorption, to_light); });
 }
 
-Rgb met_lights_in_media(const RenderScene& scene, const Ray& ray, const Interiors& inside,
+Rgb met_lights_in_media(const RenderScene& scene, const Ray& ray, const MediumStack& inside,
                         const RaySource& source)
 {
     return add_lights(scene, ray, std::numeric_limits<float>::infinity(), source,
@@ -213,7 +213,7 @@ Rgb emissive_light(const RenderScene& scene, const Interaction& at, const LobeRa
     return is_black(out) ? out : out * unoccluded(scene, at, shadow);
 }
 
-Rgb found_light(const RenderScene& scene, const Interaction& at, RandomSequence& random)
+Rgb bsdf_sampled_light(const RenderScene& scene, const Interaction& at, RandomSequence& random)
 {
     if (!can_be_met(scene.lights))
         return Rgb(0);
@@ -221,22 +221,22 @@ Rgb found_light(const RenderScene& scene, const Interaction& at, RandomSequence&
     if (is_black(sample.weight))
         return Rgb(0);
     const Ray ray = scattered_ray(at, sample);
-    const RaySource source = source_at(at, sample.density);
-    Rgb weight = sample.weight;
-    const std::optional<RayHit> hit = first_surface(scene, at, ray, weight);
-    const Interiors inside = interiors_towards(scene, at, ray.direction);
+    const RaySource source = source_at(at, sample.pdf);
+    Rgb throughput = sample.weight;
+    const std::optional<RayHit> hit = first_surface(scene, at, ray, throughput);
+    const MediumStack inside = medium_stack_towards(scene, at, ray.direction);
     const Rgb on_way =
         sample.weight * (!at.in_media() ? met_lights(scene, ray, distance_of(hit), Rgb(0), source)
                                         : met_lights_in_media(scene, ray, inside, source));
     if (!hit)
-        return on_way + weight * met_environment(scene, ray.direction, source);
+        return on_way + throughput * met_environment(scene, ray.direction, source);
     const Bsdf& bsdf = scene.bsdfs[scene.mesh().material_of_face[hit->face]];
     if (is_black(bsdf.emission))
         return on_way;
     const SurfacePoint light = surface_point(scene.mesh(), hit->face, hit->barycentric);
     if (!emits_towards(bsdf, light, -ray.direction))
         return on_way;
-    return on_way + weight * emission_at(scene, hit->face, hit->barycentric) *
+    return on_way + throughput * emission_at(scene, hit->face, hit->barycentric) *
                         hit_weight(scene, light, ray.direction, hit->distance, source);
 }
 

@@ -15,16 +15,16 @@ struct LobeRays {
 /// Where a ray comes from.
 struct RaySource {
     LightReceiver at;
-    float density = 0.0f; ///< pdf per solid angle with which lobes sent it; 0: a mirror, glass or
-                          ///<   the eye did, and sampling the lights could not have found its light
-    bool eye = false;     ///< it comes straight from the eye, which does not see analytic lights
+    float pdf = 0.0f; ///< pdf per solid angle with which lobes sent it; 0: a mirror, glass or
+                      ///<   the eye did, and sampling the lights could not have found its light
+    bool eye = false; ///< it comes straight from the eye, which does not see analytic lights
 };
 
 /// How far a ray goes: infinitely if it hits nothing.
 float distance_of(const std::optional<RayHit>& hit);
 
 /// Of a ray that lobes of the surface sent.
-RaySource source_at(const Interaction& at, float density);
+RaySource source_at(const Interaction& at, float pdf);
 
 /// The part of the light from `on_light` that counts for a ray that ran into it at `distance`, the
 /// rest being that of `emissive_light` (power heuristic, Veach 1997).  direction: of the ray.
@@ -48,7 +48,7 @@ inline Rgb met_lights(const RenderScene& scene, const Ray& ray, float distance,
 
 /// `met_lights` through the media of the scene, which must have some, until a surface hides the
 /// lights.  inside: what the ray starts in.
-Rgb met_lights_in_media(const RenderScene& scene, const Ray& ray, const Interiors& inside,
+Rgb met_lights_in_media(const RenderScene& scene, const Ray& ray, const MediumStack& inside,
                         const RaySource& source);
 
 /// Radiance of the environment along a ray that leaves the scene, counted as `hit_weight` has it.
@@ -66,15 +66,16 @@ Rgb light_of_all_kinds(const RenderScene& scene, const Interaction& at, const Lo
 /// Radiance towards `at.back` of light straight from the lights, all or some of them sampled.  With
 /// what the rays of the lobes find, by `hit_weight`, `met_lights` and `met_environment`, it is all
 /// direct light, docs/light_transport.md (11).  Thread-safe.
-inline Rgb sampled_light(const RenderScene& scene, const Interaction& at, const LobeRays& rays,
-                         RandomSequence& random)
+inline Rgb light_sampled_light(const RenderScene& scene, const Interaction& at,
+                               const LobeRays& rays, RandomSequence& random)
 {
     return scene.is_lit_by_faces() ? emissive_light(scene, at, rays, random)
                                    : light_of_all_kinds(scene, at, rays, random);
 }
 
 /// What the one ray that the gathered lobes send finds of lights: with
-/// `sampled_light` at {.gathered = 1}, an unbiased estimate of all direct light in these lobes.
-Rgb found_light(const RenderScene& scene, const Interaction& at, RandomSequence& random);
+/// `light_sampled_light` at {.gathered = 1}, an unbiased estimate of all direct light in these
+/// lobes.
+Rgb bsdf_sampled_light(const RenderScene& scene, const Interaction& at, RandomSequence& random);
 
 } // namespace hipmap

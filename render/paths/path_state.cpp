@@ -9,9 +9,9 @@ namespace {
 void enter(const Interaction& at, float eta, PathState& path)
 {
     // Radiance scales with the square of the index, docs/light_transport.md (4).
-    path.weight /= eta * eta;
+    path.throughput /= eta * eta;
     path.index2 *= eta * eta;
-    path.absorption = absorption_beyond(at);
+    path.absorption = absorption_behind(at);
 }
 
 /// For a ray already sent.
@@ -30,40 +30,40 @@ PathState path_from_eye(const RenderScene& scene, const Ray& ray)
     path.ray = ray;
     path.source.eye = true;
     if (scene.has_media())
-        path.inside = interiors_at(*scene.media, ray.origin);
+        path.inside = medium_stack_at(*scene.media, ray.origin);
     return path;
 }
 
 bool survives(PathState& path, RandomSequence& random)
 {
-    return survives(survival_chance(path.depth, importance(path)), random, path.weight);
+    return survives(survival_probability(path.depth, importance(path)), random, path.throughput);
 }
 
 void cross_air(const RenderScene& scene, const std::optional<RayHit>& hit, bool sees_lights,
                PathState& path, Rgb& light)
 {
     if (sees_lights)
-        light += path.weight *
+        light += path.throughput *
                  met_lights(scene, path.ray, distance_of(hit), path.absorption, path.source);
     if (hit)
-        absorb(path.absorption, hit->distance, path.weight);
+        absorb(path.absorption, hit->distance, path.throughput);
 }
 
 void go_by_mirror(const RenderScene& scene, const Interaction& at, const SpecularLobes& lobes,
-                  float chance, PathState& path)
+                  float probability, PathState& path)
 {
     path.ray = mirror_ray(at);
-    path.weight *= lobes.mirror / chance;
+    path.throughput *= lobes.mirror / probability;
     path.source = {};
     path.behind = after_specular(path.behind);
     depart(scene, at, path);
 }
 
 void go_through(const RenderScene& scene, const Interaction& at, const SpecularLobes& lobes,
-                float chance, PathState& path)
+                float probability, PathState& path)
 {
     path.ray = transmitted_ray(at, lobes.eta);
-    path.weight *= lobes.transmit / chance;
+    path.throughput *= lobes.transmit / probability;
     path.source = {};
     path.behind = after_specular(path.behind);
     enter(at, lobes.eta, path);
@@ -74,12 +74,12 @@ bool go_by_lobes(const RenderScene& scene, const Interaction& at, const PickedLo
                  RandomSequence& random, PathState& path)
 {
     const ScatterSample sample = sample_scatter(at, picked.lobes, random);
-    path.weight *= sample.weight / picked.chance;
+    path.throughput *= sample.weight / picked.probability;
     const bool gathered = picked.lobes == Lobes::gathered;
     path.behind = gathered ? EyePathClass::indirect : after_followed(path.behind);
     if (is_black(sample.weight))
         return false;
-    path.source = source_at(at, picked.chance * sample.density);
+    path.source = source_at(at, picked.probability * sample.pdf);
     path.ray = scattered_ray(at, sample);
     if (gathered)
         path.nanometres = 0;

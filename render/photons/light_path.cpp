@@ -1,7 +1,7 @@
 #include "render/photons/light_path.h"
 
 #include "render/paths/roulette.h"
-#include "render/photons/media_flight.h"
+#include "render/photons/cross_media.h"
 #include "render/shading/interface_index.h"
 #include "render/shading/scatter.h"
 
@@ -157,7 +157,7 @@ bool scatter(const Interaction& at, LightPath& path, RandomSequence& random, Pow
         path.nanometres = 0; // light is of all wavelengths after it
     } else {
         if (transmitted)
-            path.absorption = absorption_beyond(at);
+            path.absorption = absorption_behind(at);
         if (path.behind == LightPathClass::direct)
             path.behind = LightPathClass::caustic;
     }
@@ -198,11 +198,11 @@ void trace(const RenderScene& scene, const Wanted& wanted, RandomSequence& rando
            TracedPhotons& out)
 {
     for (int bounce = 0; bounce < kMostBounces; ++bounce) {
-        if (bounce >= kEndlessDepth && !survives(kEndlessChance, random, path.power))
+        if (bounce >= kEndlessDepth && !survives(kEndlessProbability, random, path.power))
             return;
         std::optional<RayHit> hit;
         if constexpr (media)
-            hit = fly_through_media(*scene.media, wanted, random, path, out);
+            hit = cross_media(*scene.media, wanted, random, path, out);
         else
             hit = fly(scene, path, out);
         if (!hit)
@@ -210,7 +210,7 @@ void trace(const RenderScene& scene, const Wanted& wanted, RandomSequence& rando
         Interaction at = interact(scene, path.ray, *hit);
         if constexpr (media)
             at.inside = &path.inside;
-        if (at.coverage < 1 && random.next() >= at.coverage) {
+        if (at.opacity < 1 && random.next() >= at.opacity) {
             pass_face(scene, at, wanted, path, out);
             continue;
         }
@@ -245,7 +245,7 @@ void trace_light_path(const RenderScene& scene, const Wanted& wanted, const Emit
     out.power.emitted += glm::dvec3(path.power);
     if (!scene.has_media())
         return trace<false>(scene, wanted, random, path, out);
-    path.inside = interiors_at(*scene.media, path.ray.origin);
+    path.inside = medium_stack_at(*scene.media, path.ray.origin);
     trace<true>(scene, wanted, random, path, out);
 }
 

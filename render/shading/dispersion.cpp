@@ -32,7 +32,7 @@ glm::dvec3 response(double w)
     return glm::max(rgb, glm::dvec3(0));
 }
 
-/// Of the bins: running chance at their ends, and what light drawn from them weighs.
+/// Of the bins: running probability at their ends, and what light drawn from them weighs.
 struct Spectrum {
     std::array<float, kBins> cumulative;
     std::array<Rgb, kBins> weight;
@@ -48,10 +48,10 @@ Spectrum make_spectrum()
     double running = 0;
     for (std::size_t i = 0; i < kBins; ++i) {
         const glm::dvec3 share = responses[i] / sum;
-        const double chance = (share.x + share.y + share.z) / 3;
-        running += chance;
+        const double probability = (share.x + share.y + share.z) / 3;
+        running += probability;
         out.cumulative[i] = static_cast<float>(running);
-        out.weight[i] = chance > 0 ? Rgb(share / chance) : Rgb(1);
+        out.weight[i] = probability > 0 ? Rgb(share / probability) : Rgb(1);
     }
     return out;
 }

@@ -1,8 +1,8 @@
 #include "render/shading/interaction.h"
 
+#include "render/shading/anisotropy_tangent.h"
 #include "render/shading/normal_map.h"
-#include "render/shading/picture_axes.h"
-#include "render/shading/stretch.h"
+#include "render/shading/texture_axes.h"
 
 #include <cmath>
 
@@ -33,10 +33,10 @@ void tilt_coat(const RenderScene& scene, const RayHit& hit, float sign, const gl
         at.coat_normal = normal;
 }
 
-/// No tangent where nothing says along what facets are stretched.
+/// No tangent where nothing says along what facets are anisotropic.
 void find_tangent(const RenderScene& scene, const RayHit& hit, Interaction& at)
 {
-    std::optional<glm::vec3> along = stretched_along(scene.scene, at.point, hit.barycentric);
+    std::optional<glm::vec3> along = anisotropy_tangent(scene.scene, at.point, hit.barycentric);
     if (along)
         along = part_across(*along, at.shading_normal);
     if (along)
@@ -51,8 +51,8 @@ void find_tangent(const RenderScene& scene, const RayHit& hit, Interaction& at)
         at.own = make_bsdf(scene.scene.materials[material],
                            material_at(scene.scene, hit.face, hit.barycentric),
                            scene.scene.diffuse_model);
-    if (scene.coverage)
-        at.coverage = scene.coverage(hit.face, hit.barycentric);
+    if (scene.opacity)
+        at.opacity = scene.opacity(hit.face, hit.barycentric);
     if (scene.bumpy[material] != 0) {
         const glm::vec3 smooth = at.shading_normal;
         tilt(scene, hit, sign, at);
@@ -91,7 +91,7 @@ Interaction interact(const RenderScene& scene, const Ray& ray, const RayHit& hit
 }
 
 Interaction scattering_point(const glm::vec3& position, const glm::vec3& back,
-                             const PhaseFunction& phase, const Interiors& inside)
+                             const PhaseFunction& phase, const MediumStack& inside)
 {
     Interaction out;
     out.point.position = position;
@@ -101,12 +101,12 @@ Interaction scattering_point(const glm::vec3& position, const glm::vec3& back,
     return out;
 }
 
-Interiors interiors_towards(const RenderScene& scene, const Interaction& at,
-                            const glm::vec3& direction)
+MediumStack medium_stack_towards(const RenderScene& scene, const Interaction& at,
+                                 const glm::vec3& direction)
 {
     if (!at.in_media())
         return {};
-    Interiors inside = *at.inside;
+    MediumStack inside = *at.inside;
     if (glm::dot(direction, at.normal) < 0)
         cross(*scene.media, at.point.face, at.front, inside);
     return inside;
@@ -114,7 +114,7 @@ Interiors interiors_towards(const RenderScene& scene, const Interaction& at,
 
 Rgb unoccluded_in_media(const RenderScene& scene, const Interaction& at, const Ray& shadow)
 {
-    return let_through(*scene.media, shadow, interiors_towards(scene, at, shadow.direction));
+    return let_through(*scene.media, shadow, medium_stack_towards(scene, at, shadow.direction));
 }
 
 std::optional<RayHit> first_surface(const RenderScene& scene, const Interaction& at, const Ray& ray,
@@ -122,10 +122,10 @@ std::optional<RayHit> first_surface(const RenderScene& scene, const Interaction&
 {
     if (!at.in_media())
         return scene.rays.nearest(ray);
-    Interiors inside = interiors_towards(scene, at, ray.direction);
+    MediumStack inside = medium_stack_towards(scene, at, ray.direction);
     return walk(*scene.media, ray, inside,
-                [&](const Stretch& stretch) {
-                    left *= left_along(*scene.media, stretch);
+                [&](const MediumSegment& segment) {
+                    left *= left_along(*scene.media, segment);
                     return true;
                 })
         .hit;
@@ -151,7 +151,7 @@ Ray transmitted_ray(const Interaction& at, float eta)
     return ray;
 }
 
-Rgb absorption_beyond(const Interaction& at)
+Rgb absorption_behind(const Interaction& at)
 {
     return at.solid && at.front && !at.in_media() ? at.bsdf().absorption : Rgb(0);
 }

@@ -25,10 +25,10 @@ struct Interaction {
     bool front = true;        ///< the ray came from the front of the face
     bool solid = false;       ///< the face belongs to a closed surface
     float ior = 1.0f;         ///< index of refraction behind the front of the face over before it
-    float coverage = 1.0f;    ///< share of the light that the face stops there
+    float opacity = 1.0f;     ///< share of the light that the face stops there
     std::uint8_t side = 0;    ///< 0 or 1: of the connected surface, the same for all its faces
     const PhaseFunction* phase = nullptr; ///< of a medium; null: at a surface.  Borrowed
-    const Interiors* inside = nullptr;    ///< what the ray came through; null: there are no media
+    const MediumStack* inside = nullptr;  ///< what the ray came through; null: there are no media
     const Bsdf* worn = &kNoSurface;       ///< of the material by its factors.  Borrowed
     std::optional<Bsdf> own;              ///< instead of that, where textures change it
 
@@ -53,12 +53,12 @@ Interaction interact(const RenderScene& scene, const Ray& ray, const RayHit& hit
 
 /// A point of a medium.  back: as in Interaction.  Borrows the other two.
 Interaction scattering_point(const glm::vec3& position, const glm::vec3& back,
-                             const PhaseFunction& phase, const Interiors& inside);
+                             const PhaseFunction& phase, const MediumStack& inside);
 
 /// What a ray that leaves the point is in: something else on the other side of a surface.  Nothing
 /// where there are no media.
-Interiors interiors_towards(const RenderScene& scene, const Interaction& at,
-                            const glm::vec3& direction);
+MediumStack medium_stack_towards(const RenderScene& scene, const Interaction& at,
+                                 const glm::vec3& direction);
 
 /// What reaches the point of light along a shadow ray from there: 0 or 1, and with media in the way
 /// what they leave of it.
@@ -106,7 +106,7 @@ Ray transmitted_ray(const Interaction& at, float eta);
 
 /// Absorption per scene unit beyond the surface, for a ray that was transmitted there; none where
 /// the scene's media have it.
-Rgb absorption_beyond(const Interaction& at);
+Rgb absorption_behind(const Interaction& at);
 
 /// What is left after `distance` in an absorbing inside (Beer-Lambert), docs/light_transport.md
 /// (8).
@@ -116,10 +116,10 @@ inline Rgb transmittance(const Rgb& absorption, float distance)
 }
 
 /// Takes that from what a ray carries.
-inline void absorb(const Rgb& absorption, float distance, Rgb& weight)
+inline void absorb(const Rgb& absorption, float distance, Rgb& throughput)
 {
     if (!kMattOnly && !is_black(absorption))
-        weight *= glm::exp(-absorption * distance);
+        throughput *= glm::exp(-absorption * distance);
 }
 
 /// Veach's correction for particles at a surface with a shading normal, docs/light_transport.md

@@ -17,7 +17,7 @@ struct Dielectric {
     }
 };
 
-Dielectric dielectric_in(const RenderScene& scene, const Interiors& inside)
+Dielectric dielectric_in(const RenderScene& scene, const MediumStack& inside)
 {
     const MaterialId material = dielectric_at(*scene.media, inside);
     if (material == kNone)
@@ -34,12 +34,12 @@ struct Sides {
 Sides sides_of(const RenderScene& scene, const Interaction& at)
 {
     Sides out{{}, {at.bsdf().ior, at.bsdf().dispersion}};
-    const Interiors& here = *at.inside;
-    Interiors beyond = here;
-    cross(*scene.media, at.point.face, at.front, beyond);
-    out.front = dielectric_in(scene, at.front ? here : beyond);
-    if (beyond.count != here.count)
-        out.behind = dielectric_in(scene, at.front ? beyond : here);
+    const MediumStack& here = *at.inside;
+    MediumStack behind = here;
+    cross(*scene.media, at.point.face, at.front, behind);
+    out.front = dielectric_in(scene, at.front ? here : behind);
+    if (behind.count != here.count)
+        out.behind = dielectric_in(scene, at.front ? behind : here);
     return out;
 }
 

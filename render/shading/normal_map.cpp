@@ -1,6 +1,6 @@
 #include "render/shading/normal_map.h"
 
-#include "render/shading/picture_axes.h"
+#include "render/shading/texture_axes.h"
 #include "render/shading/textured_material.h"
 
 namespace hipmap {
@@ -14,7 +14,7 @@ glm::vec3 mapped_normal(const Scene& scene, const SurfacePoint& point, const glm
     const TextureSlot* slot = find_texture(material.textures, use);
     if (slot == nullptr || mesh.attributes.uv[slot->uv_set].empty())
         return normal;
-    const std::optional<PictureAxes> axes = picture_axes(mesh, *slot, point, barycentric);
+    const std::optional<TextureAxes> axes = texture_axes(mesh, *slot, point, barycentric);
     if (!axes)
         return normal;
     const glm::vec3 read =

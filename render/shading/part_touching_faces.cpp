@@ -1,7 +1,7 @@
 #include "render/shading/part_touching_faces.h"
 
 #include "common/rays/embree_scene.h"
-#include "render/shading/coverage.h"
+#include "render/shading/opacity.h"
 
 #include <tbb/parallel_for.h>
 

@@ -1,7 +1,7 @@
 #include "render/shading/render_scene.h"
 
-#include "render/shading/coverage.h"
 #include "render/shading/material_traits.h"
+#include "render/shading/opacity.h"
 
 #include <algorithm>
 #include <utility>
@@ -17,12 +17,12 @@ SurfaceEmission surface_emission_of(const RenderScene& scene)
     out.mesh = &scene.mesh();
     for (std::size_t m = 0; m < scene.bsdfs.size(); ++m) {
         const Bsdf& bsdf = scene.bsdfs[m];
-        const bool textured = scene.varying[m] != 0 || scene.coverage;
+        const bool textured = scene.varying[m] != 0 || scene.opacity;
         out.materials.push_back({bsdf.emission, bsdf.emits_behind, textured});
     }
     out.at = [&scene](FaceId face, const glm::vec2& barycentric) {
         const Rgb radiance = emission_at(scene, face, barycentric);
-        return scene.coverage ? radiance * scene.coverage(face, barycentric) : radiance;
+        return scene.opacity ? radiance * scene.opacity(face, barycentric) : radiance;
     };
     out.mean = [&scene](FaceId face) {
         const MaterialId material = scene.mesh().material_of_face[face];
@@ -36,8 +36,8 @@ SurfaceEmission surface_emission_of(const RenderScene& scene)
 
 RenderScene::RenderScene(const Scene& from_scene, const Partition& from_partition,
                          EnvironmentMap map)
-    : scene(from_scene), partition(from_partition), coverage(coverage_of(from_scene)),
-      rays(from_scene.mesh, coverage),
+    : scene(from_scene), partition(from_partition), opacity(opacity_of(from_scene)),
+      rays(from_scene.mesh, opacity),
       bsdfs(make_bsdfs(from_scene.materials, from_scene.diffuse_model)),
       varying(varying_materials(from_scene)),
       specular_targets(find_specular_targets(from_scene, bsdfs)),
@@ -48,7 +48,7 @@ RenderScene::RenderScene(const Scene& from_scene, const Partition& from_partitio
     for (const Material& material : scene.materials)
         bumpy.push_back(tilts(material));
     for (std::size_t m = 0; m < scene.materials.size(); ++m)
-        plain.push_back(varying[m] == 0 && bumpy[m] == 0 && !bsdfs[m].is_directed && !coverage);
+        plain.push_back(varying[m] == 0 && bumpy[m] == 0 && !bsdfs[m].is_directed && !opacity);
     all_plain = std::all_of(plain.begin(), plain.end(), [](std::uint8_t is) { return is != 0; });
     lit_by_faces = has_faces_only(lights);
     clear = !media && !has_met_lights(lights) &&

@@ -17,13 +17,13 @@ namespace hipmap {
 struct RenderScene {
     const Scene& scene;
     const Partition& partition;
-    Coverage coverage; ///< of faces; empty: all stop all light
+    Opacity opacity; ///< of faces; empty: all stop all light
     EmbreeScene rays;
     std::vector<Bsdf> bsdfs; ///< [M] by the materials' factors
     std::vector<std::uint8_t>
         varying;                     ///< [M] 1: textures or vertices' colours multiply the factors
     std::vector<std::uint8_t> bumpy; ///< [M] 1: a texture tilts a shading normal
-    std::vector<std::uint8_t> plain; ///< [M] 1: neither, unstretched, and faces stop all light
+    std::vector<std::uint8_t> plain; ///< [M] 1: neither, isotropic, and faces stop all light
     bool all_plain = false;          ///< all materials are
     std::vector<TargetSphere> specular_targets; ///< that light is aimed at to make caustics
     std::optional<MediaSet> media;  ///< none: nothing but surfaces and glass that absorbs

@@ -45,7 +45,7 @@ Scattered scattered_by(const Interaction& at, const PlacedLobe& lobe, const glm:
     Scattered out;
     over_folded(at, lobe, in, [&](const LobeView& view, const glm::vec3& from) {
         out.value += value_of(at, lobe, view, from);
-        out.density += pdf(lobe.lobe, view, from);
+        out.pdf += pdf(lobe.lobe, view, from);
     });
     const Layers& layers = at.bsdf().layers;
     if (layers.any)
@@ -91,7 +91,7 @@ Scattered scattered_by_set(const Interaction& at, const glm::vec3& in,
             continue;
         const Scattered one = scattered_by(at, at.bsdf().all[i], in);
         out.value += one.value;
-        out.density += probabilities[i] * one.density;
+        out.pdf += probabilities[i] * one.pdf;
     }
     return out;
 }
@@ -109,8 +109,8 @@ ScatterSample sample_in_medium(const Interaction& at, Lobes lobes, RandomSequenc
 {
     ScatterSample out;
     out.direction = sample_phase(*at.phase, -at.back, random.next2());
-    out.density = scattered_in_medium(at, out.direction, lobes).density;
-    out.weight = Rgb(out.density > 0 ? 1.0f : 0.0f);
+    out.pdf = scattered_in_medium(at, out.direction, lobes).pdf;
+    out.weight = Rgb(out.pdf > 0 ? 1.0f : 0.0f);
     return out;
 }
 
@@ -172,7 +172,7 @@ ScatterSample sample_scatter(const Interaction& at, Lobes lobes, RandomSequence&
     if (const PlacedLobe* lobe = at.bsdf().single(lobes)) {
         ScatterSample out{sample_below(at, *lobe, random)};
         if (!is_black(out.weight))
-            out.density = pdf_of(at, *lobe, out.direction);
+            out.pdf = pdf_of(at, *lobe, out.direction);
         return out;
     }
     const LobeProbabilities probabilities(at, lobes);
@@ -183,8 +183,8 @@ ScatterSample sample_scatter(const Interaction& at, Lobes lobes, RandomSequence&
     if (is_black(out.weight))
         return out;
     const Scattered there = scattered_by_set(at, out.direction, probabilities);
-    out.density = there.density;
-    out.weight = there.density > 0 ? there.value * (out.eta * out.eta / there.density) : Rgb(0);
+    out.pdf = there.pdf;
+    out.weight = there.pdf > 0 ? there.value * (out.eta * out.eta / there.pdf) : Rgb(0);
     return out;
 }
 

@@ -6,13 +6,13 @@
 namespace hipmap {
 
 // Light scattered by the lobes of a surface below their layers, or by the phase function of a
-// medium, which is a gathered lobe.  Each of the sets `gathered` and `followed` has a density of
+// medium, which is a gathered lobe.  Each of the sets `gathered` and `followed` has a pdf of
 // its own; with the specular lobes they are all that there is.
 
 /// What lobes do with light from a direction.
 struct Scattered {
-    Rgb value{0.0f};      ///< f(wi, wo) |cos wi|, per steradian; of radiance, from wi to at.back
-    float density = 0.0f; ///< probability per steradian that `sample_scatter` draws wi
+    Rgb value{0.0f};  ///< f(wi, wo) |cos wi|, per steradian; of radiance, from wi to at.back
+    float pdf = 0.0f; ///< probability per steradian that `sample_scatter` draws wi
 };
 
 /// in: unit, away from the surface, on either side.  Zero where the lobes send nothing.
@@ -21,7 +21,7 @@ Scattered scattered(const Interaction& at, const glm::vec3& in, Lobes lobes);
 
 /// A direction drawn from lobes.
 struct ScatterSample : LobeSample {
-    float density = 0.0f; ///< per steradian, as `scattered` has it
+    float pdf = 0.0f; ///< per steradian, as `scattered` has it
 
     // Radiance, followed backwards, is the weight over the square of eta.
 };

@@ -145,7 +145,7 @@ MaterialPoint material_at(const Scene& scene, FaceId face, const glm::vec2& bary
     if (!scene.mesh.attributes.colours.empty()) {
         const Rgb colour(vertex_colour(scene, face, barycentric));
         out.base_color *= colour;
-        if (material.unlit) // which glows in its base colour
+        if (material.unlit) // which emits in its base colour
             out.emission *= colour;
     }
     return out;

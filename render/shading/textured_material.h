@@ -57,11 +57,11 @@ std::vector<std::uint8_t> varying_materials(const Scene& scene);
 /// barycentric: weights of the second and third corner.  Thread-safe.  Cost: some texture reads.
 MaterialPoint material_at(const Scene& scene, FaceId face, const glm::vec2& barycentric);
 
-/// Radiance that a face emits, averaged over it: of as many points as its part of the picture has
+/// Radiance that a face emits, averaged over it: of as many points as its part of the texture has
 /// pixels, 16 to 4096.  Black only if all of them are.
 Rgb mean_emission(const Scene& scene, FaceId face);
 
-/// Alpha there: the factor times the base colour's picture and the vertices' alpha, 0 to 1.
+/// Alpha there: the factor times the base colour's texture and the vertices' alpha, 0 to 1.
 float alpha_at(const Scene& scene, FaceId face, const glm::vec2& barycentric);
 
 } // namespace hipmap

@@ -36,7 +36,7 @@ ClosedForm cast_through_a_slab()
         p.y = 0.1f * p.y + 0.3f;
     out.scene = tiny::make_scene(slab);
     out.scene.materials[0] = tiny::glass(kIndex);
-    tiny::add(out.scene, tiny::floor_at(0, 0.4f), tiny::matt(Rgb(kDark)));
+    tiny::add(out.scene, tiny::floor_at(0, 0.4f), tiny::diffuse(Rgb(kDark)));
     const double cosine = std::cos(M_PI / 6);
     out.scene.lights = {sun_along({0.5f, static_cast<float>(-cosine), 0})};
     out.scene.cameras[0] = tiny::square_view(glm::vec3(0), {0, -1, 0}, 0.3f, 0.05f);
@@ -59,9 +59,9 @@ ClosedForm cast_by_mirrors(int bounces)
                    kHidden};
     const float y = -shaft.height() - 0.1f * shaft.width;
     tiny::add(out.scene, tiny::parallelogram({-0.3f, y, 0.3f}, {0.9f, 0, 0}, {0, 0, -0.6f}),
-              tiny::matt(Rgb(kDark)));
+              tiny::diffuse(Rgb(kDark)));
     tiny::add(out.scene, tiny::parallelogram({-1.5f, 0, 0.5f}, {1.499f, 0, 0}, {0, 0, -1}),
-              tiny::matt(Rgb(0)));
+              tiny::diffuse(Rgb(0)));
     out.scene.lights = {sun_along(shaft.entering())};
     out.scene.cameras[0] = tiny::square_view({0.5f * shaft.width, y, 0}, {0, -1, 0},
                                              0.4f * shaft.width, 0.05f * shaft.width);

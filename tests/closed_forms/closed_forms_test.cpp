@@ -21,7 +21,7 @@ void check(const std::vector<FoundForm>& rows)
     }
 }
 
-/// Each form by itself, and that all together are not farther off than chance has it.
+/// Each form by itself, and that all together are not farther off than probability has it.
 void check(const Method& method)
 {
     const auto passes = method.integrator == Integrator::path ? kPassesOfPaths : kPassesOfForms;

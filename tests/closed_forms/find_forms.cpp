@@ -40,7 +40,7 @@ RenderOptions options_for(const ClosedForm& form, const Method& method)
     return options;
 }
 
-/// A spot that shines on the middle of a glass ball in a matt room; at the rim facets differ most
+/// A spot that emits on the middle of a glass ball in a diffuse room; at the rim facets differ most
 /// from a ball.
 struct LitBall {
     static constexpr double kRadius = 0.2, kDistance = 0.5, kIndex = 1.5;
@@ -58,7 +58,7 @@ struct LitBall {
 
     Scene scene(const Rgb& absorption) const
     {
-        Scene scene = tiny::box(tiny::matt(Rgb(0.5f)));
+        Scene scene = tiny::box(tiny::diffuse(Rgb(0.5f)));
         TriangleMesh ball = tiny::fine_ball(kRadius);
         tiny::move(ball, {0, -0.2f, 0});
         tiny::add(scene, ball, tiny::glass(kIndex));

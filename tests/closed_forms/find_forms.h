@@ -40,7 +40,7 @@ struct FoundForm {
 std::vector<FoundForm> find_form(const ClosedForm& form, const Method& method,
                                  std::uint64_t passes);
 
-/// Power that leaves a glass ball, of photons that a lamp beside it sends out, plain and aimed.
+/// Power that leaves a glass ball, of photons that a light beside it sends out, plain and aimed.
 std::vector<FoundForm> find_power_from_glass(std::uint64_t passes);
 
 /// What is found less what is expected (the nearest from `least` on), in standard errors; brought

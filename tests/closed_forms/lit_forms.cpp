@@ -16,7 +16,7 @@ const glm::vec3 kDown(0, -1, 0);
 /// The floor about the origin, seen from just above.
 Scene floor_seen(float side)
 {
-    Scene scene = tiny::matt_floor();
+    Scene scene = tiny::diffuse_floor();
     scene.cameras[0] = tiny::square_view(glm::vec3(0), kDown, side, 0.05f);
     return scene;
 }
@@ -83,12 +83,12 @@ ClosedForm under_sky()
     return out;
 }
 
-ClosedForm under_square_lamp()
+ClosedForm under_square_light()
 {
     constexpr double kSide = 0.4, kHeight = 0.3;
     ClosedForm out{"square under a square lamp", "ρ L F", floor_seen(kSide), 0,
                    PhotonsRead::direct,          kPhotons};
-    tiny::add(out.scene, tiny::floor_at(kHeight, -kSide), tiny::lamp(Rgb(2)));
+    tiny::add(out.scene, tiny::floor_at(kHeight, -kSide), tiny::emissive(Rgb(2)));
     out.expected = kHalf * 2 * facing_squares(kSide / kHeight);
     return out;
 }
@@ -139,7 +139,7 @@ ClosedForm under_disc_light()
     return out;
 }
 
-ClosedForm under_triangle_lamp()
+ClosedForm under_triangle_light()
 {
     constexpr double kSide = 0.3;
     ClosedForm out{"triangular lamp over a floor",
@@ -149,7 +149,7 @@ ClosedForm under_triangle_lamp()
                    PhotonsRead::direct,
                    kPhotons};
     const std::vector<glm::vec3> corners{{-0.2f, 0.3f, -0.1f}, {0.3f, 0.4f, 0}, {0, 0.3f, 0.25f}};
-    tiny::add(out.scene, tiny::make_mesh(corners, {{0, 1, 2}}), tiny::lamp(Rgb(2)));
+    tiny::add(out.scene, tiny::make_mesh(corners, {{0, 1, 2}}), tiny::emissive(Rgb(2)));
     const std::vector<glm::dvec3> exact(corners.begin(), corners.end());
     out.expected = mean_over_square(kSide, [&](double x, double z) {
         return kHalf / M_PI * 2 * polygon_irradiance({x, 0, z}, {0, 1, 0}, exact);
@@ -193,9 +193,9 @@ ClosedForm lit_by_a_wall()
                    PhotonsRead::others,          3 * kPhotons};
     out.scene =
         tiny::make_scene(tiny::parallelogram({near, 0, side / 2}, {side, 0, 0}, {0, 0, -side}));
-    out.scene.materials[0] = tiny::matt(Rgb(static_cast<float>(form.kFloorAlbedo)));
+    out.scene.materials[0] = tiny::diffuse(Rgb(static_cast<float>(form.kFloorAlbedo)));
     tiny::add(out.scene, tiny::parallelogram({0, low, side / 2}, {0, 0, -side}, {0, side, 0}),
-              tiny::matt(Rgb(static_cast<float>(form.kWallAlbedo))));
+              tiny::diffuse(Rgb(static_cast<float>(form.kWallAlbedo))));
     PunctualLight sun;
     sun.kind = LightKind::directional;
     sun.direction = form.direction;
@@ -223,14 +223,14 @@ std::vector<ClosedForm> lit_forms()
         under_sun("sun on a floor", 0),
         under_sun("sun of 60 degrees on a floor", 0.5f * std::numbers::pi_v<float> / 3),
         under_sky(),
-        under_square_lamp(),
+        under_square_light(),
         under_rectangle_light(),
         under_disc_light(),
-        under_triangle_lamp(),
+        under_triangle_light(),
         lit_by_a_wall(),
-        {"glowing box", "e/(1 - ρ)", tiny::glowing_box(albedo), 1, PhotonsRead::others, kPhotons},
+        {"glowing box", "e/(1 - ρ)", tiny::emissive_box(albedo), 1, PhotonsRead::others, kPhotons},
         {"glowing box with a glass and a mirror ball", "e/(1 - ρ)",
-         tiny::with_glass_and_mirror(tiny::glowing_box(albedo), Rgb(1)), 1, PhotonsRead::others,
+         tiny::with_glass_and_mirror(tiny::emissive_box(albedo), Rgb(1)), 1, PhotonsRead::others,
          kPhotons},
     };
 }

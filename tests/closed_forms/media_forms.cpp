@@ -10,17 +10,17 @@ constexpr std::uint64_t kPhotons = 4000;
 
 ClosedForm absorbed()
 {
-    constexpr double kLamp = 2;
+    constexpr double kLight = 2;
     Medium medium;
     medium.absorption = {0.5f, 1, 4};
     ClosedForm out{"lamp through a slab that absorbs", "L exp(-a d)", tiny::cube_of(medium), 0};
-    tiny::add(out.scene, tiny::floor_at(-0.6f, 3), tiny::lamp(Rgb(kLamp)));
+    tiny::add(out.scene, tiny::floor_at(-0.6f, 3), tiny::emissive(Rgb(kLight)));
     for (int c = 0; c < 3; ++c)
-        out.expected += kLamp * std::exp(-double{medium.absorption[c]}) / 3;
+        out.expected += kLight * std::exp(-double{medium.absorption[c]}) / 3;
     return out;
 }
 
-ClosedForm glowing()
+ClosedForm emissive()
 {
     Medium medium;
     medium.absorption = {0, 1, 2};
@@ -50,7 +50,7 @@ ClosedForm in_a_box()
 {
     ClosedForm out{"glowing box full of white fog",
                    "e/(1 - ρ)",
-                   tiny::glowing_box({0.7f, 0.5f, 0.3f}),
+                   tiny::emissive_box({0.7f, 0.5f, 0.3f}),
                    1,
                    PhotonsRead::media,
                    kPhotons};
@@ -81,7 +81,7 @@ ClosedForm scattered_once()
                            middle(i / kSteps % kSteps, kSide));
         const glm::dvec3 way = p - glm::dvec3(light.position);
         const double d = glm::length(way), g = kMeanCosine;
-        const double cosine = way.y / d; // from the lamp, and up to the eye
+        const double cosine = way.y / d; // from the light, and up to the eye
         const double phase = (1 - g * g) / (4 * M_PI * std::pow(1 + g * g - 2 * g * cosine, 1.5));
         out.expected += kScattering * phase / (d * d) *
                         std::exp(-(kAbsorption + kScattering) * (d + 0.5 - p.y)) /
@@ -95,7 +95,7 @@ ClosedForm scattered_once()
 std::vector<ClosedForm> media_forms()
 {
     return {absorbed(),
-            glowing(),
+            emissive(),
             under_sky("isotropic", {}),
             under_sky("Henyey and Greenstein", {PhaseKind::henyey_greenstein, 0.7f}),
             under_sky("Schlick", {PhaseKind::schlick, -0.4f}),

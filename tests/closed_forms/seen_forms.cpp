@@ -32,11 +32,11 @@ ClosedForm facing_mirrors()
     return out;
 }
 
-/// A lamp below, the sky above: what the slab does not let through it reflects.
+/// A light below, the sky above: what the slab does not let through it reflects.
 ClosedForm seen_through_a_slab(const Rgb& absorption)
 {
     constexpr float kThickness = 0.1f;
-    constexpr double kIndex = 1.5, kLamp = 2, kSky = 0.5;
+    constexpr double kIndex = 1.5, kLight = 2, kSky = 0.5;
     const bool clear = is_black(absorption);
     ClosedForm out{clear ? "lamp through a slab of glass under a sky"
                          : "lamp through a slab of coloured glass",
@@ -49,7 +49,7 @@ ClosedForm seen_through_a_slab(const Rgb& absorption)
     out.scene = tiny::make_scene(slab);
     out.scene.materials[0] = tiny::glass(kIndex);
     out.scene.materials[0].absorption = absorption;
-    tiny::add(out.scene, tiny::floor_at(-0.1f, 0.8f), tiny::lamp(Rgb(kLamp)));
+    tiny::add(out.scene, tiny::floor_at(-0.1f, 0.8f), tiny::emissive(Rgb(kLight)));
     if (clear)
         out.scene.environment = Rgb(kSky);
     out.scene.cameras[0] =
@@ -58,7 +58,7 @@ ClosedForm seen_through_a_slab(const Rgb& absorption)
     const double way = kThickness / std::sqrt(1 - 0.5 / (kIndex * kIndex));
     for (int c = 0; c < 3; ++c) {
         const double through = through_slab(reflectance, std::exp(-absorption[c] * way));
-        out.expected += (through * kLamp + (clear ? (1 - through) * kSky : 0)) / 3;
+        out.expected += (through * kLight + (clear ? (1 - through) * kSky : 0)) / 3;
     }
     return out;
 }

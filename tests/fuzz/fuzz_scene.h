@@ -3,7 +3,7 @@
 #include "common/input_error.h"
 #include "common/partition/partition_file.h"
 #include "common/scene/load_scene.h"
-#include "preprocess/partition/former_frame.h"
+#include "preprocess/partition/previous_frame.h"
 
 #include <array>
 #include <cstdlib>
@@ -19,7 +19,7 @@ inline void load_and_partition(const std::filesystem::path& path)
     constexpr std::size_t kMostFaces = 5000; // keeps one try short
     try {
         SceneSource source(path, {});
-        std::optional<FormerFrame> frame;
+        std::optional<PreviousFrame> frame;
         const std::array<std::optional<double>, 3> times{std::nullopt, 0.25, 0.5};
         for (const std::optional<double>& time : times) {
             const LoadedScene loaded = source.at(time);

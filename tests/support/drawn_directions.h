@@ -28,7 +28,7 @@ inline double chi_square_z(const Interaction& at, Lobes lobes)
     constexpr int kDraws = 40000;
     std::vector<double> expected(kBins + 1, 0.0), drawn(kBins + 1, 0.0);
     over_sphere(kRows * kInBin, [&](const glm::vec3& in, double solid_angle) {
-        expected[bin_of(in)] += double{scattered(at, in, lobes).density} * solid_angle * kDraws;
+        expected[bin_of(in)] += double{scattered(at, in, lobes).pdf} * solid_angle * kDraws;
     });
     double sum = 0;
     for (const double one : expected)

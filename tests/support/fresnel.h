@@ -5,12 +5,12 @@
 namespace hipmap {
 
 /// Reflectance of a smooth interface for unpolarised light: the mean of Fresnel's two.
-/// eta: index beyond over index before, above 1.
+/// eta: index behind over index before, above 1.
 inline double fresnel(double cosine, double eta)
 {
-    const double beyond = std::sqrt(1 - (1 - cosine * cosine) / (eta * eta));
-    const double across = (cosine - eta * beyond) / (cosine + eta * beyond);
-    const double along = (eta * cosine - beyond) / (eta * cosine + beyond);
+    const double behind = std::sqrt(1 - (1 - cosine * cosine) / (eta * eta));
+    const double across = (cosine - eta * behind) / (cosine + eta * behind);
+    const double along = (eta * cosine - behind) / (eta * cosine + behind);
     return (across * across + along * along) / 2;
 }
 

@@ -26,8 +26,8 @@ struct AgreementLimits {
 };
 
 /// Checks that images by an integrator with maps and by `path`, each of so many samples a pixel,
-/// have the same mean but for chance and a bias below 1 part in 100: estimates blur across facets
-/// and close corners.
+/// have the same mean but for probability and a bias below 1 part in 100: estimates blur across
+/// facets and close corners.
 inline void check_agreement(const tiny::ReadyScene& ready, ImageOptions options, int maps_samples,
                             int paths_samples, const AgreementLimits& limits = {})
 {

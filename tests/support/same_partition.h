@@ -39,7 +39,7 @@ inline std::uint32_t next_edge(std::uint32_t edge)
 }
 
 /// The largest limiting radius of any point of a face, in metres: the largest height over the kept
-/// edges, unless the clearance is less; docs/partition_file.md (4).
+/// edges, unless the self-distance is less; docs/partition_file.md (4).
 inline double best_radius(const Partitioned& of, FaceId face)
 {
     const unsigned kept = of.partition.kept_edges[face];
@@ -53,8 +53,8 @@ inline double best_radius(const Partitioned& of, FaceId face)
             inverse_heights += length / of.scene.frame.metres_per_unit / area2;
     }
     const double height = kept == 7 ? area2 / perimeter : 1 / inverse_heights;
-    return of.metres(
-        std::min<double>(height - 2.0 * of.partition.position_error, of.partition.clearance[face]));
+    return of.metres(std::min<double>(height - 2.0 * of.partition.position_error,
+                                      of.partition.self_distance[face]));
 }
 
 /// Compares the partitions of one mesh in two files: of `base` as it is and of `other` as placed.

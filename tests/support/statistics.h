@@ -31,8 +31,8 @@ class RunningMean {
     double squares_ = 0;
 };
 
-/// |z| beyond this has a chance below 1e-5 for a right estimator: with fixed seeds it never fails
-/// by itself, and a bias of a few standard errors shows.
+/// |z| beyond this has a probability below 1e-5 for a right estimator: with fixed seeds it never
+/// fails by itself, and a bias of a few standard errors shows.
 inline constexpr double kMostZ = 4.5;
 
 } // namespace hipmap

@@ -5,10 +5,10 @@
 namespace hipmap::tiny {
 
 /// A square of side 1 about the origin, facing up, albedo 1/2.
-inline Scene matt_floor()
+inline Scene diffuse_floor()
 {
     Scene scene = make_scene(floor_at(0, 1));
-    scene.materials[0] = matt(Rgb(0.5f));
+    scene.materials[0] = diffuse(Rgb(0.5f));
     return scene;
 }
 
@@ -19,7 +19,7 @@ inline Scene furnace()
     turn_inside_out(sphere);
     scale(sphere, 0.5f);
     Scene scene = make_scene(sphere);
-    scene.materials[0] = matt(Rgb(0.5f));
+    scene.materials[0] = diffuse(Rgb(0.5f));
     scene.materials[0].emission = Rgb(0.5f);
     scene.cameras[0].position = {0.1f, 0.05f, 0};
     scene.cameras[0].tan_half_height = 1;
@@ -50,19 +50,19 @@ inline Scene with_glass_and_mirror(Scene scene, const Rgb& reflectance)
     return scene;
 }
 
-/// A matt box, inside, with a glass ball, a mirror ball and a lamp.
+/// A diffuse box, inside, with a glass ball, a mirror ball and a light.
 inline Scene room()
 {
-    Scene scene = with_glass_and_mirror(box(matt({0.7f, 0.6f, 0.5f})), Rgb(0.9f));
-    add(scene, floor_at(0.45f, -0.3f), lamp(Rgb(5)));
+    Scene scene = with_glass_and_mirror(box(diffuse({0.7f, 0.6f, 0.5f})), Rgb(0.9f));
+    add(scene, floor_at(0.45f, -0.3f), emissive(Rgb(5)));
     return scene;
 }
 
-/// A matt box, inside, that sends out what it absorbs: radiance one everywhere, whatever absorbs
+/// A diffuse box, inside, that sends out what it absorbs: radiance one everywhere, whatever absorbs
 /// nothing is put in.
-inline Scene glowing_box(const Rgb& albedo)
+inline Scene emissive_box(const Rgb& albedo)
 {
-    Material walls = matt(albedo);
+    Material walls = diffuse(albedo);
     walls.emission = 1.0f - albedo;
     return box(walls);
 }

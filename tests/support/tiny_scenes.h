@@ -26,7 +26,7 @@ inline std::unique_ptr<ReadyScene> ready(Scene scene)
 }
 
 /// Lambert, purely.
-inline Material matt(const Rgb& albedo)
+inline Material diffuse(const Rgb& albedo)
 {
     Material material;
     material.base_color = albedo;
@@ -53,9 +53,9 @@ inline Material glass(float ior)
     return material;
 }
 
-inline Material lamp(const Rgb& radiance)
+inline Material emissive(const Rgb& radiance)
 {
-    Material material = matt(Rgb(0));
+    Material material = diffuse(Rgb(0));
     material.emission = radiance;
     return material;
 }

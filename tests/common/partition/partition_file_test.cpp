@@ -47,7 +47,7 @@ Partition sample(const Scene& scene)
     p.reach = {0.25f, 0.5f, std::numeric_limits<float>::infinity(), 0};
     p.candidate = {1, 0, 0, 0};
     p.kept_edges = {1, 7, 0, 0};
-    p.clearance = {std::numeric_limits<float>::infinity(), 0.125f, 3, 0};
+    p.self_distance = {std::numeric_limits<float>::infinity(), 0.125f, 3, 0};
     p.position_error = 1e-6f;
     p.bridged_edges = {2, 8};
     p.group_count = 1;
@@ -91,7 +91,7 @@ TEST_CASE("partition file: every field survives", "[partition]")
     CHECK(read.reach == written.reach);
     CHECK(read.candidate == written.candidate);
     CHECK(read.kept_edges == written.kept_edges);
-    CHECK(read.clearance == written.clearance);
+    CHECK(read.self_distance == written.self_distance);
     CHECK(read.position_error == written.position_error);
     CHECK(read.bridged_edges == written.bridged_edges);
     CHECK(read.contacts == written.contacts);
@@ -183,9 +183,9 @@ TEST_CASE("partition file: values that contradict each other are refused", "[par
         [](Partition& p) { p.candidate[3] = 1; },
         [](Partition& p) { p.kept_edges[1] = 8; },
         [](Partition& p) { p.kept_edges.pop_back(); },
-        [](Partition& p) { p.clearance[0] = -1; },
-        [](Partition& p) { p.clearance[1] = std::numeric_limits<float>::quiet_NaN(); },
-        [](Partition& p) { p.clearance.pop_back(); },
+        [](Partition& p) { p.self_distance[0] = -1; },
+        [](Partition& p) { p.self_distance[1] = std::numeric_limits<float>::quiet_NaN(); },
+        [](Partition& p) { p.self_distance.pop_back(); },
         [](Partition& p) { p.position_error = -1; },
         [](Partition& p) {
             p.bridged_edges = {8, 2};

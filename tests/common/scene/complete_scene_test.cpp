@@ -13,7 +13,7 @@ namespace hipmap::tiny {
 
 namespace {
 
-GltfFile glowing()
+GltfFile emissive()
 {
     GltfFile file = tetrahedron();
     file.root["materials"][0]["emissiveFactor"] = {1, 1, 1};
@@ -89,7 +89,7 @@ TEST_CASE("only a scene without light gets a grey sky", "[scene][lights]")
     const LoadedScene dark = load(tetrahedron());
     CHECK(dark.scene.environment == Rgb(1.0f));
     CHECK(says(dark.audit.assumed, "Punctual Lights"));
-    CHECK(load(glowing()).scene.environment == Rgb(0.0f));
+    CHECK(load(emissive()).scene.environment == Rgb(0.0f));
 
     GltfFile unworn = tetrahedron(); // an emissive material that no face wears lights nothing
     unworn.root["materials"].push_back({{"emissiveFactor", {1, 1, 1}}});
@@ -97,7 +97,7 @@ TEST_CASE("only a scene without light gets a grey sky", "[scene][lights]")
 
     SceneOptions options;
     options.environment = Rgb(0.0f, 0.5f, 2.0f);
-    CHECK(load(glowing(), options).scene.environment == Rgb(0.0f, 0.5f, 2.0f));
+    CHECK(load(emissive(), options).scene.environment == Rgb(0.0f, 0.5f, 2.0f));
     options.environment = Rgb(0.0f);
     CHECK(says(load(tetrahedron(), options).audit.warnings, "black"));
 }
@@ -115,13 +115,13 @@ TEST_CASE("a lamp without power does not count as light", "[scene][lights]")
 
 TEST_CASE("excluded objects leave no trace in faces, vertices or the box", "[scene]")
 {
-    GltfFile file = glowing();
+    GltfFile file = emissive();
     file.root["nodes"].push_back({{"name", "cutter"}, {"mesh", 0}, {"translation", {100, 0, 0}}});
     file.root["scenes"][0]["nodes"] = {0, 1};
     SceneOptions options;
     options.exclude = {"cutter"};
     const LoadedScene left = load(file, options);
-    const LoadedScene plain = load(glowing());
+    const LoadedScene plain = load(emissive());
     CHECK(fingerprint(left.scene) == fingerprint(plain.scene));
     CHECK(left.scene.mesh.positions.size() == 4);
     CHECK(says(left.audit.found, "excluded: 'cutter', 4 faces"));
@@ -135,7 +135,7 @@ TEST_CASE("excluded objects leave no trace in faces, vertices or the box", "[sce
 
 TEST_CASE("transmissive materials and what glows are spoken of", "[scene]")
 {
-    GltfFile file = glowing();
+    GltfFile file = emissive();
     file.root["materials"][0]["extensions"] = {
         {"KHR_materials_transmission", {{"transmissionFactor", 1}}}};
     const LoadedScene loaded = load(file);

@@ -73,7 +73,7 @@ TEST_CASE("attributes that no material reads take no memory", "[scene][gltf][att
     CHECK(read.uv[0].empty());
     CHECK(read.tangents.empty());
     CHECK(read.colours.empty());
-    // Anisotropy needs a direction, even where no picture does.
+    // Anisotropy needs a direction, even where no texture does.
     file.root["materials"][0]["extensions"] = {
         {"KHR_materials_anisotropy", {{"anisotropyStrength", 1}}}};
     const VertexAttributes wanted = load(file).scene.mesh.attributes;

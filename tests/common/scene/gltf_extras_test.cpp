@@ -16,7 +16,7 @@ json extras(const json& values, bool as_text)
     return {{"hipmap", as_text ? json(values.dump()) : values}};
 }
 
-/// A tetrahedron of 2 m (so that a scene unit is 2 m), a lamp, a sun, a camera and an empty node.
+/// A tetrahedron of 2 m (so that a scene unit is 2 m), a light, a sun, a camera and an empty node.
 GltfFile furnished()
 {
     GltfFile file = tetrahedron();

@@ -40,16 +40,16 @@ TEST_CASE("reflection models are read from extras as an object and as JSON text"
 TEST_CASE("tangents are read where Schlick's reflection is stretched along them",
           "[scene][gltf][extras]")
 {
-    for (const bool stretched : {false, true}) {
+    for (const bool anisotropic : {false, true}) {
         json extras{{"reflection", "schlick"}};
-        if (stretched)
+        if (anisotropic)
             extras["isotropy"] = 0.5;
         for (const json& written : {extras, json(extras.dump())}) {
             GltfFile file = with_extras(written);
             file.root["meshes"][0]["primitives"][0]["attributes"]["TANGENT"] = file.add_accessor(
                 std::vector<float>{1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1}, "VEC4", 4,
                 5126);
-            CHECK(load(file).scene.mesh.attributes.tangents.empty() != stretched);
+            CHECK(load(file).scene.mesh.attributes.tangents.empty() != anisotropic);
         }
     }
 }

@@ -48,7 +48,7 @@ std::string base64(const std::string& bytes)
     return text;
 }
 
-/// A tetrahedron with the material; texture 0 shows the picture, which lies in the buffer.
+/// A tetrahedron with the material; texture 0 shows the texture, which lies in the buffer.
 GltfFile textured(const json& material, const std::string& picture)
 {
     GltfFile file = tetrahedron();
@@ -167,7 +167,7 @@ TEST_CASE("KHR_texture_transform scales, turns and moves coordinates and may cho
     file.root["extensionsRequired"] = {"KHR_texture_transform"};
     const TextureSlot slot = load(file).scene.materials.at(0).textures.at(0);
     CHECK(slot.uv_set == 1);
-    // A quarter turn takes +u to -v (up on the picture) and +v to +u.
+    // A quarter turn takes +u to -v (up on the texture) and +v to +u.
     const glm::vec2 moved = slot.uv_transform * glm::vec3(0.5f, 0.25f, 1.0f);
     CHECK(moved.x == Approx(10 + 3 * 0.25));
     CHECK(moved.y == Approx(20 - 2 * 0.5));

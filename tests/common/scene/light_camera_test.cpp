@@ -18,9 +18,9 @@ GltfFile with_light(const json& light, const json& node = json::object())
     GltfFile file = tetrahedron();
     file.root["extensionsRequired"] = {"KHR_lights_punctual"};
     file.root["extensions"] = {{"KHR_lights_punctual", {{"lights", json::array({light})}}}};
-    json lamp = {{"name", "lamp"}, {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}};
-    lamp.update(node);
-    file.root["nodes"].push_back(lamp);
+    json holder = {{"name", "lamp"}, {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}};
+    holder.update(node);
+    file.root["nodes"].push_back(holder);
     file.root["scenes"][0]["nodes"] = {0, 1};
     return file;
 }

@@ -216,12 +216,12 @@ TEST_CASE("material files outside the scene's folder are not opened", "[scene][o
 
 TEST_CASE("MTL materials become metallic-roughness ones", "[scene][obj]")
 {
-    const Material matt = material_of("Kd 0.2 0.4 0.6\nKe 1 2 3\nKs 0 0 0\nNs 100\n");
-    CHECK(matt.base_color == Rgb(0.2f, 0.4f, 0.6f));
-    CHECK(matt.emission == Rgb(1, 2, 3));
-    CHECK(matt.metallic == 0.0f);
-    CHECK(matt.specular == 0.0f);
-    CHECK(matt.double_sided);
+    const Material diffuse = material_of("Kd 0.2 0.4 0.6\nKe 1 2 3\nKs 0 0 0\nNs 100\n");
+    CHECK(diffuse.base_color == Rgb(0.2f, 0.4f, 0.6f));
+    CHECK(diffuse.emission == Rgb(1, 2, 3));
+    CHECK(diffuse.metallic == 0.0f);
+    CHECK(diffuse.specular == 0.0f);
+    CHECK(diffuse.double_sided);
 
     const Material glossy = material_of("Kd 1 1 1\nKs 0.5 0.5 0.5\nNs 48\n");
     CHECK(glossy.specular == 1.0f);

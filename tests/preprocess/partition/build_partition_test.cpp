@@ -14,7 +14,7 @@ bool same(const Partition& a, const Partition& b)
     return a.scene == b.scene && a.map_count == b.map_count && a.map_of_face == b.map_of_face &&
            a.edge_class == b.edge_class && a.opposite == b.opposite && a.flipped == b.flipped &&
            a.closed == b.closed && a.reach == b.reach && a.candidate == b.candidate &&
-           a.kept_edges == b.kept_edges && a.clearance == b.clearance &&
+           a.kept_edges == b.kept_edges && a.self_distance == b.self_distance &&
            a.bridged_edges == b.bridged_edges && a.contacts == b.contacts;
 }
 

@@ -232,7 +232,8 @@ TEST_CASE("contacts: a tree of boxes finds the pairs that a loop over all pairs 
         for (const MadeContact& made : find_contacts(scene, tree, all).contacts)
             found.push_back(made.contact);
         const std::size_t of_pairs = found.size();
-        for (const MadeContact& made : find_own_contacts(scene, tree, p.clearance, all).contacts)
+        for (const MadeContact& made :
+             find_own_contacts(scene, tree, p.self_distance, all).contacts)
             found.push_back(made.contact);
         of_one_map += found.size() - of_pairs;
         sort_contacts(found);

@@ -1,5 +1,5 @@
-#include "preprocess/partition/clearance.h"
 #include "preprocess/partition/nearby_faces.h"
+#include "preprocess/partition/self_distance.h"
 #include "tests/support/hard_surfaces.h"
 
 #include <catch2/catch.hpp>

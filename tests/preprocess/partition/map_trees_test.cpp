@@ -44,7 +44,7 @@ TEST_CASE("trees_of_maps: what is known of a map does not depend on where others
         INFO("seed " << seed);
         REQUIRE(alone.position_error == both.position_error);
         CHECK(begins_with(both.kept_edges, alone.kept_edges));
-        CHECK(begins_with(both.clearance, alone.clearance));
+        CHECK(begins_with(both.self_distance, alone.self_distance));
         CHECK(begins_with(both.group_of_face, alone.group_of_face));
         CHECK(begins_with(both.group_radius, alone.group_radius));
         groups += static_cast<int>(alone.group_count);

@@ -22,10 +22,10 @@ Material named(Material material, const char* name)
     return material;
 }
 
-/// A matt floor under a point light: nothing but indirect light is called for.
+/// A diffuse floor under a point light: nothing but indirect light is called for.
 Scene plain_floor()
 {
-    Scene scene = tiny::matt_floor();
+    Scene scene = tiny::diffuse_floor();
     scene.materials[0].name = "floor";
     PunctualLight light;
     light.position = {0, 0.3f, 0};
@@ -59,7 +59,7 @@ Material rough(Material material, float roughness)
 
 Material with_texture(TextureUse use)
 {
-    Material material = tiny::matt(Rgb(0.5f));
+    Material material = tiny::diffuse(Rgb(0.5f));
     TextureSlot slot;
     slot.use = use;
     material.textures.push_back(slot);
@@ -83,7 +83,7 @@ TEST_CASE("effect plan: an effect is on if and only if the scene calls for it", 
 {
     const Effects plain = {Effect::indirect};
     CHECK(on_in(plan_of(plain_floor())) == plain);
-    CHECK(on_in(plan_of(tiny::matt_floor())).empty()); // nothing shines
+    CHECK(on_in(plan_of(tiny::diffuse_floor())).empty()); // nothing emits
 
     CHECK(on_in(plan_of(with_pane(tiny::mirror(Rgb(0.9f))))) ==
           Effects{Effect::indirect, Effect::mirror, Effect::caustics});
@@ -101,11 +101,11 @@ TEST_CASE("effect plan: an effect is on if and only if the scene calls for it", 
     CHECK(on_in(plan_of(with_ball(glass))) ==
           Effects{Effect::indirect, Effect::refraction, Effect::caustics, Effect::absorption});
 
-    CHECK(on_in(plan_of(with_pane(tiny::lamp(Rgb(1))))) ==
+    CHECK(on_in(plan_of(with_pane(tiny::emissive(Rgb(1))))) ==
           Effects{Effect::soft_shadows, Effect::indirect});
     CHECK(on_in(plan_of(with_pane(with_texture(TextureUse::base_color)))) ==
           Effects{Effect::indirect, Effect::textures});
-    Material half = tiny::matt(Rgb(0.5f));
+    Material half = tiny::diffuse(Rgb(0.5f));
     half.alpha = 0.5f; // which without a mode says nothing
     CHECK(on_in(plan_of(with_pane(half))) == plain);
     half.alpha_mode = AlphaMode::blend;
@@ -124,7 +124,7 @@ TEST_CASE("effect plan: an effect is on if and only if the scene calls for it", 
     flint.dispersion = 1;
     CHECK(on_in(plan_of(with_ball(flint))).contains(Effect::dispersion));
     CHECK_FALSE(on_in(plan_of(with_pane(flint))).contains(Effect::dispersion));
-    Material lacquer = tiny::matt(Rgb(0.5f));
+    Material lacquer = tiny::diffuse(Rgb(0.5f));
     lacquer.clearcoat = 1;
     CHECK(on_in(plan_of(with_pane(lacquer))) ==
           Effects{Effect::indirect, Effect::mirror, Effect::caustics, Effect::clearcoat});
@@ -133,19 +133,19 @@ TEST_CASE("effect plan: an effect is on if and only if the scene calls for it", 
           Effects{Effect::indirect, Effect::glossy, Effect::clearcoat});
     Material brushed = named(rough(tiny::mirror(Rgb(0.9f)), 0.5f), "brushed");
     brushed.anisotropy = 1;
-    Scene stretched = with_pane(brushed);
-    CHECK_THAT(plan_of(stretched).effects[static_cast<std::size_t>(Effect::anisotropy)].reason,
+    Scene anisotropic = with_pane(brushed);
+    CHECK_THAT(plan_of(anisotropic).effects[static_cast<std::size_t>(Effect::anisotropy)].reason,
                Catch::Contains("'brushed' have no texture coordinates"));
-    stretched.mesh.attributes.tangents.assign(stretched.mesh.positions.size(),
-                                              glm::vec4(1, 0, 0, 1));
-    CHECK(on_in(plan_of(stretched)) ==
+    anisotropic.mesh.attributes.tangents.assign(anisotropic.mesh.positions.size(),
+                                                glm::vec4(1, 0, 0, 1));
+    CHECK(on_in(plan_of(anisotropic)) ==
           Effects{Effect::indirect, Effect::glossy, Effect::anisotropy});
-    Material velvet = tiny::matt(Rgb(0.5f));
+    Material velvet = tiny::diffuse(Rgb(0.5f));
     velvet.sheen_color = Rgb(1);
     CHECK(on_in(plan_of(with_pane(velvet))) == Effects{Effect::indirect, Effect::sheen});
     velvet.transmission = 1;
     CHECK_FALSE(plan_of(with_pane(velvet)).has(Effect::sheen));
-    Material paper = tiny::matt(Rgb(0.5f));
+    Material paper = tiny::diffuse(Rgb(0.5f));
     paper.diffuse_transmission = 0.5f;
     CHECK(on_in(plan_of(with_pane(paper))) ==
           Effects{Effect::indirect, Effect::diffuse_transmission});
@@ -161,7 +161,7 @@ TEST_CASE("effect plan: an effect is on if and only if the scene calls for it", 
     const Effects of_sky{Effect::soft_shadows, Effect::indirect, Effect::environment};
     CHECK(on_in(plan_of(under_sky)) == of_sky);
     under_sky.environment = Rgb(0);
-    under_sky.environment_picture = "sky.hdr";
+    under_sky.environment_map_file = "sky.hdr";
     under_sky.lights.clear();
     CHECK(on_in(plan_of(under_sky)) == of_sky);
     Scene under_ball = plain_floor();
@@ -193,7 +193,7 @@ TEST_CASE("effect plan: materials that no face wears call for nothing", "[effect
 {
     Scene scene = plain_floor();
     scene.materials.push_back(tiny::glass(1.5f));
-    scene.materials.push_back(tiny::lamp(Rgb(1)));
+    scene.materials.push_back(tiny::emissive(Rgb(1)));
     CHECK(on_in(plan_of(scene)) == Effects{Effect::indirect});
 }
 
@@ -210,7 +210,7 @@ TEST_CASE("effect plan: reasons name what becomes of reflections", "[effects]")
 
 TEST_CASE("effect plan: what the file has and no light gets into is off, and said", "[effects]")
 {
-    Material material = named(tiny::matt(Rgb(0.5f)), "wax");
+    Material material = named(tiny::diffuse(Rgb(0.5f)), "wax");
     material.scattering = Rgb(1);
     Scene scene = with_pane(material);
     const EffectPlan plan = plan_of(scene);
@@ -267,14 +267,14 @@ TEST_CASE("effect plan: what is left out is not in the scene that is rendered", 
     Scene scene = with_ball(glass);
     tiny::add(scene, tiny::floor_at(0.1f, 0.2f), with_texture(TextureUse::base_color));
     scene.environment = Rgb(1);
-    scene.environment_picture = "sky.hdr";
+    scene.environment_map_file = "sky.hdr";
     const Scene before = scene;
     drop_effects(scene, plan_of(scene));
     CHECK(scene.materials[1].absorption == before.materials[1].absorption);
     CHECK(scene.materials[1].dispersion == 1);
     CHECK(scene.materials[2].textures.size() == 1);
     CHECK(scene.environment == before.environment);
-    CHECK_FALSE(scene.environment_picture.empty());
+    CHECK_FALSE(scene.environment_map_file.empty());
     EffectOptions options;
     options.switches = parse_effect_switches("-absorption,-dispersion,-textures,-environment");
     drop_effects(scene, plan_of(scene, options));
@@ -282,5 +282,5 @@ TEST_CASE("effect plan: what is left out is not in the scene that is rendered", 
     CHECK(scene.materials[1].dispersion == 0);
     CHECK(scene.materials[2].textures.empty());
     CHECK(scene.environment == Rgb(0));
-    CHECK(scene.environment_picture.empty());
+    CHECK(scene.environment_map_file.empty());
 }

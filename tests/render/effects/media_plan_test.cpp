@@ -54,7 +54,7 @@ TEST_CASE("effect plan: media are on where light passes them, and named", "[effe
 {
     Scene scene = tiny::furnace();
     CHECK(!media_of(scene).on);
-    scene.materials[0].scattering = Rgb(1); // matt: no light gets in
+    scene.materials[0].scattering = Rgb(1); // diffuse: no light gets in
     CHECK(!media_of(scene).on);
     TriangleMesh cube = tiny::cube();
     tiny::scale(cube, 0.2f);
@@ -89,7 +89,7 @@ TEST_CASE("effect plan: light is scattered beneath surfaces that it gets through
           "[effects][media]")
 {
     Scene scene = tiny::make_scene(tiny::cube());
-    Material& wax = scene.materials[0] = tiny::matt(Rgb(0.5f));
+    Material& wax = scene.materials[0] = tiny::diffuse(Rgb(0.5f));
     wax.name = "wax";
     wax.scattering = Rgb(1);
     CHECK(!planned(scene, Effect::subsurface).on);
@@ -137,9 +137,9 @@ TEST_CASE("effect plan: dielectrics are nested where one lies in another, or the
     with_drop.mesh.material_of_face.assign(with_drop.mesh.face_count(), 0);
     tiny::add(with_drop, ball_at(0.35f, 0.02f), tiny::glass(1.3f));
     CHECK(nested(with_drop).on);
-    Scene matt_inside = two_balls(ball, ball_at(0.1f, 0.2f));
-    matt_inside.materials[1] = tiny::matt(Rgb(0.5f));
-    CHECK(!nested(matt_inside).on);
+    Scene diffuse_inside = two_balls(ball, ball_at(0.1f, 0.2f));
+    diffuse_inside.materials[1] = tiny::diffuse(Rgb(0.5f));
+    CHECK(!nested(diffuse_inside).on);
 }
 
 TEST_CASE("drop_effects: rays know what they are in only where dielectrics are nested",

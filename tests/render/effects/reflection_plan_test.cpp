@@ -8,11 +8,11 @@ using namespace hipmap;
 
 namespace {
 
-/// A floor under a lamp, of a material by the model.
+/// A floor under a light, of a material by the model.
 Scene modelled_floor(ReflectionModel model)
 {
-    Scene scene = tiny::matt_floor();
-    tiny::add(scene, tiny::floor_at(0.3f, 0.2f), tiny::lamp(Rgb(1)));
+    Scene scene = tiny::diffuse_floor();
+    tiny::add(scene, tiny::floor_at(0.3f, 0.2f), tiny::emissive(Rgb(1)));
     Material& floor = scene.materials[0];
     floor.name = "floor";
     floor.reflection_model = model;

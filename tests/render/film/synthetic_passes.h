@@ -13,8 +13,8 @@ struct SyntheticPasses {
     double photon_noise =
         0.3; ///< of pass 0, relative, within the block; grows as the radius shrinks
     double pixel_noise = 0.3; ///< relative, of each pixel alone
-    double rare = 0;          ///< chance of the bright samples that make all of that; 0: not rare
-    double bias = 0;          ///< of pass 0, relative, order by order of `order`
+    double rare = 0; ///< probability of the bright samples that make all of that; 0: not rare
+    double bias = 0; ///< of pass 0, relative, order by order of `order`
     double order = 2;
     std::uint64_t seed = 0;
     bool radii = true;

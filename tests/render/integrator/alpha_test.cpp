@@ -18,19 +18,19 @@ Material see_through(Material material, float alpha)
     return material;
 }
 
-/// Reflects a half and glows with the other, so that its radiance is one where that of all is.
-Material half_glowing()
+/// Reflects a half and emits with the other, so that its radiance is one where that of all is.
+Material half_emissive()
 {
-    Material half = tiny::matt(Rgb(0.5f));
+    Material half = tiny::diffuse(Rgb(0.5f));
     half.emission = Rgb(0.5f);
     half.double_sided = true;
     return half;
 }
 
-/// A floor under a lamp, seen from between them.
+/// A floor under a light, seen from between them.
 Scene lit_floor()
 {
-    Scene scene = tiny::matt_floor();
+    Scene scene = tiny::diffuse_floor();
     PunctualLight light;
     light.position = {0, 0.3f, 0};
     light.intensity = Rgb(1);
@@ -66,7 +66,7 @@ Scene sheet_in_even_light(const Material& sheet)
     TriangleMesh walls = tiny::cube();
     tiny::turn_inside_out(walls);
     Scene scene = tiny::make_scene(walls);
-    scene.materials[0] = half_glowing();
+    scene.materials[0] = half_emissive();
     tiny::add(scene, tiny::floor_at(-0.1f, 0.7f), sheet);
     scene.cameras[0].position = {0, 0, 0.48f};
     scene.cameras[0].tan_half_height = 0.8f;
@@ -96,11 +96,11 @@ TEST_CASE("alpha: black walls let their share of a lamp's light pass", "[integra
 {
     Scene scene = lit_floor();
     const RunningMean bare = render(scene, Integrator::path, 8);
-    tiny::add(scene, tiny::floor_at(0.2f, 0.6f), see_through(tiny::matt(Rgb(0)), 0.5f));
+    tiny::add(scene, tiny::floor_at(0.2f, 0.6f), see_through(tiny::diffuse(Rgb(0)), 0.5f));
     const RunningMean one = render(scene, Integrator::path, 8);
     CHECK(std::abs(one.z_score(0.5 * bare.mean())) < kMostZ);
     CHECK(one.standard_error() < 0.02 * bare.mean());
-    tiny::add(scene, tiny::floor_at(0.22f, 0.6f), see_through(tiny::matt(Rgb(0)), 0.2f));
+    tiny::add(scene, tiny::floor_at(0.22f, 0.6f), see_through(tiny::diffuse(Rgb(0)), 0.2f));
     const RunningMean two = render(scene, Integrator::direct, 8);
     CHECK(std::abs(two.z_score(0.4 * bare.mean())) < kMostZ);
 }
@@ -108,7 +108,7 @@ TEST_CASE("alpha: black walls let their share of a lamp's light pass", "[integra
 TEST_CASE("alpha: a see-through sheet that sends on as much as it stops is not seen in even light",
           "[integrator]")
 {
-    const Scene scene = sheet_in_even_light(see_through(half_glowing(), 0.3f));
+    const Scene scene = sheet_in_even_light(see_through(half_emissive(), 0.3f));
     for (const Integrator integrator : {Integrator::path, Integrator::progressive}) {
         const RunningMean mean = render(scene, integrator, 24);
         CHECK(std::abs(mean.z_score(1)) < kMostZ);
@@ -118,7 +118,7 @@ TEST_CASE("alpha: a see-through sheet that sends on as much as it stops is not s
 
 TEST_CASE("alpha: the edges of holes do not darken what is beside them", "[integrator]")
 {
-    Scene scene = sheet_in_even_light(half_glowing());
+    Scene scene = sheet_in_even_light(half_emissive());
     cut_bars(scene);
     for (const Integrator integrator : {Integrator::direct, Integrator::progressive}) {
         const RunningMean mean = render(scene, integrator, 24);
@@ -131,8 +131,8 @@ TEST_CASE("alpha: photons lie as densely where light passes as where it is stopp
 {
     const bool masked = GENERATE(false, true);
     const double stopped = masked ? 0.5 : 0.25;
-    Scene scene = tiny::matt_floor();
-    tiny::add(scene, tiny::floor_at(0.2f, 0.4f), tiny::matt(Rgb(0.5f)));
+    Scene scene = tiny::diffuse_floor();
+    tiny::add(scene, tiny::floor_at(0.2f, 0.4f), tiny::diffuse(Rgb(0.5f)));
     if (masked)
         cut_bars(scene);
     else
@@ -182,5 +182,5 @@ TEST_CASE("alpha: a mask has holes where its picture is below the cutoff", "[int
     CHECK_FALSE(stops_at(0.25f));
     material.alpha_mode = AlphaMode::opaque;
     CHECK(stops_at(0.25f));
-    CHECK_FALSE(tiny::ready(scene)->render->coverage);
+    CHECK_FALSE(tiny::ready(scene)->render->opacity);
 }

@@ -72,7 +72,7 @@ Rgb found_by(const RenderScene& scene, const Interaction& at, Lobes lobes, bool 
     if (is_black(sample.weight))
         return Rgb(0);
     const Ray ray = scattered_ray(at, sample);
-    const RaySource source = weighed ? source_at(at, sample.density) : RaySource{};
+    const RaySource source = weighed ? source_at(at, sample.pdf) : RaySource{};
     return sample.weight *
            met_lights(scene, ray, distance_of(scene.rays.nearest(ray)), Rgb(0), source);
 }
@@ -84,7 +84,7 @@ TEST_CASE("analytic lights: samples and rays that run into them together are ray
 {
     const int kind = GENERATE(0, 1, 2, 3, 4);
     const bool many = GENERATE(false, true);
-    Scene scene = tiny::matt_floor();
+    Scene scene = tiny::diffuse_floor();
     scene.materials[0].specular = 1;
     scene.materials[0].roughness = 0.25f;
     scene = with_light(scene, kind);
@@ -95,7 +95,7 @@ TEST_CASE("analytic lights: samples and rays that run into them together are ray
     RunningMean together, alone;
     for (std::uint64_t i = 0; i < 40'000; ++i) {
         RandomSequence random(29, RandomStream::eye_paths, 0, i);
-        Rgb both = sampled_light(*ready->render, at, {1, 1}, random), lobes(0.0f);
+        Rgb both = light_sampled_light(*ready->render, at, {1, 1}, random), lobes(0.0f);
         for (const Lobes kinds : {Lobes::gathered, Lobes::followed}) {
             both += found_by(*ready->render, at, kinds, true, random);
             lobes += found_by(*ready->render, at, kinds, false, random);
@@ -112,7 +112,7 @@ TEST_CASE("analytic lights: samples and rays that run into them together are ray
 
 TEST_CASE("analytic lights: the eye does not see them, a mirror shows them", "[integrator]")
 {
-    Scene scene = tiny::matt_floor();
+    Scene scene = tiny::diffuse_floor();
     scene.materials[0] = tiny::mirror(Rgb(1));
     const auto ready = tiny::ready(with_light(scene, 0));
     RandomSequence random(7, RandomStream::eye_paths, 0, 0);
@@ -133,7 +133,7 @@ TEST_CASE(
 {
     const int kind = GENERATE(0, 4);
     Scene scene = with_light(
-        tiny::with_glass_and_mirror(tiny::box(tiny::matt({0.7f, 0.6f, 0.5f})), Rgb(0.9f)), kind);
+        tiny::with_glass_and_mirror(tiny::box(tiny::diffuse({0.7f, 0.6f, 0.5f})), Rgb(0.9f)), kind);
     const auto ready = tiny::ready(scene);
     ImageOptions options;
     options.width = options.height = 16;

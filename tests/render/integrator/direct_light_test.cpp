@@ -10,11 +10,12 @@ using namespace hipmap;
 
 namespace {
 
-/// Irradiance by one sample, from the radiance that matt albedo 1/2 sends back.
+/// Irradiance by one sample, from the radiance that diffuse albedo 1/2 sends back.
 double irradiance(const RenderScene& scene, const Interaction& at, std::uint64_t path)
 {
     RandomSequence random(17, RandomStream::eye_paths, 0, path);
-    const Rgb light = sampled_light(scene, at, {1, 0}, random) + found_light(scene, at, random);
+    const Rgb light =
+        light_sampled_light(scene, at, {1, 0}, random) + bsdf_sampled_light(scene, at, random);
     return light.y * kPi / 0.5;
 }
 
@@ -37,7 +38,7 @@ RunningMean irradiance_at(const tiny::ReadyScene& ready, float x, float z, int s
 
 TEST_CASE("direct light: a point light by the inverse square and the cosine", "[integrator]")
 {
-    Scene scene = tiny::matt_floor();
+    Scene scene = tiny::diffuse_floor();
     PunctualLight light;
     light.position = {0.1f, 0.4f, -0.2f};
     light.intensity = Rgb(3);
@@ -52,7 +53,7 @@ TEST_CASE("direct light: a point light by the inverse square and the cosine", "[
 
 TEST_CASE("direct light: a sun by the cosine, a spot by its cone", "[integrator]")
 {
-    Scene scene = tiny::matt_floor();
+    Scene scene = tiny::diffuse_floor();
     PunctualLight sun;
     sun.kind = LightKind::directional;
     sun.direction = glm::normalize(glm::vec3(1, -2, 0));
@@ -77,8 +78,8 @@ TEST_CASE("direct light: a sun by the cosine, a spot by its cone", "[integrator]
 
 TEST_CASE("direct light: a square light by its form factor", "[integrator]")
 {
-    Scene scene = tiny::matt_floor();
-    tiny::add(scene, tiny::floor_at(0.3f, -0.4f), tiny::lamp(Rgb(2)));
+    Scene scene = tiny::diffuse_floor();
+    tiny::add(scene, tiny::floor_at(0.3f, -0.4f), tiny::emissive(Rgb(2)));
     const auto ready = tiny::ready(scene);
     // Straight below the middle: four rectangles of half the side.
     const RunningMean middle = irradiance_at(*ready, 0, 0, 20000);
@@ -92,8 +93,8 @@ TEST_CASE("direct light: a square light by its form factor", "[integrator]")
 
 TEST_CASE("direct light: a light that nearly touches the surface stays steady", "[integrator]")
 {
-    Scene scene = tiny::matt_floor();
-    tiny::add(scene, tiny::floor_at(0.001f, -0.4f), tiny::lamp(Rgb(1)));
+    Scene scene = tiny::diffuse_floor();
+    tiny::add(scene, tiny::floor_at(0.001f, -0.4f), tiny::emissive(Rgb(1)));
     const auto ready = tiny::ready(scene);
     Ray down;
     down.origin = {0.03f, 0.0005f, 0.02f};
@@ -113,7 +114,7 @@ TEST_CASE("direct light: a light that nearly touches the surface stays steady", 
 
 TEST_CASE("direct light: under a uniform sky an open floor receives pi L", "[integrator]")
 {
-    Scene scene = tiny::matt_floor();
+    Scene scene = tiny::diffuse_floor();
     scene.environment = Rgb(0.25f);
     const auto ready = tiny::ready(scene);
     const RunningMean mean = irradiance_at(*ready, 0, 0, 100);
@@ -122,7 +123,7 @@ TEST_CASE("direct light: under a uniform sky an open floor receives pi L", "[int
 
 TEST_CASE("direct light: many lights are sampled without bias", "[integrator]")
 {
-    Scene scene = tiny::matt_floor();
+    Scene scene = tiny::diffuse_floor();
     double truth = 0;
     for (int i = 0; i < 100; ++i) {
         PunctualLight light;
@@ -139,7 +140,7 @@ TEST_CASE("direct light: many lights are sampled without bias", "[integrator]")
 TEST_CASE("direct light: many lamps that glow are sampled without bias", "[integrator]")
 {
     // Panels to all sides of the point; those that face away or lie below the floor give nothing.
-    Scene scene = tiny::matt_floor();
+    Scene scene = tiny::diffuse_floor();
     double truth = 0;
     RandomSequence random(9, RandomStream::pictures, 0, 0);
     for (int i = 0; i < 60; ++i) {
@@ -152,7 +153,7 @@ TEST_CASE("direct light: many lamps that glow are sampled without bias", "[integ
         const glm::vec3 v = glm::cross(normal, u);
         const std::vector<glm::dvec3> corners{middle, middle + u, middle + u + v, middle + v};
         const auto radiance = static_cast<float>(1 + i % 5);
-        tiny::add(scene, tiny::parallelogram(middle, u, v), tiny::lamp(Rgb(radiance)));
+        tiny::add(scene, tiny::parallelogram(middle, u, v), tiny::emissive(Rgb(radiance)));
         if (glm::dot(normal, middle) < 0 && middle.y > 0)
             truth += radiance * polygon_irradiance(glm::dvec3(0), {0, 1, 0}, corners);
     }

@@ -67,7 +67,7 @@ TriangleMesh ball()
 
 TEST_CASE("dispersion: in even light glass of any colour is not seen", "[integrator]")
 {
-    Scene scene = tiny::glowing_box(Rgb(0.5f));
+    Scene scene = tiny::emissive_box(Rgb(0.5f));
     tiny::add(scene, ball(), flint(0));
     const Means paths = render(scene, Integrator::path, 16, 8);
     for (const RunningMean& channel : paths.radiance)
@@ -76,7 +76,7 @@ TEST_CASE("dispersion: in even light glass of any colour is not seen", "[integra
 
 TEST_CASE("dispersion: rough glass loses no more in any colour than without", "[integrator]")
 {
-    Scene scene = tiny::glowing_box(Rgb(0.5f));
+    Scene scene = tiny::emissive_box(Rgb(0.5f));
     tiny::add(scene, ball(), flint(0.3f));
     const Means paths = render(scene, Integrator::path, 16, 12);
     scene.materials.back().dispersion = 0;
@@ -91,9 +91,9 @@ TEST_CASE("dispersion: rough glass loses no more in any colour than without", "[
 
 TEST_CASE("dispersion: maps find the colours that paths find", "[integrator]")
 {
-    Scene scene = tiny::box(tiny::matt({0.7f, 0.6f, 0.5f}));
+    Scene scene = tiny::box(tiny::diffuse({0.7f, 0.6f, 0.5f}));
     tiny::add(scene, ball(), flint(0));
-    tiny::add(scene, tiny::floor_at(0.45f, -0.3f), tiny::lamp(Rgb(5)));
+    tiny::add(scene, tiny::floor_at(0.45f, -0.3f), tiny::emissive(Rgb(5)));
     const Means gathered = render(scene, Integrator::progressive, 16, 24);
     const Means paths = render(scene, Integrator::path, 150, 24);
     for (int c = 0; c < 3; ++c) {

@@ -13,7 +13,7 @@ using namespace hipmap;
 
 namespace {
 
-/// A picture of a dim sky with a sun of 2 x 2 pixels, and the irradiance of a floor by it.
+/// A texture of a dim sky with a sun of 2 x 2 pixels, and the irradiance of a floor by it.
 struct SunnySky {
     Image picture{64, 32};
     double irradiance = 0;
@@ -52,8 +52,8 @@ RunningMean irradiance_of_floor(const tiny::ReadyScene& ready, int samples)
     RunningMean mean;
     for (int i = 0; i < samples; ++i) {
         RandomSequence random(17, RandomStream::eye_paths, 0, static_cast<std::uint64_t>(i));
-        const Rgb light = sampled_light(*ready.render, at, {1, 0}, random) +
-                          found_light(*ready.render, at, random);
+        const Rgb light = light_sampled_light(*ready.render, at, {1, 0}, random) +
+                          bsdf_sampled_light(*ready.render, at, random);
         mean.add(light.y * M_PI / 0.5);
     }
     return mean;
@@ -66,14 +66,15 @@ TEST_CASE("sky light: a picture of one radiance lights as the uniform sky does",
     Image even(16, 8);
     for (Rgb& pixel : even.pixels)
         pixel = Rgb(0.25f);
-    const RunningMean mean = irradiance_of_floor(*under(even, tiny::matt_floor()), 20'000);
+    const RunningMean mean = irradiance_of_floor(*under(even, tiny::diffuse_floor()), 20'000);
     CHECK(std::abs(mean.z_score(M_PI * 0.25)) < kMostZ);
 }
 
 TEST_CASE("sky light: a small sun in a picture lights by its cosine", "[integrator]")
 {
     const SunnySky sky = sunny_sky(0.1f, 500);
-    const RunningMean mean = irradiance_of_floor(*under(sky.picture, tiny::matt_floor()), 20'000);
+    const RunningMean mean =
+        irradiance_of_floor(*under(sky.picture, tiny::diffuse_floor()), 20'000);
     CHECK(std::abs(mean.z_score(sky.irradiance)) < kMostZ);
     CHECK(mean.standard_error() < 0.005 * sky.irradiance); // which rays of lobes alone are far from
 }
@@ -81,7 +82,7 @@ TEST_CASE("sky light: a small sun in a picture lights by its cosine", "[integrat
 TEST_CASE("sky light: photons from a picture carry its power", "[integrator]")
 {
     const SunnySky sky = sunny_sky(0.1f, 500);
-    const auto ready = under(sky.picture, tiny::matt_floor());
+    const auto ready = under(sky.picture, tiny::diffuse_floor());
     const LightSet& lights = ready->render->lights;
     const EmissionPlan plan = plan_emission(lights, 40'000, Emitters::all);
     RunningMean power; // that comes down onto the floor
@@ -102,7 +103,7 @@ TEST_CASE("sky light: the integrators agree under a picture, with a glass and a 
         under(sky.picture, tiny::with_glass_and_mirror(
                                [] {
                                    Scene scene = tiny::make_scene(tiny::floor_at(-0.45f, 2));
-                                   scene.materials[0] = tiny::matt({0.7f, 0.6f, 0.5f});
+                                   scene.materials[0] = tiny::diffuse({0.7f, 0.6f, 0.5f});
                                    scene.cameras[0].position = {0, 0, 0.9f};
                                    scene.cameras[0].tan_half_height = 0.5f;
                                    return scene;

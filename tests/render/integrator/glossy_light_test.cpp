@@ -48,27 +48,27 @@ Rgb found_by(const RenderScene& scene, const Interaction& at, Lobes lobes, bool 
         return sample.weight * scene.scene.environment;
     const Interaction on = interact(scene, ray, *hit);
     const float part = weighed ? hit_weight(scene, on.point, ray.direction, hit->distance,
-                                            source_at(at, sample.density))
+                                            source_at(at, sample.pdf))
                                : 1;
     return sample.weight * emitted_radiance(on.bsdf(), on.point, on.back) * part;
 }
 
 /// A box with a glossy floor, shiny walls, a ball of brushed metal, one of frosted glass and a
-/// lamp.
+/// light.
 Scene glossy_room()
 {
     TriangleMesh walls = tiny::cube();
     tiny::turn_inside_out(walls);
     Scene scene = tiny::make_scene(walls);
-    scene.materials[0] = glossy(tiny::matt({0.7f, 0.6f, 0.5f}), 0.5f);
-    tiny::add(scene, tiny::floor_at(-0.45f, 0.9f), glossy(tiny::matt(Rgb(0.5f)), 0.2f));
+    scene.materials[0] = glossy(tiny::diffuse({0.7f, 0.6f, 0.5f}), 0.5f);
+    tiny::add(scene, tiny::floor_at(-0.45f, 0.9f), glossy(tiny::diffuse(Rgb(0.5f)), 0.2f));
     TriangleMesh ball = tiny::uv_sphere(24, 12);
     tiny::scale(ball, 0.15f);
     tiny::move(ball, {-0.2f, -0.25f, 0});
     tiny::add(scene, ball, glossy(tiny::mirror({0.9f, 0.7f, 0.4f}), 0.4f));
     tiny::move(ball, {0.4f, 0, 0});
     tiny::add(scene, ball, glossy(tiny::glass(1.5f), 0.25f));
-    tiny::add(scene, tiny::floor_at(0.45f, -0.4f), tiny::lamp(Rgb(5)));
+    tiny::add(scene, tiny::floor_at(0.45f, -0.4f), tiny::emissive(Rgb(5)));
     scene.cameras[0].position = {0, 0, 0.48f};
     scene.cameras[0].tan_half_height = 0.8f;
     return scene;
@@ -79,7 +79,7 @@ Scene glossy_room()
 TEST_CASE("glossy light: a point light's highlight is glTF's formula", "[integrator]")
 {
     const double roughness = GENERATE(0.15, 0.4);
-    Scene scene = tiny::matt_floor();
+    Scene scene = tiny::diffuse_floor();
     const Rgb gold(1, 0.8f, 0.3f);
     scene.materials[0] = glossy(tiny::mirror(gold), static_cast<float>(roughness));
     PunctualLight light;
@@ -89,7 +89,7 @@ TEST_CASE("glossy light: a point light's highlight is glTF's formula", "[integra
     const auto ready = tiny::ready(scene);
     RandomSequence random(1, RandomStream::eye_paths, 0, 0);
     const Rgb seen =
-        sampled_light(*ready->render, seen_along(*ready->render, aslant()), {1, 1}, random);
+        light_sampled_light(*ready->render, seen_along(*ready->render, aslant()), {1, 1}, random);
     // Appendix B of the specification, in double.
     const double alpha2 = std::pow(roughness, 4);
     const glm::dvec3 n(0, 1, 0), l = glm::normalize(glm::dvec3(light.position)),
@@ -112,25 +112,25 @@ TEST_CASE("glossy light: sampling lights and lobes together is sampling lobes al
 {
     const float roughness = GENERATE(0.1f, 0.3f, 0.5f);
     const bool glass = GENERATE(false, true);
-    Scene scene = tiny::matt_floor();
+    Scene scene = tiny::diffuse_floor();
     scene.materials[0] =
-        glossy(glass ? tiny::glass(1.5f) : tiny::matt({0.5f, 0.3f, 0.1f}), roughness);
+        glossy(glass ? tiny::glass(1.5f) : tiny::diffuse({0.5f, 0.3f, 0.1f}), roughness);
     scene.environment = Rgb(0.05f);
-    TriangleMesh lamp = tiny::floor_at(0.2f, -0.25f);
-    tiny::move(lamp, {0.35f, 0, 0});
-    tiny::add(scene, lamp, tiny::lamp({2, 3, 4}));
-    for (glm::vec3& p : lamp.positions)
+    TriangleMesh light = tiny::floor_at(0.2f, -0.25f);
+    tiny::move(light, {0.35f, 0, 0});
+    tiny::add(scene, light, tiny::emissive({2, 3, 4}));
+    for (glm::vec3& p : light.positions)
         p.y = -p.y;
-    tiny::turn_inside_out(lamp);
-    tiny::add(scene, lamp, tiny::lamp({4, 3, 2})); // seen through rough glass
+    tiny::turn_inside_out(light);
+    tiny::add(scene, light, tiny::emissive({4, 3, 2})); // seen through rough glass
     const auto ready = tiny::ready(scene);
     const Interaction at = seen_along(*ready->render, aslant());
     RunningMean together, alone;
     for (std::uint64_t i = 0; i < 60000; ++i) {
         RandomSequence random(29, RandomStream::eye_paths, 0, i);
-        Rgb both = sampled_light(*ready->render, at, {1, 1}, random), lobes(0.0f);
+        Rgb both = light_sampled_light(*ready->render, at, {1, 1}, random), lobes(0.0f);
         if (at.gathers()) {
-            both += found_light(*ready->render, at, random);
+            both += bsdf_sampled_light(*ready->render, at, random);
             lobes += found_by(*ready->render, at, Lobes::gathered, false, random);
         }
         if (at.follows()) {
@@ -154,7 +154,7 @@ TEST_CASE("glossy light: under a white sky each ball sends on its albedo", "[int
     };
     const float roughness = GENERATE(0.2f, 0.6f);
     const Ball balls[] = {{"white metal", glossy(tiny::mirror(Rgb(1)), roughness)},
-                          {"white plastic", glossy(tiny::matt(Rgb(1)), roughness)},
+                          {"white plastic", glossy(tiny::diffuse(Rgb(1)), roughness)},
                           {"glass", glossy(tiny::glass(1.5f), roughness)}};
     for (const Ball& ball : balls) {
         Scene scene = tiny::make_scene(tiny::uv_sphere(32, 16));

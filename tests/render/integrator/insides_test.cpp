@@ -24,14 +24,14 @@ Onion behind(const Onion& a, const Onion& b)
             b.back_from_behind + b.through * b.through * a.back_from_behind * ring};
 }
 
-Onion interface(double before, double beyond)
+Onion interface(double before, double behind)
 {
-    const double r = (beyond - before) / (beyond + before);
+    const double r = (behind - before) / (behind + before);
     return {1 - r * r, r * r, r * r};
 }
 
 /// Slabs across y that share a part of their height: the lower one of index 1.3, the upper of 1.7.
-Scene slabs(float priority_above, bool lamp_above)
+Scene slabs(float priority_above, bool light_above)
 {
     TriangleMesh slab = tiny::cube();
     tiny::scale(slab, 2);
@@ -43,10 +43,10 @@ Scene slabs(float priority_above, bool lamp_above)
     Material above = tiny::glass(1.7f);
     above.priority = priority_above;
     tiny::add(scene, slab, above);
-    tiny::add(scene, tiny::floor_at(lamp_above ? 2.5f : -2.5f, lamp_above ? -3 : 3),
-              tiny::lamp(Rgb(1)));
+    tiny::add(scene, tiny::floor_at(light_above ? 2.5f : -2.5f, light_above ? -3 : 3),
+              tiny::emissive(Rgb(1)));
     scene.nested_dielectrics = true;
-    scene.cameras[0] = tiny::square_view({0, 0, 0}, {0, lamp_above ? 1 : -1, 0}, 0.1f, 2);
+    scene.cameras[0] = tiny::square_view({0, 0, 0}, {0, light_above ? 1 : -1, 0}, 0.1f, 2);
     return scene;
 }
 
@@ -91,8 +91,8 @@ TEST_CASE("nested dielectrics: light through overlapping slabs, either of which 
     // The same three surfaces wherever the middle one is, from either side.
     const Onion all = behind(behind(interface(1, 1.3), interface(1.3, 1.7)), interface(1.7, 1));
     for (const float above : {0.0f, 1.0f})
-        for (const bool lamp_above : {false, true}) {
-            const auto ready = tiny::ready(slabs(above, lamp_above));
+        for (const bool light_above : {false, true}) {
+            const auto ready = tiny::ready(slabs(above, light_above));
             for (const Integrator integrator : kAll) {
                 const RunningMean found = means_of(*ready, small_picture(integrator), 24);
                 INFO(found.mean() << " +- " << found.standard_error() << ", priority " << above);
@@ -123,7 +123,7 @@ TEST_CASE("nested dielectrics: clear ones are not seen under an even sky", "[int
 
 TEST_CASE("nested dielectrics: photons and paths agree", "[integrator][media]")
 {
-    Scene scene = tiny::box(tiny::matt({0.6f, 0.5f, 0.4f}));
+    Scene scene = tiny::box(tiny::diffuse({0.6f, 0.5f, 0.4f}));
     TriangleMesh ball = tiny::fine_ball(0.25);
     tiny::add(scene, ball, tiny::glass(1.5f));
     tiny::scale(ball, 0.7f);
@@ -132,7 +132,7 @@ TEST_CASE("nested dielectrics: photons and paths agree", "[integrator][media]")
     water.absorption = {2, 1, 0.2f};
     water.priority = 1;
     tiny::add(scene, ball, water);
-    tiny::add(scene, tiny::floor_at(0.45f, -0.4f), tiny::lamp(Rgb(6)));
+    tiny::add(scene, tiny::floor_at(0.45f, -0.4f), tiny::emissive(Rgb(6)));
     scene.nested_dielectrics = true;
     ImageOptions options = small_picture(Integrator::path);
     options.photons = 10000;
@@ -141,15 +141,15 @@ TEST_CASE("nested dielectrics: photons and paths agree", "[integrator][media]")
 
 TEST_CASE("subsurface: photons and paths agree on wax", "[integrator][media]")
 {
-    Scene scene = tiny::box(tiny::matt({0.6f, 0.5f, 0.4f}));
+    Scene scene = tiny::box(tiny::diffuse({0.6f, 0.5f, 0.4f}));
     TriangleMesh ball = tiny::fine_ball(0.25);
     tiny::move(ball, {0.05f, -0.1f, 0});
-    Material wax = tiny::matt(Rgb(0.9f));
+    Material wax = tiny::diffuse(Rgb(0.9f));
     wax.diffuse_transmission = 0.8f;
     wax.scattering = {12, 9, 6};
     wax.absorption = {0.1f, 0.5f, 1};
     tiny::add(scene, ball, wax);
-    tiny::add(scene, tiny::floor_at(0.45f, -0.4f), tiny::lamp(Rgb(6)));
+    tiny::add(scene, tiny::floor_at(0.45f, -0.4f), tiny::emissive(Rgb(6)));
     ImageOptions options = small_picture(Integrator::path);
     options.photons = 10000;
     check_agreement(*tiny::ready(scene), options, 16, 100, {.most_noise = 0.02});

@@ -17,8 +17,8 @@ constexpr int kSize = 32;   ///< pixels a side
 constexpr int kBlocks = 4;  ///< a side, whose means are compared
 constexpr int kImages = 12; ///< of a scene, by different seeds
 
-/// The bundled scene with a mirror, coloured glass and a glowing mesh, or with a lamp instead.
-tiny::GltfFile cornell(bool lamp)
+/// The bundled scene with a mirror, coloured glass and a emissive mesh, or with a light instead.
+tiny::GltfFile cornell(bool light)
 {
     tiny::GltfFile file =
         tiny::read_glb(std::filesystem::path(HIPMAP_SOURCE_DIR) / "assets/cornell.glb");
@@ -28,10 +28,10 @@ tiny::GltfFile cornell(bool lamp)
                 {"thicknessFactor", 1},
                 {"attenuationDistance", 0.5},
                 {"attenuationColor", {0.3, 0.8, 0.9}}};
-        if (lamp)
+        if (light)
             material.erase("emissiveFactor");
     }
-    if (lamp) {
+    if (light) {
         file.root["extensions"]["KHR_lights_punctual"]["lights"] = {
             {{"type", "point"}, {"intensity", 683 * 3}}};
         file.root["extensionsUsed"].push_back("KHR_lights_punctual");
@@ -43,7 +43,7 @@ tiny::GltfFile cornell(bool lamp)
 }
 
 /// Puts the scene elsewhere and makes it `scale` times as large.  What has lengths of its own in
-/// glTF, which nodes do not change, is scaled with it: clip planes and depths of colour; a lamp of
+/// glTF, which nodes do not change, is scaled with it: clip planes and depths of colour; a light of
 /// so much W/sr lights a scene twice as large a quarter as much.
 tiny::GltfFile placed(tiny::GltfFile file, const glm::dmat4& pose, double scale)
 {
@@ -124,8 +124,8 @@ TEST_CASE("render: place, size, pose and the order of objects do not change the 
     const glm::dmat4 one(1.0);
     const glm::dmat4 moved = glm::translate(one, {1e6, -1e6, 1e6});
     const glm::dmat4 turned(glm::mat4_cast(glm::dquat(tiny::random_rotation(1))));
-    for (const bool lamp : {false, true}) {
-        const tiny::GltfFile file = cornell(lamp);
+    for (const bool light : {false, true}) {
+        const tiny::GltfFile file = cornell(light);
         const Blocks base = blocks_of(file, 0);
         const std::vector<std::pair<const char*, tiny::GltfFile>> others{
             {"moved", placed(file, moved, 1)},
@@ -135,7 +135,7 @@ TEST_CASE("render: place, size, pose and the order of objects do not change the 
             {"reordered", reordered(file)}};
         std::uint64_t seed = 1000;
         for (const auto& [name, other] : others) {
-            INFO(name << (lamp ? ", lit by a lamp" : ", lit by a mesh"));
+            INFO(name << (light ? ", lit by a lamp" : ", lit by a mesh"));
             CHECK(largest_z(blocks_of(other, seed += 1000), base) < kMostZ);
         }
         CHECK(largest_z(base, blocks_of(file, 500), 1.06) > kMostZ); // so much would show
@@ -144,14 +144,14 @@ TEST_CASE("render: place, size, pose and the order of objects do not change the 
 
 TEST_CASE("render: scaled by a power of two, the image is the same bit for bit", "[integrator]")
 {
-    for (const bool lamp : {false, true}) {
+    for (const bool light : {false, true}) {
         const auto image_of = [](const tiny::GltfFile& file) {
             return render_with(*tiny::ready(tiny::load(file).scene)->render, 1);
         };
-        const tiny::GltfFile file = cornell(lamp);
+        const tiny::GltfFile file = cornell(light);
         const Image base = image_of(placed(file, glm::dmat4(1.0), 1));
         for (const double scale : {0x1p-20, 0.5, 0x1p20}) {
-            INFO("scale " << scale << (lamp ? ", lit by a lamp" : ", lit by a mesh"));
+            INFO("scale " << scale << (light ? ", lit by a lamp" : ", lit by a mesh"));
             CHECK(image_of(placed(file, glm::dmat4(1.0), scale)).pixels == base.pixels);
         }
     }

@@ -39,10 +39,10 @@ Rendered render(const tiny::ReadyScene& ready, const RenderOptions& options, std
 
 constexpr LightClasses kSubsets[] = {{true, false}, {false, true}, {false, false}};
 
-/// A floor lit only through a box of clear glass around a lamp, seen from above.
-Scene lamp_in_glass()
+/// A floor lit only through a box of clear glass around a light, seen from above.
+Scene light_in_glass()
 {
-    Scene scene = tiny::matt_floor();
+    Scene scene = tiny::diffuse_floor();
     TriangleMesh box = tiny::cube();
     tiny::scale(box, 0.2f);
     tiny::move(box, {0, 0.2f, 0});
@@ -88,7 +88,7 @@ TEST_CASE("light classes: each subset is the same light to photons and to paths"
 
 TEST_CASE("light classes: light that comes by glass alone is gone without caustics", "[integrator]")
 {
-    const auto ready = tiny::ready(lamp_in_glass());
+    const auto ready = tiny::ready(light_in_glass());
     for (const Integrator integrator : {Integrator::direct, Integrator::progressive}) {
         CHECK(render(*ready, small_options(integrator, {true, true}), 2).radiance.mean() > 0);
         CHECK(render(*ready, small_options(integrator, {false, true}), 2).radiance.mean() == 0);

@@ -35,7 +35,7 @@ RunningMean measure(const Scene& scene, Integrator integrator, const Effort& eff
     return out;
 }
 
-/// By every integrator: `expected`, but for chance and a bias of 1 part in 200.
+/// By every integrator: `expected`, but for probability and a bias of 1 part in 200.
 void check_mean(const Scene& scene, double expected, const Effort& effort)
 {
     for (const Integrator integrator : kAll) {
@@ -60,20 +60,20 @@ Scene with_ball(Scene room, float radius, const Material& material)
 
 TEST_CASE("long paths: a closed matt box of albedo 0.999", "[integrator]")
 {
-    check_mean(tiny::glowing_box(Rgb(0.999f)), 1, {16, 4, 250});
+    check_mean(tiny::emissive_box(Rgb(0.999f)), 1, {16, 4, 250});
 }
 
 TEST_CASE("long paths: a ball of glass in a furnace is not seen", "[integrator]")
 {
     for (const float index : {1.5f, 4.0f, 10.0f})
-        check_mean(with_ball(tiny::glowing_box(Rgb(0.5f)), 0.3f, tiny::glass(index)), 1,
+        check_mean(with_ball(tiny::emissive_box(Rgb(0.5f)), 0.3f, tiny::glass(index)), 1,
                    {16, 4, 4000});
 }
 
 TEST_CASE("long paths: glass in water in a furnace is not seen", "[integrator]")
 {
-    Scene scene = with_ball(with_ball(tiny::glowing_box(Rgb(0.5f)), 0.3f, tiny::glass(1.33f)), 0.2f,
-                            tiny::glass(1.5f));
+    Scene scene = with_ball(with_ball(tiny::emissive_box(Rgb(0.5f)), 0.3f, tiny::glass(1.33f)),
+                            0.2f, tiny::glass(1.5f));
     scene.nested_dielectrics = true;
     check_mean(scene, 1, {16, 4, 4000});
 }
@@ -85,7 +85,7 @@ TEST_CASE("long paths: down a corridor of mirrors", "[integrator]")
                                       .width = 1.0f,
                                       .base_color = Rgb(1 - 1 / static_cast<float>(bounces))};
         Scene scene = shaft.scene();
-        tiny::add(scene, tiny::floor_at(-shaft.height() - 0.5f, 4), tiny::lamp(Rgb(1)));
+        tiny::add(scene, tiny::floor_at(-shaft.height() - 0.5f, 4), tiny::emissive(Rgb(1)));
         scene.cameras[0] = tiny::square_view({0.5f, 0.0f, 0}, shaft.entering(), 1e-4f, 1);
         check_mean(scene, shaft.passed(), {6, 8, 100});
     }

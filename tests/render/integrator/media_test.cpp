@@ -80,7 +80,7 @@ TEST_CASE("media: light is absorbed as Beer and Lambert say", "[integrator][medi
     Medium medium;
     medium.absorption = {0.5f, 1, 4};
     Scene scene = tiny::cube_of(medium);
-    tiny::add(scene, tiny::floor_at(-0.6f, 3), tiny::lamp(Rgb(2)));
+    tiny::add(scene, tiny::floor_at(-0.6f, 3), tiny::emissive(Rgb(2)));
     double expected = 0;
     for (int c = 0; c < 3; ++c)
         expected += 2 * std::exp(-double{medium.absorption[c]}) / 3;
@@ -163,7 +163,7 @@ TEST_CASE("media: light of a lamp that is scattered once", "[integrator][media]"
                            middle(i / kSteps % kSteps, -0.1, 0.1));
         const glm::dvec3 way = p - glm::dvec3(light.position);
         const double distance = glm::length(way), g = 0.5, t = 1.001;
-        const double cosine = way.y / distance; // from the lamp, and up to the eye
+        const double cosine = way.y / distance; // from the light, and up to the eye
         const double phase = (1 - g * g) / (4 * M_PI * std::pow(1 + g * g - 2 * g * cosine, 1.5));
         expected += 1e-3 * phase * std::exp(-t * (distance + 0.5 - p.y)) / (distance * distance) /
                     (kSteps * kSteps * kSteps);
@@ -173,7 +173,7 @@ TEST_CASE("media: light of a lamp that is scattered once", "[integrator][media]"
 
 TEST_CASE("media: integrators agree on fog, milk and haze under a lamp", "[integrator][media]")
 {
-    Scene scene = tiny::box(tiny::matt({0.6f, 0.5f, 0.4f}));
+    Scene scene = tiny::box(tiny::diffuse({0.6f, 0.5f, 0.4f}));
     TriangleMesh shape = tiny::cube();
     tiny::scale(shape, 0.35f);
     tiny::move(shape, {-0.22f, -0.25f, 0});
@@ -189,14 +189,14 @@ TEST_CASE("media: integrators agree on fog, milk and haze under a lamp", "[integ
     milk.absorption = {0.1f, 0.5f, 1};
     tiny::add(scene, shape, milk);
     scene.around.scattering = Rgb(0.4f);
-    TriangleMesh lamp = tiny::floor_at(0.45f, -0.3f);
-    tiny::add(scene, lamp, tiny::lamp(Rgb(10)));
+    TriangleMesh light = tiny::floor_at(0.45f, -0.3f);
+    tiny::add(scene, light, tiny::emissive(Rgb(10)));
     check_agreement(scene);
 }
 
 TEST_CASE("media: integrators agree on a room that a glowing medium lights", "[integrator][media]")
 {
-    Scene scene = tiny::box(tiny::matt({0.6f, 0.5f, 0.4f}));
+    Scene scene = tiny::box(tiny::diffuse({0.6f, 0.5f, 0.4f}));
     TriangleMesh cube = tiny::cube();
     tiny::scale(cube, 0.4f);
     Medium medium;
@@ -208,7 +208,7 @@ TEST_CASE("media: integrators agree on a room that a glowing medium lights", "[i
 
 TEST_CASE("media: integrators agree on smoke that is denser here than there", "[integrator][media]")
 {
-    Scene scene = tiny::box(tiny::matt({0.6f, 0.5f, 0.4f}));
+    Scene scene = tiny::box(tiny::diffuse({0.6f, 0.5f, 0.4f}));
     TriangleMesh cube = tiny::cube();
     tiny::scale(cube, 0.6f);
     Medium medium;
@@ -219,7 +219,7 @@ TEST_CASE("media: integrators agree on smoke that is denser here than there", "[
     tiny::add(scene, cube, tiny::fog(medium));
     scene.around.scattering = Rgb(0.4f);
     scene.around.density = any_density();
-    TriangleMesh lamp = tiny::floor_at(0.45f, -0.3f);
-    tiny::add(scene, lamp, tiny::lamp(Rgb(10)));
+    TriangleMesh light = tiny::floor_at(0.45f, -0.3f);
+    tiny::add(scene, light, tiny::emissive(Rgb(10)));
     check_agreement(scene);
 }

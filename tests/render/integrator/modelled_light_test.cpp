@@ -8,11 +8,11 @@ using namespace hipmap;
 TEST_CASE("reflection models: photon maps agree with paths", "[integrator]")
 {
     // Phong's is gathered, Schlick's in part, and in part a mirror that makes caustics.
-    Material plastic = tiny::matt({0.7f, 0.3f, 0.2f});
+    Material plastic = tiny::diffuse({0.7f, 0.3f, 0.2f});
     plastic.reflection_model = ReflectionModel::phong;
     plastic.phong_specular = Rgb(0.5f);
     plastic.phong_exponent = 10;
-    Material foil = tiny::matt({0.9f, 0.7f, 0.3f});
+    Material foil = tiny::diffuse({0.9f, 0.7f, 0.3f});
     foil.reflection_model = ReflectionModel::schlick;
     foil.roughness = 0.3f;
     for (const Material& material : {plastic, foil}) {

@@ -15,13 +15,13 @@ constexpr float kRadiance = 3;
 constexpr double kWay = 0.75;   ///< of the lamp's middle, about the origin
 constexpr double kHalf = 0.125; ///< of the lamp's side
 
-/// A lamp seen from above, after that share of its way along x.
-Scene lamp_on_its_way(double share)
+/// A light seen from above, after that share of its way along x.
+Scene light_on_its_way(double share)
 {
     TriangleMesh square = floor_at(0, static_cast<float>(2 * kHalf));
     move(square, {static_cast<float>((share - 0.5) * kWay), 0, 0});
     Scene scene = make_scene(square);
-    scene.materials[0] = lamp(Rgb(kRadiance));
+    scene.materials[0] = emissive(Rgb(kRadiance));
     scene.cameras[0] = square_view({0, 0, 0}, {0, -1, 0}, 1, 1);
     return scene;
 }
@@ -35,7 +35,7 @@ RenderOptions small(Integrator integrator)
     return options;
 }
 
-/// Share of the time that the lamp covers a line at x.
+/// Share of the time that the light covers a line at x.
 double time_covered(double x)
 {
     const double from = std::max(x - kHalf, -kWay / 2), to = std::min(x + kHalf, kWay / 2);
@@ -65,7 +65,7 @@ TEST_CASE("the moments of a batch's passes are stratified, those of batches are 
 
 TEST_CASE("the mean over passes of a lamp that moves is the time for which it is seen", "[motion]")
 {
-    const auto still = ready(lamp_on_its_way(0.5));
+    const auto still = ready(light_on_its_way(0.5));
     std::array<RunningMean, 8> columns;
     for (std::uint64_t seed = 0; seed < 12; ++seed) {
         RenderOptions options = small(Integrator::path);
@@ -73,7 +73,7 @@ TEST_CASE("the mean over passes of a lamp that moves is the time for which it is
         options.filter = PixelFilter::box;
         RenderStatistics statistics;
         const PassSource source =
-            make_moving_source({*still->render, lamp_on_its_way}, options, statistics);
+            make_moving_source({*still->render, light_on_its_way}, options, statistics);
         std::array<double, 8> sums{};
         constexpr std::uint64_t kPasses = 32;
         for (std::uint64_t pass = 0; pass < kPasses; ++pass) {
@@ -96,14 +96,14 @@ TEST_CASE("the mean over passes of a lamp that moves is the time for which it is
 TEST_CASE("a pass of the scene that a source was made of has the same bits at its moment",
           "[motion]")
 {
-    const auto still = ready(lamp_on_its_way(0.5));
+    const auto still = ready(light_on_its_way(0.5));
     for (const Integrator integrator :
          {Integrator::direct, Integrator::path, Integrator::progressive}) {
         const RenderOptions options = small(integrator);
         RenderStatistics statistics;
         const PassSource plain = make_pass_source(*still->render, options, statistics);
         const PassSource moving = make_moving_source(
-            {*still->render, [](double) { return lamp_on_its_way(0.5); }}, options, statistics);
+            {*still->render, [](double) { return light_on_its_way(0.5); }}, options, statistics);
         const PassImages a = plain.render(3, {}).images, b = moving.render(3, {}).images;
         CHECK(a.radiance.pixels == b.radiance.pixels);
         CHECK(a.narrow.pixels == b.narrow.pixels);
@@ -145,7 +145,7 @@ TEST_CASE("a partition in motion drops what distances say of the maps that moved
     for (FaceId face = 0; face < scene.mesh.face_count(); ++face) {
         const bool in_motion = face >= 2 && face < 14;
         CHECK(now.candidate[face] == (in_motion ? 0 : then.candidate[face]));
-        CHECK(now.clearance[face] == (in_motion ? 0 : then.clearance[face]));
+        CHECK(now.self_distance[face] == (in_motion ? 0 : then.self_distance[face]));
         CHECK(now.group_of_face[face] == (in_motion ? kNone : then.group_of_face[face]));
     }
 }

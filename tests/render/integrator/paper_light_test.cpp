@@ -11,7 +11,7 @@ namespace {
 
 Material paper(const Rgb& reflected, const Rgb& passed)
 {
-    Material out = tiny::matt(reflected);
+    Material out = tiny::diffuse(reflected);
     out.diffuse_transmission = 0.6f;
     out.diffuse_transmission_color = passed;
     return out;
@@ -41,7 +41,8 @@ ImageOptions small_image(Integrator integrator)
 
 TEST_CASE("paper light: white paper cannot be seen where radiance is one all round", "[integrator]")
 {
-    const auto ready = tiny::ready(with_paper(tiny::glowing_box(Rgb(0.5f)), paper(Rgb(1), Rgb(1))));
+    const auto ready =
+        tiny::ready(with_paper(tiny::emissive_box(Rgb(0.5f)), paper(Rgb(1), Rgb(1))));
     for (const Integrator integrator :
          {Integrator::path, Integrator::direct, Integrator::progressive}) {
         const RunningMean mean = means_of(*ready, small_image(integrator), 16);
@@ -61,9 +62,9 @@ TEST_CASE("paper light: the integrators agree below a sheet, where all light com
     for (const float roughness : {1.0f, 0.5f}) { // plain sums, and photons weighed by direction
         coated.specular = roughness < 1 ? 1.0f : 0.0f;
         coated.roughness = roughness;
-        Scene scene = tiny::box(tiny::matt({0.7f, 0.6f, 0.5f}));
+        Scene scene = tiny::box(tiny::diffuse({0.7f, 0.6f, 0.5f}));
         tiny::add(scene, tiny::floor_at(0.05f, 0.98f), coated); // all but a gap at the walls
-        tiny::add(scene, tiny::floor_at(0.45f, -0.3f), tiny::lamp(Rgb(15)));
+        tiny::add(scene, tiny::floor_at(0.45f, -0.3f), tiny::emissive(Rgb(15)));
         scene.cameras[0].position = {0, -0.25f, 0.48f};
         const auto ready = tiny::ready(scene);
         CHECK(ready->render->directional == (roughness < 1));
@@ -85,17 +86,17 @@ TEST_CASE("paper light: a lamp below a sheet lights what is seen of it from abov
 {
     Scene scene = tiny::make_scene(tiny::floor_at(0, 1));
     scene.materials[0] = paper(Rgb(0.5f), {0.9f, 0.8f, 0.3f});
-    PunctualLight lamp;
-    lamp.position = {0, -0.3f, 0};
-    lamp.intensity = Rgb(2);
-    scene.lights.push_back(lamp);
+    PunctualLight light;
+    light.position = {0, -0.3f, 0};
+    light.intensity = Rgb(2);
+    scene.lights.push_back(light);
     const auto ready = tiny::ready(scene);
     Ray ray;
     ray.origin = {0.2f, 0.5f, 0};
     ray.direction = {0, -1, 0};
     const Interaction at = interact(*ready->render, ray, ready->render->rays.nearest(ray).value());
     RandomSequence random(1, RandomStream::eye_paths, 0, 0);
-    const Rgb seen = sampled_light(*ready->render, at, {.gathered = 1}, random);
+    const Rgb seen = light_sampled_light(*ready->render, at, {.gathered = 1}, random);
     const double square = 0.3 * 0.3 + 0.2 * 0.2;
     const double irradiance = 2 * 0.3 / std::pow(square, 1.5);
     CHECK(seen.y == Approx(irradiance * 0.6 * 0.8 / kPi).epsilon(1e-4));

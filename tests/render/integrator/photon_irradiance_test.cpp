@@ -39,7 +39,7 @@ void check_against(const tiny::ReadyScene& ready, double truth)
 
 TEST_CASE("photon irradiance: under a point light by the inverse square", "[integrator]")
 {
-    Scene scene = tiny::matt_floor();
+    Scene scene = tiny::diffuse_floor();
     PunctualLight light;
     light.position = {0, 0.5f, 0};
     light.intensity = Rgb(3);
@@ -49,8 +49,8 @@ TEST_CASE("photon irradiance: under a point light by the inverse square", "[inte
 
 TEST_CASE("photon irradiance: under a square light by its form factor", "[integrator]")
 {
-    Scene scene = tiny::matt_floor();
-    tiny::add(scene, tiny::floor_at(0.5f, -0.4f), tiny::lamp(Rgb(2)));
+    Scene scene = tiny::diffuse_floor();
+    tiny::add(scene, tiny::floor_at(0.5f, -0.4f), tiny::emissive(Rgb(2)));
     // Four rectangles of half the side whose corners lie straight above the point; Howell's C-11.
     const double p = 0.2 / 0.5, u = std::sqrt(1 + p * p);
     check_against(*tiny::ready(scene), 2 * 4 * p / u * std::atan(p / u));

@@ -28,7 +28,7 @@ RenderOptions picture(PixelFilter filter, std::uint32_t samples)
 /// A bright sky over a floor.
 std::unique_ptr<tiny::ReadyScene> bright_scene()
 {
-    Scene scene = tiny::matt_floor();
+    Scene scene = tiny::diffuse_floor();
     scene.environment = Rgb(3);
     return tiny::ready(std::move(scene));
 }
@@ -103,7 +103,7 @@ TEST_CASE("pixel filter: a pixel is the weighted mean of the samples around it",
 {
     const auto ready = bright_scene();
     const RenderOptions options = picture(PixelFilter::b_spline, 3);
-    SampleAllotment uneven;
+    SampleAllocation uneven;
     for (int i = 0; i < kWidth * kHeight; ++i)
         uneven.samples.push_back(static_cast<std::uint16_t>(1 + i % 5));
     const PictureJob job{*ready->render, options, 2, uneven};
@@ -129,7 +129,7 @@ TEST_CASE("pixel filter: a pixel is black and not kept where no sample around is
     const auto ready = bright_scene();
     for (const PixelFilter filter : {PixelFilter::box, PixelFilter::b_spline}) {
         const RenderOptions options = picture(filter, 1);
-        const SampleAllotment evenly;
+        const SampleAllocation evenly;
         RenderStatistics statistics;
         const RenderedPass pass =
             render({*ready->render, options, 0, evenly}, statistics,
@@ -146,7 +146,7 @@ TEST_CASE("pixel filter: a pixel is black and not kept where no sample around is
 TEST_CASE("pixel filter: an even light is even, whether it has samples of its own or not",
           "[filter]")
 {
-    Scene scene = tiny::matt_floor();
+    Scene scene = tiny::diffuse_floor();
     scene.environment = Rgb(3);
     Camera& camera = scene.cameras[0]; // sees the sky alone
     camera.position = {0, 0.5f, 0};
@@ -154,12 +154,12 @@ TEST_CASE("pixel filter: an even light is even, whether it has samples of its ow
     camera.up = {0, 0, 1};
     const auto ready = tiny::ready(std::move(scene));
     const RenderOptions options = picture(PixelFilter::b_spline, 1);
-    SampleAllotment allotment;
+    SampleAllocation allocation;
     for (int i = 0; i < kWidth * kHeight; ++i)
-        allotment.lights.push_back(i % 3 == 0 ? 16 : 0);
+        allocation.lights.push_back(i % 3 == 0 ? 16 : 0);
     RenderStatistics statistics;
     const RenderedPass pass =
-        render({*ready->render, options, 0, allotment}, statistics,
+        render({*ready->render, options, 0, allocation}, statistics,
                [](const Ray&, SeenLights seen, RandomSequence&, NoScratch&) {
                    return Samples<1>{seen == SeenLights::added ? Rgb(3) : Rgb(0)};
                });

@@ -43,7 +43,7 @@ Means mean_of_passes(const tiny::ReadyScene& ready, const RenderOptions& options
 TEST_CASE("progressive: precomputed irradiance is right but for the photon it counts too often",
           "[integrator]")
 {
-    const auto ready = tiny::ready(tiny::glowing_box(Rgb(0.5f)));
+    const auto ready = tiny::ready(tiny::emissive_box(Rgb(0.5f)));
     RenderOptions options = small_options(4000);
     options.dissertation.irradiance = GatheredIrradiance::precomputed;
     const RunningMean radiance = mean_of_passes(*ready, options, 48).radiance;
@@ -98,10 +98,10 @@ TEST_CASE("progressive: a pass has the same bits whenever and by however many th
 TEST_CASE("progressive: without light all is black, without photons there is one bounce",
           "[integrator]")
 {
-    const Means dark = mean_of_passes(*tiny::ready(tiny::matt_floor()), small_options(1000), 2);
+    const Means dark = mean_of_passes(*tiny::ready(tiny::diffuse_floor()), small_options(1000), 2);
     CHECK(dark.radiance.mean() == 0);
     RenderOptions options = small_options(1000);
     options.dissertation.mode = MapMode::none;
-    const Means bounce = mean_of_passes(*tiny::ready(tiny::glowing_box(Rgb(0.5f))), options, 16);
+    const Means bounce = mean_of_passes(*tiny::ready(tiny::emissive_box(Rgb(0.5f))), options, 16);
     CHECK(std::abs(bounce.radiance.z_score(0.75)) < kMostZ);
 }

@@ -1,5 +1,5 @@
 #include "render/integrator/gather_path.h"
-#include "render/integrator/light_allotment.h"
+#include "render/integrator/light_sample_allocation.h"
 #include "render/integrator/pixel_samples.h"
 #include "tests/support/statistics.h"
 #include "tests/support/tiny_rooms.h"
@@ -19,12 +19,12 @@ RenderOptions small_picture()
     return options;
 }
 
-/// A lamp, and a ball of glass and one of mirror, in a box that reflects nothing.
+/// A light, and a ball of glass and one of mirror, in a box that reflects nothing.
 std::unique_ptr<tiny::ReadyScene> black_room()
 {
-    Scene scene = tiny::with_glass_and_mirror(tiny::box(tiny::matt(Rgb(0))), Rgb(0.9f));
+    Scene scene = tiny::with_glass_and_mirror(tiny::box(tiny::diffuse(Rgb(0))), Rgb(0.9f));
     tiny::add(scene, tiny::parallelogram({-0.2f, -0.05f, -0.4f}, {0.4f, 0, 0}, {0, 0.4f, 0}),
-              tiny::lamp(Rgb(5)));
+              tiny::emissive(Rgb(5)));
     return tiny::ready(std::move(scene));
 }
 
@@ -88,21 +88,21 @@ TEST_CASE("seen lights: all the light there is where nothing else reflects", "[i
 
 TEST_CASE("seen lights: pixels at their edges take samples of their own", "[integrator]")
 {
-    Scene scene = tiny::box(tiny::matt(Rgb(0.5f)));
+    Scene scene = tiny::box(tiny::diffuse(Rgb(0.5f)));
     const RenderOptions options = small_picture();
-    CHECK(allot_light_samples(*tiny::ready(scene)->render, options).empty());
+    CHECK(allocate_light_samples(*tiny::ready(scene)->render, options).empty());
     // From 0.48 before it, the far wall reaches to 0.5/0.98 of what a half height of 0.8 shows.
     tiny::add(scene, tiny::parallelogram({-0.25f, -0.25f, -0.499f}, {0.5f, 0, 0}, {0, 0.5f, 0}),
-              tiny::lamp(Rgb(5)));
+              tiny::emissive(Rgb(5)));
     const auto ready = tiny::ready(scene);
-    const auto lights = allot_light_samples(*ready->render, options);
+    const auto lights = allocate_light_samples(*ready->render, options);
     const float edge = 0.25f / 0.979f / 0.8f / 2;
     REQUIRE(lights.size() == kSide * kSide);
     for (const float side : {-1.0f, 1.0f}) {
         CHECK(samples_at(lights, {0.5f + side * edge, 0.5f}) > 0);
         CHECK(samples_at(lights, {0.5f, 0.5f + side * edge}) > 0);
-        CHECK(samples_at(lights, {0.5f + side * edge / 2, 0.5f}) == 0); // the lamp alone
+        CHECK(samples_at(lights, {0.5f + side * edge / 2, 0.5f}) == 0); // the light alone
         CHECK(samples_at(lights, {0.5f + side * 1.5f * edge, 0.5f}) == 0);
     }
-    CHECK(lights == allot_light_samples(*ready->render, options));
+    CHECK(lights == allocate_light_samples(*ready->render, options));
 }

@@ -12,7 +12,7 @@ Scene with_velvet(Scene scene, const Rgb& base, const Rgb& sheen)
 {
     TriangleMesh ball = tiny::uv_sphere(32, 16);
     tiny::scale(ball, 0.25f);
-    Material velvet = tiny::matt(base);
+    Material velvet = tiny::diffuse(base);
     velvet.sheen_color = sheen;
     velvet.sheen_roughness = 0.3f;
     tiny::add(scene, ball, velvet);
@@ -24,7 +24,7 @@ Scene with_velvet(Scene scene, const Rgb& base, const Rgb& sheen)
 TEST_CASE("sheen light: white velvet cannot be seen where radiance is one all round",
           "[integrator]")
 {
-    const auto ready = tiny::ready(with_velvet(tiny::glowing_box(Rgb(0.5f)), Rgb(1), Rgb(1)));
+    const auto ready = tiny::ready(with_velvet(tiny::emissive_box(Rgb(0.5f)), Rgb(1), Rgb(1)));
     CHECK(ready->render->directional);
     ImageOptions options;
     options.width = options.height = 16;

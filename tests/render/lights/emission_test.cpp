@@ -46,11 +46,11 @@ std::uint64_t paths_of(const EmissionPlan& plan, std::size_t light)
 /// A strong and a dim panel over a floor, each an object.
 Scene two_panels(float strong, float dim)
 {
-    Scene scene = tiny::matt_floor();
+    Scene scene = tiny::diffuse_floor();
     for (const float radiance : {strong, dim}) {
         TriangleMesh panel = tiny::floor_at(0.5f, -0.2f);
         tiny::move(panel, {radiance == strong ? -0.3f : 0.3f, 0, 0});
-        tiny::add(scene, panel, tiny::lamp(Rgb(radiance)));
+        tiny::add(scene, panel, tiny::emissive(Rgb(radiance)));
     }
     scene.mesh.object_names = {"floor", "strong", "dim"};
     scene.mesh.object_of_face = {0, 0, 1, 1, 2, 2};
@@ -71,7 +71,7 @@ TEST_CASE("spot cone: its integral is that of its fall-off", "[lights]")
 
 TEST_CASE("emission: a spot's light paths follow its intensity", "[lights]")
 {
-    Scene scene = tiny::matt_floor();
+    Scene scene = tiny::diffuse_floor();
     scene.lights = {spot_light()};
     const auto ready = tiny::ready(scene);
     for (const float angle : {0.2f, 0.3f, 0.45f, 0.6f, 0.68f}) {
@@ -93,8 +93,8 @@ TEST_CASE("emission: a spot's light paths follow its intensity", "[lights]")
 
 TEST_CASE("emission: all paths together carry the power of the lights", "[lights]")
 {
-    Scene scene = tiny::matt_floor();
-    tiny::add(scene, tiny::floor_at(0.5f, -0.3f), tiny::lamp({4, 5, 6}));
+    Scene scene = tiny::diffuse_floor();
+    tiny::add(scene, tiny::floor_at(0.5f, -0.3f), tiny::emissive({4, 5, 6}));
     scene.materials.back().double_sided = true;
     PunctualLight point;
     point.intensity = {1, 2, 3};
@@ -125,7 +125,7 @@ TEST_CASE("emission: all paths together carry the power of the lights", "[lights
 
 TEST_CASE("emission: every light that emits has paths, a dark one has none", "[lights]")
 {
-    Scene scene = tiny::matt_floor();
+    Scene scene = tiny::diffuse_floor();
     PunctualLight bright, faint, dark;
     bright.intensity = Rgb(1e6f);
     faint.intensity = Rgb(1e-6f);

@@ -30,7 +30,7 @@ Rgb radiance_from(const EnvironmentMap& map, const glm::vec3& direction)
     return at_direction(map, direction).radiance;
 }
 
-/// Midpoints of a fine grid of pixels of the picture, with their solid angles.
+/// Midpoints of a fine grid of pixels of the texture, with their solid angles.
 template <typename Each>
 void over_directions(int fine, Each&& each)
 {

@@ -27,12 +27,12 @@ enum class Kind {
     ball,       ///< one of many, selected by their tree
     even_world, ///< a constant environment
     image_world,
-    glow,
+    emissive_media,
 };
-const std::vector<Kind> kKinds = {Kind::point, Kind::spot,     Kind::sphere,     Kind::spot_sphere,
-                                  Kind::sun,   Kind::wide_sun, Kind::rectangle,  Kind::ellipse,
-                                  Kind::panel, Kind::ball,     Kind::even_world, Kind::image_world,
-                                  Kind::glow};
+const std::vector<Kind> kKinds = {
+    Kind::point,      Kind::spot,        Kind::sphere,        Kind::spot_sphere, Kind::sun,
+    Kind::wide_sun,   Kind::rectangle,   Kind::ellipse,       Kind::panel,       Kind::ball,
+    Kind::even_world, Kind::image_world, Kind::emissive_media};
 const glm::vec3 kMiddle(0.1f, 0.25f, 0.05f); ///< of lights with a place
 
 bool is_one_of(Kind kind, std::initializer_list<Kind> kinds)
@@ -91,16 +91,16 @@ TriangleMesh emissive_mesh(Kind kind)
 /// A light of a kind over a diffuse floor of side 1.
 Scene lit_scene(Kind kind)
 {
-    Scene scene = tiny::matt_floor();
+    Scene scene = tiny::diffuse_floor();
     if (kind <= Kind::wide_sun)
         scene.lights = {punctual_light(kind)};
     else if (kind <= Kind::ellipse)
         scene.area_lights = {area_light(kind)};
     else if (kind <= Kind::ball)
-        tiny::add(scene, emissive_mesh(kind), tiny::lamp({4, 3, 2}));
+        tiny::add(scene, emissive_mesh(kind), tiny::emissive({4, 3, 2}));
     else if (kind == Kind::even_world)
         scene.environment = {0.5f, 1, 0.25f};
-    else if (kind == Kind::glow) {
+    else if (kind == Kind::emissive_media) {
         TriangleMesh cube = tiny::cube();
         tiny::scale(cube, 0.2f);
         tiny::move(cube, kMiddle);
@@ -219,8 +219,8 @@ TEST_CASE("light kinds: each is known to the queries that may find it", "[lights
           (is_one_of(kind, {Kind::even_world, Kind::image_world}) ? 1 : 0));
     CHECK(lights.faces.empty() == !is_one_of(kind, {Kind::panel, Kind::ball}));
     CHECK(bounds(at.light).has_value() ==
-          !is_one_of(kind,
-                     {Kind::sun, Kind::wide_sun, Kind::even_world, Kind::image_world, Kind::glow}));
+          !is_one_of(kind, {Kind::sun, Kind::wide_sun, Kind::even_world, Kind::image_world,
+                            Kind::emissive_media}));
 }
 
 TEST_CASE("light kinds: the pdf of a sample is that of a ray that meets the light", "[lights]")
@@ -242,7 +242,7 @@ TEST_CASE("light kinds: the pdf of a sample is that of a ray that meets the ligh
         CHECK(hit->pdf == Approx(sample->pdf).epsilon(2e-3));
         CHECK((hit->radiance / hit->pdf).y == Approx(sample->light.y).epsilon(2e-3));
     }
-    if (is_delta(kind) || is_one_of(kind, {Kind::even_world, Kind::glow}))
+    if (is_delta(kind) || is_one_of(kind, {Kind::even_world, Kind::emissive_media}))
         CHECK(met == 0);
     else
         CHECK(met > (kind == Kind::ball ? 500 : 1900)); // some points drawn face away
@@ -259,7 +259,7 @@ TEST_CASE("light kinds: the pdf integrates to one, or to less where samples are 
         const auto hit = meet(at, ray_from(kPosition, sample_sphere(random.next2())));
         whole.add(hit ? hit->pdf * 4 * kPi : 0);
     }
-    if (is_delta(kind) || is_one_of(kind, {Kind::even_world, Kind::glow}))
+    if (is_delta(kind) || is_one_of(kind, {Kind::even_world, Kind::emissive_media}))
         CHECK(whole.mean() == 0);
     else if (kind == Kind::ball)
         CHECK(whole.z_score(1) < kMostZ);
@@ -315,12 +315,12 @@ TEST_CASE("light kinds: light paths together carry the light's power", "[lights]
     for (std::uint64_t i = 0; i < kPaths; ++i) {
         RandomSequence random(3, RandomStream::photons, 0, i);
         const EmittedPath path = sample_emission(at.light, {i, kPaths}, random);
-        CHECK(path.from_medium == (kind == Kind::glow));
+        CHECK(path.from_medium == (kind == Kind::emissive_media));
         for (int c = 0; c < 3; ++c)
             sums[c].add(path.power[c]);
     }
     // The power of media is itself a mean of 1024 lines.
-    const double lines = kind == Kind::glow ? std::sqrt(1 + kPaths / 1024.0) : 1;
+    const double lines = kind == Kind::emissive_media ? std::sqrt(1 + kPaths / 1024.0) : 1;
     for (int c = 0; c < 3; ++c) {
         INFO("channel " << c << ": " << sums[c].mean() << " and " << truth[c]);
         CHECK(truth[c] > 0);
@@ -332,7 +332,7 @@ TEST_CASE("light kinds: light paths together carry the light's power", "[lights]
 TEST_CASE("light kinds: light paths bring a floor the light that samples bring", "[lights]")
 {
     const Kind kind = GENERATE(from_range(kKinds));
-    if (kind == Kind::glow) // which no sample finds
+    if (kind == Kind::emissive_media) // which no sample finds
         return;
     const LitScene at = lit(lit_scene(kind), kind);
     INFO("kind " << static_cast<int>(kind));
@@ -375,7 +375,7 @@ TEST_CASE("light kinds: plain and aimed light paths bring the same power to a ba
             const std::optional<RayHit> hit = at.scene().rays.nearest(path.ray);
             means[aimed].add(hit && hit->face >= first_face ? path.power.y : 0);
         }
-    if (kind == Kind::glow)
+    if (kind == Kind::emissive_media)
         CHECK(means[true].mean() == 0); // it is not aimed
     else
         check_equal(means[false], means[true]);

@@ -40,7 +40,7 @@ LightReceiver random_receiver(RandomSequence& random)
     return at;
 }
 
-double sum_of_chances(const LightTree& tree, const LightReceiver& at, std::size_t lights)
+double sum_of_probabilities(const LightTree& tree, const LightReceiver& at, std::size_t lights)
 {
     double sum = 0;
     for (std::uint32_t i = 0; i < lights; ++i)
@@ -69,7 +69,7 @@ TEST_CASE("light tree: probabilities of lights that emit everywhere add up to on
     for (int i = 0; i < 100; ++i) {
         LightReceiver at = random_receiver(random);
         at.normal = glm::vec3(0);
-        CHECK(sum_of_chances(tree, at, lights.size()) == Approx(1).epsilon(1e-9));
+        CHECK(sum_of_probabilities(tree, at, lights.size()) == Approx(1).epsilon(1e-9));
     }
 }
 
@@ -82,7 +82,7 @@ TEST_CASE("light tree: probabilities of all lights are what numbers choose a lig
         constexpr int kNumbers = 4000;
         for (int i = 0; i < 20; ++i) {
             const LightReceiver at = random_receiver(random);
-            const double sum = sum_of_chances(tree, at, count);
+            const double sum = sum_of_probabilities(tree, at, count);
             // Each light has an interval, of which rounding to the row moves two ends.
             CHECK(std::abs(share_chosen(tree, at, kNumbers) - sum) <
                   2.0 * static_cast<double>(count) / kNumbers);
@@ -147,11 +147,11 @@ TEST_CASE("light tree: lights in one place, and a receiver in it, do no harm", "
     const LightTree tree = build_light_tree(lights);
     CHECK_FALSE(choose_light(tree, {{1, 2, 3}, {0, 1, 0}}, 0.5));
     CHECK(probability_of(tree, {{1, 2, 3}, {}}, 3) == 0);
-    CHECK(sum_of_chances(tree, {{1, 1, 3}, {0, 1, 0}}, 5) == Approx(1));
+    CHECK(sum_of_probabilities(tree, {{1, 1, 3}, {0, 1, 0}}, 5) == Approx(1));
     CHECK(build_light_tree({}).empty());
     // As near as floats can be: nothing overflows.
     const glm::vec3 near(1, std::nextafter(2.0f, 0.0f), 3);
-    CHECK(sum_of_chances(tree, {near, {}}, 5) == Approx(1));
+    CHECK(sum_of_probabilities(tree, {near, {}}, 5) == Approx(1));
 }
 
 TEST_CASE("light tree: one sample by it is far steadier than one by power", "[lights]")

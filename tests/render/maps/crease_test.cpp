@@ -62,7 +62,7 @@ TEST_CASE("estimate: light behind a wall that stands on one polygon adds nothing
               tiny::make_mesh(
                   {{0.1f, 0, -0.5f}, {0.1f, 0, 0.5f}, {0.1f, 0.4f, 0.5f}, {0.1f, 0.4f, -0.5f}},
                   {{0, 1, 2}, {0, 2, 3}}),
-              tiny::matt(Rgb(1)));
+              tiny::diffuse(Rgb(1)));
     const auto ready = tiny::ready(scene);
     std::vector<glm::vec3> points;
     for (const float d : {0.0001f, 0.003f, 0.02f, 0.05f})
@@ -83,7 +83,7 @@ TEST_CASE("estimate: a box on or sunk into one polygon does not darken the floor
     TriangleMesh box = tiny::cube();
     tiny::scale(box, 0.3f);
     tiny::move(box, {0.1f, 0.15f - sunk, 0.05f});
-    tiny::add(scene, box, tiny::matt(Rgb(1)));
+    tiny::add(scene, box, tiny::diffuse(Rgb(1)));
     const auto ready = tiny::ready(scene);
     const auto round = [](const glm::vec3& p) {
         return std::abs(p.x - 0.1f) < 0.15f && std::abs(p.z - 0.05f) < 0.15f ? 0.0f : 1.0f;

@@ -41,38 +41,40 @@ Medium thin()
     return out;
 }
 
-Stretch stretch_along(const glm::vec3& origin, const glm::vec3& direction, float near, float far)
+MediumSegment segment_along(const glm::vec3& origin, const glm::vec3& direction, float near,
+                            float far)
 {
-    Stretch out;
+    MediumSegment out;
     out.inside = 0;
     out.ray = {origin, glm::normalize(direction), near, far};
     return out;
 }
 
-std::array<Rgb, 3> radiance_of(const VolumeMap& map, const Medium& medium, const Stretch& stretch,
-                               const BeamScales& scales)
+std::array<Rgb, 3> radiance_of(const VolumeMap& map, const Medium& medium,
+                               const MediumSegment& segment, const BeamScales& scales)
 {
     const PlacedDensity even;
-    const Column column = column_along(even, stretch.ray);
-    return beam_radiance(map, {medium, stretch.inside, column}, scales);
+    const OpticalDepth optical_depth = optical_depth_along(even, segment.ray);
+    return beam_radiance(map, {medium, segment.inside, optical_depth}, scales);
 }
 
 /// docs/media.md (8), of all photons.
-glm::dvec3 by_all(const VolumeMap& map, const Medium& medium, const Stretch& stretch, double scale)
+glm::dvec3 by_all(const VolumeMap& map, const Medium& medium, const MediumSegment& segment,
+                  double scale)
 {
     glm::dvec3 sum(0.0);
     for (std::size_t i = 0; i < map.photons.size(); ++i) {
         const VolumePhoton& photon = map.photons[i];
-        const glm::dvec3 way = photon.position - stretch.ray.origin, d = stretch.ray.direction;
+        const glm::dvec3 way = photon.position - segment.ray.origin, d = segment.ray.direction;
         const double along = glm::dot(way, d), radius = scale * map.radii[i];
         const glm::dvec3 aside = way - along * d;
-        if (photon.inside != stretch.inside || along < stretch.ray.near ||
-            along >= stretch.ray.far || glm::dot(aside, aside) >= radius * radius)
+        if (photon.inside != segment.inside || along < segment.ray.near ||
+            along >= segment.ray.far || glm::dot(aside, aside) >= radius * radius)
             continue;
         const double phase =
             phase_value(medium.phase, float(glm::dot(glm::dvec3(photon.travel), -d)));
         sum += glm::dvec3(photon.power) *
-               glm::exp(-glm::dvec3(medium.extinction()) * (along - stretch.ray.near)) * phase /
+               glm::exp(-glm::dvec3(medium.extinction()) * (along - segment.ray.near)) * phase /
                (M_PI * radius * radius);
     }
     return sum;
@@ -88,12 +90,13 @@ TEST_CASE("volume map: its tree finds the photons that a look at all of them doe
         const VolumeMap map = build_volume_map(
             photons, find_volume_radii(photons_of(count, 2), 10, 1), 0.8f, nowhere());
         REQUIRE(map.photons.size() == count);
-        for (const Stretch& stretch : {stretch_along({-1, 0.1f, 0.2f}, {1, 0, 0}, 0.5f, 1.5f),
-                                       stretch_along({0, 0, 0}, {0.3f, -0.2f, 1}, 0, 0.3f),
-                                       stretch_along({-2, -2.1f, -1.9f}, {1, 1, 1}, 0.1f, 9)}) {
-            const auto found = radiance_of(map, thin(), stretch, kScales);
+        for (const MediumSegment& segment :
+             {segment_along({-1, 0.1f, 0.2f}, {1, 0, 0}, 0.5f, 1.5f),
+              segment_along({0, 0, 0}, {0.3f, -0.2f, 1}, 0, 0.3f),
+              segment_along({-2, -2.1f, -1.9f}, {1, 1, 1}, 0.1f, 9)}) {
+            const auto found = radiance_of(map, thin(), segment, kScales);
             for (std::size_t i = 0; i < found.size(); ++i) {
-                const glm::dvec3 all = by_all(map, thin(), stretch, kScales[i]);
+                const glm::dvec3 all = by_all(map, thin(), segment, kScales[i]);
                 for (int c = 0; c < 3; ++c)
                     CHECK(found[i][c] == Approx(all[c]).epsilon(1e-4));
             }
@@ -106,7 +109,7 @@ TEST_CASE("volume map: photons spread evenly have the radiance of their density"
     constexpr std::size_t kPhotons = 2000;
     Medium medium = thin();
     medium.phase = {};
-    const Stretch stretch = stretch_along({0, 0, -0.5f}, {0, 0, 1}, 0, 1);
+    const MediumSegment segment = segment_along({0, 0, -0.5f}, {0, 0, 1}, 0, 1);
     const VolumeRadii radii = find_volume_radii(photons_of(kPhotons, 99), 8, 1);
     std::array<RunningMean, 3> found;
     for (std::uint64_t seed = 100; seed < 200; ++seed) {
@@ -116,7 +119,7 @@ TEST_CASE("volume map: photons spread evenly have the radiance of their density"
             photon.inside = 0;
         }
         const auto radiance = radiance_of(build_volume_map(photons, radii, 1, nowhere()), medium,
-                                          stretch, {1, 0.7f, 0.5f});
+                                          segment, {1, 0.7f, 0.5f});
         for (std::size_t i = 0; i < found.size(); ++i)
             found[i].add(radiance[i].x);
     }
@@ -153,8 +156,8 @@ TEST_CASE("volume map: no light is lost where discs reach out of a slab", "[maps
                 const float height = direction.y > 0 ? 0 : random.next() - 0.5f;
                 const glm::vec3 at(random.next() - 0.5f, height, random.next() - 0.5f);
                 const float half = direction.y > 0 ? 0.5f / direction.y : 1;
-                const Stretch stretch = stretch_along(at, direction, -half, half);
-                found.add(radiance_of(map, medium, stretch, {1, 0.7f, 0.5f})[0].x / (2 * half));
+                const MediumSegment segment = segment_along(at, direction, -half, half);
+                found.add(radiance_of(map, medium, segment, {1, 0.7f, 0.5f})[0].x / (2 * half));
             }
         }
         CHECK(std::abs(found.z_score(kPhotons / 18.0 / (4 * M_PI))) < kMostZ);

@@ -28,21 +28,21 @@ Scene nested()
     return scene;
 }
 
-std::vector<MaterialId> list(const Interiors& inside)
+std::vector<MaterialId> list(const MediumStack& inside)
 {
     return {inside.entered.begin(), inside.entered.begin() + inside.count};
 }
 
 } // namespace
 
-TEST_CASE("interiors_at: what a point is in, the last that was entered last", "[media]")
+TEST_CASE("medium_stack_at: what a point is in, the last that was entered last", "[media]")
 {
     const auto ready = tiny::ready(nested());
     const MediaSet& media = ready->render->media.value();
-    CHECK(list(interiors_at(media, {0.6f, 0, 0})).empty());
-    CHECK(list(interiors_at(media, {0.45f, 0.45f, 0.45f})) == std::vector<MaterialId>{0});
-    CHECK(list(interiors_at(media, {0.2f, -0.2f, 0.1f})) == std::vector<MaterialId>{0, 1});
-    CHECK(list(interiors_at(media, {0.01f, 0.02f, 0.03f})) == std::vector<MaterialId>{0, 1, 2});
+    CHECK(list(medium_stack_at(media, {0.6f, 0, 0})).empty());
+    CHECK(list(medium_stack_at(media, {0.45f, 0.45f, 0.45f})) == std::vector<MaterialId>{0});
+    CHECK(list(medium_stack_at(media, {0.2f, -0.2f, 0.1f})) == std::vector<MaterialId>{0, 1});
+    CHECK(list(medium_stack_at(media, {0.01f, 0.02f, 0.03f})) == std::vector<MaterialId>{0, 1, 2});
 }
 
 TEST_CASE("let_through: absorption by way of nested media, nothing through a surface", "[media]")
@@ -75,7 +75,7 @@ TEST_CASE("media are found only where a scene has some", "[media]")
     CHECK(!tiny::ready(scene)->render->media);
     scene.materials[1].scattering = Rgb(1);
     CHECK(tiny::ready(scene)->render->media);
-    scene.materials[1] = tiny::matt(Rgb(0.5f));
+    scene.materials[1] = tiny::diffuse(Rgb(0.5f));
     scene.materials[1].scattering = Rgb(1); // which no light reaches
     CHECK(!tiny::ready(scene)->render->media);
     scene.around.emission = Rgb(1);
@@ -104,9 +104,9 @@ std::vector<float> surfaces_met(const MediaSet& media, float up)
     ray.origin = {0.11f, up > 0 ? -2 : 2, 0.07f};
     ray.direction = {0, up, 0};
     std::vector<float> out;
-    Interiors inside;
+    MediumStack inside;
     while (true) {
-        const WalkEnd end = walk(media, ray, inside, [](const Stretch&) { return true; });
+        const WalkEnd end = walk(media, ray, inside, [](const MediumSegment&) { return true; });
         if (!end.hit)
             return out;
         const SurfacePoint at = surface_point(media.mesh, end.hit->face, end.hit->barycentric);
@@ -130,8 +130,8 @@ TEST_CASE("walk: where dielectrics overlap the higher priority is there, whichev
         CHECK(surfaces_met(media, 1) == std::vector<float>{-0.5f, between, 1});
         CHECK(surfaces_met(media, -1) == std::vector<float>{1, between, -0.5f});
         const MaterialId there = above > 0.5f ? 1 : 0;
-        CHECK(interiors_at(media, {0.1f, 0.25f, 0.2f}).current() == there);
-        CHECK(dielectric_at(media, interiors_at(media, {0.1f, 0.25f, 0.2f})) == there);
+        CHECK(medium_stack_at(media, {0.1f, 0.25f, 0.2f}).current() == there);
+        CHECK(dielectric_at(media, medium_stack_at(media, {0.1f, 0.25f, 0.2f})) == there);
     }
 }
 
@@ -145,6 +145,6 @@ TEST_CASE("walk: meshes of one glass that overlap are one, and fog in it is no s
     const auto ready = tiny::ready(scene);
     const MediaSet& media = ready->render->media.value();
     CHECK(surfaces_met(media, 1) == std::vector<float>{-0.5f, 1});
-    CHECK(dielectric_at(media, interiors_at(media, {0.01f, 0.02f, 0.03f})) == 0);
-    CHECK(interiors_at(media, {0.01f, 0.02f, 0.03f}).current() == 2);
+    CHECK(dielectric_at(media, medium_stack_at(media, {0.01f, 0.02f, 0.03f})) == 0);
+    CHECK(medium_stack_at(media, {0.01f, 0.02f, 0.03f}).current() == 2);
 }

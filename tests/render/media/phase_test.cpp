@@ -44,7 +44,7 @@ TEST_CASE("phase functions: directions are drawn as they are dense", "[media]")
     const glm::vec3 back = glm::normalize(glm::vec3(0.3f, -0.5f, 0.7f));
     for (const PhaseFunction& phase : phases()) {
         INFO(int(phase.kind) << ", g = " << phase.g);
-        const Interiors inside{};
+        const MediumStack inside{};
         const Interaction at = scattering_point({}, back, phase, inside);
         CHECK(std::abs(tiny::chi_square_z(at, Lobes::gathered)) < kMostZ);
         CHECK(is_black(scattered(at, back, Lobes::followed).value));

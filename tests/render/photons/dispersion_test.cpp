@@ -27,7 +27,7 @@ TEST_CASE("dispersion: a wedge bends the light of each photon by the index of it
           "[photons]")
 {
     constexpr float kIndex = 1.5f, kDispersion = 1;
-    Scene scene = tiny::matt_floor();
+    Scene scene = tiny::diffuse_floor();
     Material glass = tiny::glass(kIndex);
     glass.dispersion = kDispersion;
     tiny::add(scene, wedge(), glass);

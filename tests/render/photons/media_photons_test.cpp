@@ -9,10 +9,10 @@ using namespace hipmap;
 
 namespace {
 
-/// A room with a lamp, glass and mirror, a cube of fog, and thin haze everywhere.
+/// A room with a light, glass and mirror, a cube of fog, and thin haze everywhere.
 Scene misty_room()
 {
-    Scene scene = tiny::with_glass_and_mirror(tiny::box(tiny::matt(Rgb(0.6f))), Rgb(0.9f));
+    Scene scene = tiny::with_glass_and_mirror(tiny::box(tiny::diffuse(Rgb(0.6f))), Rgb(0.9f));
     TriangleMesh cube = tiny::cube();
     tiny::scale(cube, 0.2f);
     tiny::move(cube, {0, 0.2f, 0.1f});
@@ -68,7 +68,7 @@ TEST_CASE("photons in media: each lies in the medium it names, and links are of 
     const TracedPhotons traced = trace_photons(*ready->render, options_of(2000, 0));
     REQUIRE(traced.volume.size() > 500);
     for (const VolumePhoton& photon : traced.volume)
-        CHECK(interiors_at(media, photon.position).current() == photon.inside);
+        CHECK(medium_stack_at(media, photon.position).current() == photon.inside);
     std::size_t by_media = 0;
     for (const BouncedPhoton& bounced : traced.bounces) {
         by_media += bounced.from == kNoPhoton ? 1 : 0;
@@ -95,26 +95,26 @@ TEST_CASE("photons in media: the same at any number of threads", "[photons][medi
 
 TEST_CASE("glowing media: light paths carry 4 pi e times their volume", "[photons][media]")
 {
-    Scene scene = tiny::box(tiny::matt(Rgb(0.5f)));
+    Scene scene = tiny::box(tiny::diffuse(Rgb(0.5f)));
     TriangleMesh cube = tiny::cube();
     tiny::scale(cube, 0.3f);
-    Material glow;
-    glow.boundary = false;
-    glow.medium_emission = {1, 2, 3};
-    tiny::add(scene, cube, glow);
+    Material emitted;
+    emitted.boundary = false;
+    emitted.medium_emission = {1, 2, 3};
+    tiny::add(scene, cube, emitted);
     tiny::scale(cube, 0.5f); // darker, and inside the other
-    glow.medium_emission = {0.5f, 0, 0};
-    tiny::add(scene, cube, glow);
+    emitted.medium_emission = {0.5f, 0, 0};
+    tiny::add(scene, cube, emitted);
     const auto ready = tiny::ready(scene);
     const double outer = std::pow(0.3, 3), inner = std::pow(0.15, 3);
     std::array<RunningMean, 3> power;
     for (std::uint64_t i = 0; i < 8000; ++i) {
         RandomSequence random(7, RandomStream::photons, 0, i);
-        const GlowPath path = sample_glow(*ready->render->media, random);
+        const MediaEmission path = sample_media_emission(*ready->render->media, random);
         for (int c = 0; c < 3; ++c)
             power[c].add(path.power[c]);
         if (!is_black(path.power))
-            CHECK(interiors_at(*ready->render->media, path.ray.origin).count > 0);
+            CHECK(medium_stack_at(*ready->render->media, path.ray.origin).count > 0);
     }
     for (int c = 0; c < 3; ++c)
         CHECK(std::abs(power[c].z_score(

@@ -12,13 +12,13 @@ using namespace hipmap;
 
 namespace {
 
-/// A box with its front open: matt walls, a glass and a mirror ball, a lamp and a point light.
+/// A box with its front open: diffuse walls, a glass and a mirror ball, a light and a point light.
 Scene open_room()
 {
     TriangleMesh room = tiny::open_box();
     tiny::turn_inside_out(room);
     Scene scene = tiny::make_scene(room);
-    scene.materials[0] = tiny::matt({0.7f, 0.5f, 0.3f});
+    scene.materials[0] = tiny::diffuse({0.7f, 0.5f, 0.3f});
     TriangleMesh ball = tiny::uv_sphere(24, 12);
     tiny::scale(ball, 0.15f);
     tiny::move(ball, {-0.2f, -0.2f, 0});
@@ -27,8 +27,8 @@ Scene open_room()
     tiny::add(scene, ball, tinted);
     tiny::move(ball, {0.4f, 0, 0});
     tiny::add(scene, ball, tiny::mirror({0.9f, 0.8f, 0.7f}));
-    TriangleMesh lamp = tiny::floor_at(0.4f, -0.3f);
-    tiny::add(scene, lamp, tiny::lamp({3, 4, 5}));
+    TriangleMesh light = tiny::floor_at(0.4f, -0.3f);
+    tiny::add(scene, light, tiny::emissive({3, 4, 5}));
     PunctualLight point;
     point.position = {0.1f, 0.1f, 0.2f};
     point.intensity = {1, 2, 1};
@@ -118,7 +118,7 @@ TEST_CASE("trace photons: direct photons carry the irradiance of a point light",
 {
     // A point light at height h over the middle of a square: flux through it in closed form.
     Scene scene = tiny::make_scene(tiny::floor_at(0, 1));
-    scene.materials[0] = tiny::matt(Rgb(0.5f));
+    scene.materials[0] = tiny::diffuse(Rgb(0.5f));
     PunctualLight light;
     light.position = {0, 0.25f, 0};
     light.intensity = Rgb(1);
@@ -161,7 +161,7 @@ TEST_CASE("trace photons: power is stored without the coat's share where photons
           "[photons]")
 {
     Scene scene = tiny::make_scene(tiny::floor_at(0, 1));
-    scene.materials[0] = tiny::matt(Rgb(0.5f));
+    scene.materials[0] = tiny::diffuse(Rgb(0.5f));
     scene.materials[0].specular = 1;
     PunctualLight light;
     light.position = {0, 0.25f, 0};

@@ -12,7 +12,7 @@ using namespace hipmap;
 
 namespace {
 
-Material stretched(Material material, float roughness, float strength)
+Material anisotropic(Material material, float roughness, float strength)
 {
     material.roughness = roughness;
     material.anisotropy = strength;
@@ -21,7 +21,7 @@ Material stretched(Material material, float roughness, float strength)
 
 Material plastic(const Rgb& colour)
 {
-    Material material = tiny::matt(colour);
+    Material material = tiny::diffuse(colour);
     material.specular = 1;
     return material;
 }
@@ -29,13 +29,13 @@ Material plastic(const Rgb& colour)
 /// Metal, gathered and followed, plastic, and glass.
 std::vector<Material> brushed()
 {
-    return {stretched(tiny::mirror({1, 0.8f, 0.3f}), 0.45f, 0.7f),
-            stretched(tiny::mirror(Rgb(0.9f)), 0.28f, 0.6f),
-            stretched(plastic({0.8f, 0.5f, 0.2f}), 0.5f, 0.8f),
-            stretched(tiny::glass(1.5f), 0.4f, 0.6f)};
+    return {anisotropic(tiny::mirror({1, 0.8f, 0.3f}), 0.45f, 0.7f),
+            anisotropic(tiny::mirror(Rgb(0.9f)), 0.28f, 0.6f),
+            anisotropic(plastic({0.8f, 0.5f, 0.2f}), 0.5f, 0.8f),
+            anisotropic(tiny::glass(1.5f), 0.4f, 0.6f)};
 }
 
-/// The surface seen from `back`, stretched aslant to the axes.
+/// The surface seen from `back`, anisotropic aslant to the axes.
 Interaction lit(const Material& material, const glm::vec3& back)
 {
     Interaction at = tiny::lit_surface(material, back);
@@ -66,19 +66,21 @@ Lobes lobes_of(const Interaction& at)
 TEST_CASE("anisotropy: widths are the extension's, and never a mirror's", "[shading]")
 {
     const Bsdf half =
-        tiny::lit_surface(stretched(tiny::mirror(Rgb(1)), 0.6f, 0.5f), kBacks[0]).bsdf();
+        tiny::lit_surface(anisotropic(tiny::mirror(Rgb(1)), 0.6f, 0.5f), kBacks[0]).bsdf();
     CHECK(half.is_directed);
     const Facets& facets = std::get<MicrofacetReflection>(half.all[0].lobe).facets;
     CHECK(facets.alpha == Approx(0.36f));
     CHECK(facets.alpha_along == Approx(0.36f + 0.64f * 0.25f));
     const Bsdf smooth =
-        tiny::lit_surface(stretched(tiny::mirror(Rgb(1)), 0, 0.5f), kBacks[0]).bsdf();
+        tiny::lit_surface(anisotropic(tiny::mirror(Rgb(1)), 0, 0.5f), kBacks[0]).bsdf();
     CHECK(smooth.follows);
     CHECK(std::get<MicrofacetReflection>(smooth.all[0].lobe).facets.alpha > 0);
-    CHECK_FALSE(
-        tiny::lit_surface(stretched(tiny::mirror(Rgb(1)), 0.6f, 0), {0, 0, 1}).bsdf().is_directed);
-    CHECK_FALSE(
-        tiny::lit_surface(stretched(tiny::matt(Rgb(1)), 0.6f, 1), {0, 0, 1}).bsdf().is_directed);
+    CHECK_FALSE(tiny::lit_surface(anisotropic(tiny::mirror(Rgb(1)), 0.6f, 0), {0, 0, 1})
+                    .bsdf()
+                    .is_directed);
+    CHECK_FALSE(tiny::lit_surface(anisotropic(tiny::diffuse(Rgb(1)), 0.6f, 1), {0, 0, 1})
+                    .bsdf()
+                    .is_directed);
 }
 
 TEST_CASE("anisotropy: facets of two equal widths are those of one", "[shading]")
@@ -95,8 +97,8 @@ TEST_CASE("anisotropy: facets of two equal widths are those of one", "[shading]"
             const glm::vec3 half = sample_facet(normal, out, alpha, random.next2());
             CHECK(facets.distribution(half) ==
                   Approx(ggx_distribution(normal, half, alpha)).epsilon(2e-3));
-            CHECK(facets.density(out, half) ==
-                  Approx(facet_density(normal, out, half, alpha)).epsilon(2e-3));
+            CHECK(facets.pdf(out, half) ==
+                  Approx(ggx_facet_pdf(normal, out, half, alpha)).epsilon(2e-3));
             CHECK(facets.spread(in, out, half) ==
                   Approx(ggx_distribution(normal, half, alpha) * ggx_visibility(in.z, out.z, alpha))
                       .epsilon(2e-3));
@@ -113,13 +115,13 @@ TEST_CASE("anisotropy: facets cover the surface, and those seen its outline", "[
     double covered = 0, seen = 0;
     tiny::over_sphere(500, [&](const glm::vec3& half, double solid_angle) {
         covered += double{facets.distribution(half) * half.z} * solid_angle;
-        seen += double{facets.density(out, half)} * solid_angle;
+        seen += double{facets.pdf(out, half)} * solid_angle;
     });
     CHECK(covered == Approx(1).margin(1e-3));
     CHECK(seen == Approx(1).margin(1e-3));
 }
 
-TEST_CASE("anisotropy: directions are drawn by the density that is said", "[shading]")
+TEST_CASE("anisotropy: directions are drawn with the pdf that is returned", "[shading]")
 {
     for (const Material& material : brushed())
         for (const glm::vec3& back : kBacks) {
@@ -177,13 +179,13 @@ TEST_CASE("anisotropy: no surface sends on more than all, a white base most", "[
                     INFO("roughness " << roughness << ", strength " << strength << ", cosine "
                                       << cosine << ", turn " << turn);
                     Interaction at =
-                        tiny::lit_surface(stretched(plastic(Rgb(1)), roughness, strength), back);
+                        tiny::lit_surface(anisotropic(plastic(Rgb(1)), roughness, strength), back);
                     at.tangent = {1, 0, 0};
                     const double white = sent(at, 150);
                     CHECK(white <= 1.005);
                     CHECK(white > (cosine > 0.4f ? 0.8 : 0.5));
-                    at.own = tiny::lit_surface(stretched(tiny::mirror(Rgb(1)), roughness, strength),
-                                               back)
+                    at.own = tiny::lit_surface(
+                                 anisotropic(tiny::mirror(Rgb(1)), roughness, strength), back)
                                  .own;
                     at.tangent = {1, 0, 0};
                     CHECK(sent(at, 150) <= 1.005);
@@ -192,7 +194,7 @@ TEST_CASE("anisotropy: no surface sends on more than all, a white base most", "[
 
 TEST_CASE("anisotropy: a brushed metal's highlight is long along the direction", "[shading]")
 {
-    Interaction at = tiny::lit_surface(stretched(tiny::mirror(Rgb(1)), 0.4f, 0.8f), {0, 0, 1});
+    Interaction at = tiny::lit_surface(anisotropic(tiny::mirror(Rgb(1)), 0.4f, 0.8f), {0, 0, 1});
     at.tangent = {1, 0, 0};
     const glm::vec3 along = glm::normalize(glm::vec3(0.6f, 0, 1)),
                     across = glm::normalize(glm::vec3(0, 0.6f, 1));

@@ -61,14 +61,14 @@ TEST_CASE("bsdf: white, clear and lossless surfaces send on all of it", "[shadin
 {
     Material glass = tiny::glass(1.5f);
     Material white_mirror = tiny::mirror(Rgb(1));
-    for (const Material& material : {glass, white_mirror, tiny::matt(Rgb(1))})
+    for (const Material& material : {glass, white_mirror, tiny::diffuse(Rgb(1))})
         for (float cosine = 0.01f; cosine <= 1; cosine += 0.01f)
             CHECK(total_albedo(bsdf_of(material), cosine).x == Approx(1.0).epsilon(1e-5));
 }
 
 TEST_CASE("bsdf: a white diffuse surface under a smooth coat absorbs nothing", "[shading]")
 {
-    Material coated = tiny::matt(Rgb(1));
+    Material coated = tiny::diffuse(Rgb(1));
     coated.specular = 1;
     coated.roughness = 0;
     const Bsdf bsdf = bsdf_of(coated);
@@ -97,8 +97,8 @@ TEST_CASE("bsdf: roughness decides between mirror, followed and gathered", "[sha
     CHECK(kind_at(0.03f) == Lobes::followed);
     CHECK(kind_at(kFollowedRoughness) == Lobes::followed);
     CHECK(kind_at(0.31f) == Lobes::gathered);
-    CHECK_FALSE(has_reflection(bsdf_of(tiny::matt(Rgb(0.5f)))));
-    CHECK_FALSE(bsdf_of(tiny::matt(Rgb(0.5f))).layers.coated);
+    CHECK_FALSE(has_reflection(bsdf_of(tiny::diffuse(Rgb(0.5f)))));
+    CHECK_FALSE(bsdf_of(tiny::diffuse(Rgb(0.5f))).layers.coated);
 }
 
 TEST_CASE("fresnel: closed values at normal, Brewster's and grazing incidence", "[shading]")
@@ -144,7 +144,7 @@ TEST_CASE("bsdf: a thin wall lets light through straight", "[shading]")
 TEST_CASE("diffuse shape: reciprocal, closed values for Burley", "[shading]")
 {
     const glm::vec3 normal(0, 0, 1);
-    const Bsdf bsdf = make_bsdfs({tiny::matt(Rgb(0.8f))}, DiffuseModel::burley)[0];
+    const Bsdf bsdf = make_bsdfs({tiny::diffuse(Rgb(0.8f))}, DiffuseModel::burley)[0];
     const auto burley = [&](const glm::vec3& wi, const glm::vec3& wo) {
         return std::get<Burley>(bsdf.all[0].lobe).shape({normal, wo, wo.z}, wi);
     };

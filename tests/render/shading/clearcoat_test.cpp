@@ -8,15 +8,16 @@ using namespace hipmap;
 
 namespace {
 
-/// Coats that are mirrors, followed and gathered, over bases that are matt, and that reflect in
+/// Coats that are mirrors, followed and gathered, over bases that are diffuse, and that reflect in
 /// each way.
 std::vector<Material> lacquers()
 {
-    Material plastic = tiny::matt({0.8f, 0.5f, 0.2f});
+    Material plastic = tiny::diffuse({0.8f, 0.5f, 0.2f});
     plastic.specular = 1;
-    const Material gold = tiny::mirror({1, 0.8f, 0.3f}), matt = tiny::matt({0.8f, 0.5f, 0.2f});
-    return {tiny::lacquered(matt, 1, 0),          tiny::lacquered(plastic, 0, 0),
-            tiny::lacquered(gold, 0.25f, 0),      tiny::lacquered(matt, 1, 0.2f),
+    const Material gold = tiny::mirror({1, 0.8f, 0.3f}),
+                   diffuse = tiny::diffuse({0.8f, 0.5f, 0.2f});
+    return {tiny::lacquered(diffuse, 1, 0),       tiny::lacquered(plastic, 0, 0),
+            tiny::lacquered(gold, 0.25f, 0),      tiny::lacquered(diffuse, 1, 0.2f),
             tiny::lacquered(plastic, 0.6f, 0.2f), tiny::lacquered(gold, 0.25f, 0.2f),
             tiny::lacquered(gold, 0, 0.5f),       tiny::lacquered(plastic, 0.25f, 0.5f),
             tiny::lacquered(plastic, 0.6f, 0.5f), tiny::lacquered(gold, 0.6f, 0.5f)};
@@ -43,7 +44,7 @@ double sent(const Interaction& at, int rows)
 
 } // namespace
 
-TEST_CASE("clear coat: directions are drawn by the density that is said", "[shading]")
+TEST_CASE("clear coat: directions are drawn with the pdf that is returned", "[shading]")
 {
     for (const Material& material : lacquers())
         for (const Lobes lobes : {Lobes::gathered, Lobes::followed}) {
@@ -93,13 +94,13 @@ TEST_CASE("clear coat: light takes the same way back", "[shading]")
 TEST_CASE("clear coat: no surface sends on more than all, a white base beneath absorbs nothing",
           "[shading]")
 {
-    Material coated = tiny::matt(Rgb(1));
+    Material coated = tiny::diffuse(Rgb(1));
     coated.specular = 1;
     for (const float coat : {0.0f, 0.25f, 0.6f})
         for (const glm::vec3& back : kBacks) {
             INFO("coat " << coat << ", height " << back.z);
-            const Material matt = tiny::lacquered(tiny::matt(Rgb(1)), 1, coat);
-            CHECK(sent(tiny::lit_surface(matt, back), 160) == Approx(1).margin(0.004));
+            const Material diffuse = tiny::lacquered(tiny::diffuse(Rgb(1)), 1, coat);
+            CHECK(sent(tiny::lit_surface(diffuse, back), 160) == Approx(1).margin(0.004));
             const Interaction both = tiny::lit_surface(tiny::lacquered(coated, 0.4f, coat), back);
             CHECK(sent(both, 160) <= 1.005);
             CHECK(sent(both, 160) > 0.97);
@@ -110,7 +111,7 @@ TEST_CASE("clear coat: no surface sends on more than all, a white base beneath a
 
 TEST_CASE("clear coat: factor 0, and a coat of glass, are none", "[shading]")
 {
-    Material material = tiny::lacquered(tiny::matt(Rgb(0.5f)), 1, 0);
+    Material material = tiny::lacquered(tiny::diffuse(Rgb(0.5f)), 1, 0);
     material.clearcoat = 0;
     CHECK(make_bsdf(material, material_factors(material), DiffuseModel::lambert).layers.clearcoat ==
           0);

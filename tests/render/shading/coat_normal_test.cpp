@@ -12,13 +12,14 @@ namespace {
 const glm::vec3 kCoatNormal = glm::normalize(glm::vec3(0.25f, 0.1f, 1));
 const glm::vec3 kBacks[] = {{0.1f, 0, 1}, {0.7f, -0.4f, 0.6f}, {-0.4f, 0.3f, 1}};
 
-/// Matt, coated and metal, below coats that are followed and gathered.
+/// Diffuse, coated and metal, below coats that are followed and gathered.
 std::vector<Material> lacquers()
 {
-    Material plastic = tiny::matt({0.8f, 0.5f, 0.2f});
+    Material plastic = tiny::diffuse({0.8f, 0.5f, 0.2f});
     plastic.specular = 1;
-    const Material gold = tiny::mirror({1, 0.8f, 0.3f}), matt = tiny::matt({0.8f, 0.5f, 0.2f});
-    return {tiny::lacquered(matt, 1, 0.2f),       tiny::lacquered(plastic, 0.6f, 0.2f),
+    const Material gold = tiny::mirror({1, 0.8f, 0.3f}),
+                   diffuse = tiny::diffuse({0.8f, 0.5f, 0.2f});
+    return {tiny::lacquered(diffuse, 1, 0.2f),    tiny::lacquered(plastic, 0.6f, 0.2f),
             tiny::lacquered(gold, 0.25f, 0.2f),   tiny::lacquered(gold, 0.6f, 0.2f),
             tiny::lacquered(plastic, 0.6f, 0.5f), tiny::lacquered(gold, 0.25f, 0.5f)};
 }
@@ -31,13 +32,13 @@ Interaction below_tilted_coat(const Material& material, const glm::vec3& back)
     return at;
 }
 
-/// The unit square with a picture of one pixel for it all, tilted to the right by 0.6.
+/// The unit square with a texture of one pixel for it all, tilted to the right by 0.6.
 Scene lacquered_quad(std::initializer_list<TextureUse> uses)
 {
     Scene scene = tiny::make_scene(tiny::quad());
     scene.mesh.attributes.uv[0] = {{0, 1}, {1, 1}, {1, 0}, {0, 0}}; // v runs down
     scene.images.push_back({"bumps", 1, 1, {204, 128, 230, 255}});
-    scene.materials[0] = tiny::lacquered(tiny::matt(Rgb(0.5f)), 1, 0);
+    scene.materials[0] = tiny::lacquered(tiny::diffuse(Rgb(0.5f)), 1, 0);
     for (const TextureUse use : uses) {
         TextureSlot slot;
         slot.use = use;
@@ -97,7 +98,7 @@ TEST_CASE("coat normal: the coat reflects about its own normal", "[shading]")
 {
     for (const glm::vec3& back : kBacks) {
         const Interaction at =
-            below_tilted_coat(tiny::lacquered(tiny::matt(Rgb(0.5f)), 1, 0.03f), back);
+            below_tilted_coat(tiny::lacquered(tiny::diffuse(Rgb(0.5f)), 1, 0.03f), back);
         const glm::vec3 expected = reflect(at.back, kCoatNormal);
         if (expected.z < 0.1f)
             continue;
@@ -111,7 +112,7 @@ TEST_CASE("coat normal: the coat reflects about its own normal", "[shading]")
     }
 }
 
-TEST_CASE("coat normal: directions are drawn by the density that is said", "[shading]")
+TEST_CASE("coat normal: directions are drawn with the pdf that is returned", "[shading]")
 {
     for (const Material& material : lacquers())
         for (const Lobes lobes : {Lobes::gathered, Lobes::followed}) {
@@ -140,7 +141,7 @@ TEST_CASE("coat normal: the mean weight is the integral of the lobes", "[shading
 
 TEST_CASE("coat normal: light takes the same way back, by the coat and below it", "[shading]")
 {
-    const Material material = tiny::lacquered(tiny::matt({0.8f, 0.5f, 0.2f}), 1, 0.28f);
+    const Material material = tiny::lacquered(tiny::diffuse({0.8f, 0.5f, 0.2f}), 1, 0.28f);
     for (std::uint64_t i = 0; i < 4000; ++i) {
         RandomSequence random(11, RandomStream::pictures, 0, i);
         // High enough that nothing is folded.
@@ -160,9 +161,9 @@ TEST_CASE("coat normal: light takes the same way back, by the coat and below it"
 
 TEST_CASE("coat normal: no surface sends on more than all", "[shading]")
 {
-    Material plastic = tiny::matt(Rgb(1));
+    Material plastic = tiny::diffuse(Rgb(1));
     plastic.specular = 1;
-    for (const Material& base : {tiny::matt(Rgb(1)), plastic, tiny::mirror(Rgb(1))})
+    for (const Material& base : {tiny::diffuse(Rgb(1)), plastic, tiny::mirror(Rgb(1))})
         for (const float coat : {0.2f, 0.6f})
             for (const float height : {0.05f, 0.2f, 0.5f, 1.0f})
                 for (const float toward : {1.0f, -0.2f}) {
@@ -199,7 +200,7 @@ TEST_CASE("coat normal: a mirror below a tilted coat loses as much both ways", "
 
 TEST_CASE("coat normal: nothing that is drawn weighs more than all, however grazing", "[shading]")
 {
-    const Material lacquer = tiny::lacquered(tiny::matt(Rgb(0.5f)), 1, 0.03f);
+    const Material lacquer = tiny::lacquered(tiny::diffuse(Rgb(0.5f)), 1, 0.03f);
     for (std::uint64_t i = 0; i < 40000; ++i) {
         RandomSequence random(11, RandomStream::pictures, 0, i);
         glm::vec3 back = sample_sphere(random.next2());
@@ -210,9 +211,9 @@ TEST_CASE("coat normal: nothing that is drawn weighs more than all, however graz
         const float cosine = std::pow(10.0f, -2 - 4 * random.next());
         at.coat_normal = glm::normalize(across + cosine * at.back);
         const ScatterSample sample = sample_scatter(at, Lobes::followed, random);
-        INFO(i << ": " << sample.density);
+        INFO(i << ": " << sample.pdf);
         REQUIRE(max_channel(sample.weight) < 1.01f);
         REQUIRE(max_channel(scattered(at, sample.direction, Lobes::followed).value) <=
-                1.01f * sample.density);
+                1.01f * sample.pdf);
     }
 }

@@ -18,7 +18,7 @@ Material through(Material material, float share, const Rgb& colour)
 
 Material plastic(float roughness)
 {
-    Material material = tiny::matt({0.8f, 0.5f, 0.2f});
+    Material material = tiny::diffuse({0.8f, 0.5f, 0.2f});
     material.specular = 1;
     material.roughness = roughness;
     return material;
@@ -27,16 +27,16 @@ Material plastic(float roughness)
 /// Paper, under a coat, with fibres, and under a clear coat.
 std::vector<Material> papers()
 {
-    Material cloth = tiny::matt(Rgb(0.6f));
+    Material cloth = tiny::diffuse(Rgb(0.6f));
     cloth.sheen_color = Rgb(0.8f);
     cloth.sheen_roughness = 0.4f;
     Material lacquered = plastic(0.5f);
     lacquered.clearcoat = 0.8f;
     lacquered.clearcoat_roughness = 0.5f;
     const Rgb green(0.3f, 0.9f, 0.2f);
-    return {through(tiny::matt(Rgb(0.8f)), 0.4f, green), through(tiny::matt(Rgb(0.8f)), 1, green),
-            through(plastic(0.5f), 0.7f, green), through(cloth, 0.5f, green),
-            through(lacquered, 0.6f, green)};
+    return {through(tiny::diffuse(Rgb(0.8f)), 0.4f, green),
+            through(tiny::diffuse(Rgb(0.8f)), 1, green), through(plastic(0.5f), 0.7f, green),
+            through(cloth, 0.5f, green), through(lacquered, 0.6f, green)};
 }
 
 const glm::vec3 kBacks[] = {{0.1f, 0, 1}, {0.7f, -0.4f, 0.6f}, {-1, 0.2f, -0.3f}};
@@ -58,7 +58,7 @@ std::array<double, 2> sent(const Interaction& at)
 TEST_CASE("diffuse transmission: paper parts light by its share, each side in its colour",
           "[shading]")
 {
-    const Material paper = through(tiny::matt(Rgb(0.5f)), 0.25f, Rgb(0.8f));
+    const Material paper = through(tiny::diffuse(Rgb(0.5f)), 0.25f, Rgb(0.8f));
     for (const glm::vec3& back : kBacks) {
         const auto [reflected, passed] = sent(tiny::lit_surface(paper, back, false));
         CHECK(reflected == Approx(0.75 * 0.5).epsilon(1e-3));
@@ -68,13 +68,13 @@ TEST_CASE("diffuse transmission: paper parts light by its share, each side in it
 
 TEST_CASE("diffuse transmission: white paper absorbs nothing, under coats neither", "[shading]")
 {
-    Material coated = tiny::matt(Rgb(1));
+    Material coated = tiny::diffuse(Rgb(1));
     coated.specular = 1;
     coated.roughness = 0.4f;
-    Material lacquered = tiny::matt(Rgb(1));
+    Material lacquered = tiny::diffuse(Rgb(1));
     lacquered.clearcoat = 1;
     lacquered.clearcoat_roughness = 0.3f;
-    for (const Material& base : {tiny::matt(Rgb(1)), coated, lacquered})
+    for (const Material& base : {tiny::diffuse(Rgb(1)), coated, lacquered})
         for (const float share : {0.3f, 1.0f})
             for (const glm::vec3& back : kBacks) {
                 const auto [reflected, passed] =
@@ -83,7 +83,7 @@ TEST_CASE("diffuse transmission: white paper absorbs nothing, under coats neithe
             }
 }
 
-TEST_CASE("diffuse transmission: directions are drawn by the density that is said", "[shading]")
+TEST_CASE("diffuse transmission: directions are drawn with the pdf that is returned", "[shading]")
 {
     for (const Material& material : papers())
         for (const glm::vec3& back : kBacks)
@@ -149,8 +149,8 @@ TEST_CASE("diffuse transmission: photons are weighed by the lobes that rays are"
 TEST_CASE("diffuse transmission: that of glass is none, nor is none", "[shading]")
 {
     for (const Material& material :
-         {through(tiny::glass(1.5f), 1, Rgb(1)), through(tiny::matt(Rgb(0.5f)), 0, Rgb(1)),
-          through(tiny::matt(Rgb(0.5f)), 1, Rgb(0))})
+         {through(tiny::glass(1.5f), 1, Rgb(1)), through(tiny::diffuse(Rgb(0.5f)), 0, Rgb(1)),
+          through(tiny::diffuse(Rgb(0.5f)), 1, Rgb(0))})
         CHECK_FALSE(tiny::lit_surface(material, {0, 0, 1}).bsdf().transmits_diffusely);
-    CHECK(tiny::lit_surface(through(tiny::matt(Rgb(0)), 1, Rgb(1)), {0, 0, 1}).gathers());
+    CHECK(tiny::lit_surface(through(tiny::diffuse(Rgb(0)), 1, Rgb(1)), {0, 0, 1}).gathers());
 }

@@ -17,7 +17,7 @@ Material compensated(Material material, float roughness)
 }
 
 /// Metal that is gathered and followed, below a clear coat and fibres, mixed with a coated base and
-/// with glass, and stretched.
+/// with glass, and anisotropic.
 std::vector<Material> metals()
 {
     const Material gold = tiny::mirror({1, 0.8f, 0.3f});
@@ -114,7 +114,7 @@ TEST_CASE("energy compensation: light between facets is the sum of all its refle
     CHECK(loss > 0.1);
 }
 
-TEST_CASE("energy compensation: directions are drawn by the density that is said", "[shading]")
+TEST_CASE("energy compensation: directions are drawn with the pdf that is returned", "[shading]")
 {
     for (const Material& material : metals())
         for (const Lobes lobes : {Lobes::gathered, Lobes::followed}) {
@@ -164,16 +164,16 @@ TEST_CASE("energy compensation: light takes the same way back", "[shading]")
 
 TEST_CASE("energy compensation: no surface sends on more than all", "[shading]")
 {
-    for (const float stretch : {0.0f, 1.0f})
+    for (const float anisotropy : {0.0f, 1.0f})
         for (const float roughness : {0.0f, 0.5f, 0.9f})
             for (const glm::vec3& back : kBacks)
                 for (const float metallic : {0.5f, 1.0f}) {
                     Material white = compensated(tiny::mirror(Rgb(1)), roughness);
                     white.metallic = metallic;
-                    white.anisotropy = stretch;
+                    white.anisotropy = anisotropy;
                     Interaction at = tiny::lit_surface(white, back);
                     at.tangent = {0.8f, 0.6f, 0};
-                    INFO("stretch " << stretch << ", roughness " << roughness << ", height "
+                    INFO("stretch " << anisotropy << ", roughness " << roughness << ", height "
                                     << back.z << ", metallic " << metallic);
                     const RunningMean mean = drawn_albedo(at, 5000); // of a mirror: none
                     CHECK(mean.mean() <= 1.003 + kMostZ * mean.standard_error());
@@ -184,7 +184,7 @@ TEST_CASE("energy compensation: no surface sends on more than all", "[shading]")
 TEST_CASE("energy compensation: mirrors, plastic and glass have none, nor metal that is not asked",
           "[shading]")
 {
-    Material plastic = tiny::matt(Rgb(0.5f));
+    Material plastic = tiny::diffuse(Rgb(0.5f));
     plastic.specular = 1;
     Material plain = tiny::mirror(Rgb(1));
     plain.roughness = 1;

@@ -8,13 +8,13 @@ using namespace hipmap;
 
 namespace {
 
-/// The unit square with a picture of one pixel on it, upright and not mirrored.
+/// The unit square with a texture of one pixel on it, upright and not mirrored.
 Scene bumpy_quad(std::uint8_t red, std::uint8_t green, std::uint8_t blue)
 {
     Scene scene = tiny::make_scene(tiny::quad());
     scene.mesh.attributes.uv[0] = {{0, 1}, {1, 1}, {1, 0}, {0, 0}}; // v runs down
     scene.images.push_back({"bumps", 1, 1, {red, green, blue, 255}});
-    scene.materials[0] = tiny::matt(Rgb(0.5f));
+    scene.materials[0] = tiny::diffuse(Rgb(0.5f));
     TextureSlot slot;
     slot.use = TextureUse::normal;
     scene.materials[0].textures = {slot};
@@ -83,7 +83,7 @@ TEST_CASE("normal map: strength scales the tilt, what says nothing leaves the no
     Scene scene = tilted_right();
     scene.materials[0].textures[0].strength = 0.5f;
     check_normal(scene, glm::normalize(glm::vec3(0.3f, 0, 0.8f)));
-    scene.mesh.attributes.uv[0].assign(4, glm::vec2(0.5f)); // the picture on a point
+    scene.mesh.attributes.uv[0].assign(4, glm::vec2(0.5f)); // the texture on a point
     CHECK(normal_of(scene) == glm::vec3(0, 0, 1));
     scene.mesh.attributes.uv[0].clear();
     CHECK(normal_of(scene) == glm::vec3(0, 0, 1));

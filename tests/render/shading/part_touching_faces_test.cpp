@@ -23,7 +23,7 @@ TriangleMesh floor_quad()
 Scene on_floor(const TriangleMesh& upper, const Material& material)
 {
     Scene scene = tiny::make_scene(tiny::together(floor_quad(), upper));
-    scene.materials = {tiny::matt({0.5f, 0.5f, 0.5f}), material};
+    scene.materials = {tiny::diffuse({0.5f, 0.5f, 0.5f}), material};
     scene.mesh.object_names = {"floor", "upper"};
     for (FaceId face = 2; face < scene.mesh.face_count(); ++face) {
         scene.mesh.material_of_face[face] = kUpper;
@@ -46,9 +46,9 @@ std::vector<FaceId> met_from_above(const Scene& scene, float x, float z)
     return out;
 }
 
-Material glowing()
+Material emissive()
 {
-    Material material = tiny::matt({0, 0, 0});
+    Material material = tiny::diffuse({0, 0, 0});
     material.emission = Rgb(1);
     return material;
 }
@@ -99,7 +99,7 @@ TEST_CASE("part_touching_faces: a pane on a floor moves to the front of the floo
 TEST_CASE("part_touching_faces: what emits moves forwards", "[shading]")
 {
     for (const bool upwards : {true, false}) {
-        Scene scene = on_floor(smaller_quad(upwards), glowing());
+        Scene scene = on_floor(smaller_quad(upwards), emissive());
         const Partition partition = build_partition(scene, {}).partition;
         CHECK(part_touching_faces(scene, partition) == 2);
         const float up = scene.mesh.positions[4].y + 0.5f;
@@ -115,10 +115,10 @@ TEST_CASE("part_touching_faces: nothing else moves", "[shading]")
     TriangleMesh above = tiny::cube();
     for (glm::vec3& p : above.positions)
         p.y += 0.01f;
-    Material leaf = tiny::matt({0.5f, 0.5f, 0.5f}); // its map is the floor's
+    Material leaf = tiny::diffuse({0.5f, 0.5f, 0.5f}); // its map is the floor's
     leaf.diffuse_transmission = 0.5f;
     for (Scene scene : {on_floor(smaller_quad(true), leaf),
-                        on_floor(tiny::cube(), tiny::matt({0.5f, 0.5f, 0.5f})),
+                        on_floor(tiny::cube(), tiny::diffuse({0.5f, 0.5f, 0.5f})),
                         on_floor(beside, tiny::glass(1.5f)), on_floor(above, tiny::glass(1.5f))}) {
         const Partition partition = build_partition(scene, {}).partition;
         const std::vector<glm::vec3> before = scene.mesh.positions;

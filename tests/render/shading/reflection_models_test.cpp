@@ -13,7 +13,7 @@ namespace {
 
 Material phong(const Rgb& base, const Rgb& specular, float exponent)
 {
-    Material material = tiny::matt(base);
+    Material material = tiny::diffuse(base);
     material.reflection_model = ReflectionModel::phong;
     material.phong_specular = specular;
     material.phong_exponent = exponent;
@@ -22,14 +22,14 @@ Material phong(const Rgb& base, const Rgb& specular, float exponent)
 
 Material schlick(const Rgb& base, float roughness, float isotropy = 1)
 {
-    Material material = tiny::matt(base);
+    Material material = tiny::diffuse(base);
     material.reflection_model = ReflectionModel::schlick;
     material.roughness = roughness;
     material.isotropy = isotropy;
     return material;
 }
 
-/// As tiny::lit_surface, with a direction to be stretched along.
+/// As tiny::lit_surface, with a direction to be anisotropic along.
 Interaction lit(const Material& material, const glm::vec3& back)
 {
     Interaction at = tiny::lit_surface(material, back);
@@ -113,7 +113,7 @@ TEST_CASE("reflection models: light takes the same way back", "[shading]")
     });
 }
 
-TEST_CASE("reflection models: directions are drawn by the density that is said", "[shading]")
+TEST_CASE("reflection models: directions are drawn with the pdf that is returned", "[shading]")
 {
     for (const Material& material : all_models())
         for (const glm::vec3& back : {kBacks[0], kBacks[2]}) {

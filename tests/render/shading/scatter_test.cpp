@@ -21,7 +21,7 @@ Material rough(Material material, float roughness)
 
 Material plastic(float roughness)
 {
-    Material material = tiny::matt({0.8f, 0.5f, 0.2f});
+    Material material = tiny::diffuse({0.8f, 0.5f, 0.2f});
     material.specular = 1;
     material.roughness = roughness;
     return material;
@@ -70,7 +70,7 @@ std::vector<Case> all_surfaces()
 
 } // namespace
 
-TEST_CASE("scatter: directions are drawn by the density that is said", "[shading]")
+TEST_CASE("scatter: directions are drawn with the pdf that is returned", "[shading]")
 {
     for (const Case& surface : all_surfaces())
         for (const Lobes lobes : {Lobes::gathered, Lobes::followed}) {
@@ -105,7 +105,7 @@ TEST_CASE("scatter: the mean weight is the integral of the lobes", "[shading]")
         }
 }
 
-TEST_CASE("scatter: a weight drawn is value over density, and facets send on no more than all",
+TEST_CASE("scatter: a weight drawn is value over pdf, and facets send on no more than all",
           "[shading]")
 {
     for (const Case& surface : all_surfaces())
@@ -117,7 +117,7 @@ TEST_CASE("scatter: a weight drawn is value over density, and facets send on no 
                 if (is_black(sample.weight) || surface.at.shading_normal != surface.at.normal)
                     continue;
                 const Scattered there = scattered(surface.at, sample.direction, Lobes::followed);
-                CHECK(there.value.x * sample.eta * sample.eta / there.density ==
+                CHECK(there.value.x * sample.eta * sample.eta / there.pdf ==
                       Approx(sample.weight.x).epsilon(1e-3));
             }
             for (const PlacedLobe& lobe : surface.at.bsdf().lobes())
@@ -166,7 +166,7 @@ TEST_CASE("scatter: what a shading normal bends past the face is folded back, no
 
 TEST_CASE("scatter: a white base under a rough coat absorbs nothing", "[shading]")
 {
-    Material white = tiny::matt(Rgb(1));
+    Material white = tiny::diffuse(Rgb(1));
     white.specular = 1;
     for (const float roughness : {0.2f, 0.3f, 0.5f, 1.0f})
         for (const float cosine : {0.15f, 0.5f, 0.9f}) {

@@ -17,10 +17,11 @@ Material velvet(Material material, const Rgb& colour, float roughness)
     return material;
 }
 
-/// Over a matt base, one with a coat, metal that is gathered and followed, and below a clear coat.
+/// Over a diffuse base, one with a coat, metal that is gathered and followed, and below a clear
+/// coat.
 std::vector<Material> velvets()
 {
-    Material plastic = tiny::matt({0.8f, 0.5f, 0.2f});
+    Material plastic = tiny::diffuse({0.8f, 0.5f, 0.2f});
     plastic.specular = 1;
     plastic.roughness = 0.5f;
     Material gold = tiny::mirror({1, 0.8f, 0.3f});
@@ -30,7 +31,7 @@ std::vector<Material> velvets()
     Material lacquered = plastic;
     lacquered.clearcoat = 0.8f;
     lacquered.clearcoat_roughness = 0.5f;
-    return {velvet(tiny::matt({0.8f, 0.5f, 0.2f}), {1, 0.6f, 0.3f}, 0.1f),
+    return {velvet(tiny::diffuse({0.8f, 0.5f, 0.2f}), {1, 0.6f, 0.3f}, 0.1f),
             velvet(plastic, {0.9f, 0.9f, 1}, 0.4f), velvet(gold, Rgb(1), 0.8f),
             velvet(steel, {0.5f, 0.7f, 1}, 0.3f), velvet(lacquered, Rgb(0.9f), 0.6f)};
 }
@@ -96,7 +97,7 @@ TEST_CASE("sheen: the table is the integral of the lobe, below one", "[shading]"
         CHECK(sheen_albedo(cosine, kLeastSheenAlpha) < 1);
 }
 
-TEST_CASE("sheen: directions are drawn by the density that is said", "[shading]")
+TEST_CASE("sheen: directions are drawn with the pdf that is returned", "[shading]")
 {
     for (const Material& material : velvets())
         for (const glm::vec3& back : {kBacks[0], kBacks[2]})
@@ -147,7 +148,7 @@ TEST_CASE("sheen: no surface sends on more than all, a white base beneath absorb
     for (const float roughness : {0.0f, 0.2f, 0.6f, 1.0f})
         for (const glm::vec3& back : kBacks) {
             INFO("sheen " << roughness << ", height " << back.z);
-            const Material white = velvet(tiny::matt(Rgb(1)), Rgb(1), roughness);
+            const Material white = velvet(tiny::diffuse(Rgb(1)), Rgb(1), roughness);
             CHECK(tiny::sent(tiny::lit_surface(white, back), 200).x == Approx(1).margin(0.006));
             Material metal = velvet(tiny::mirror(Rgb(1)), {1, 0.5f, 0}, roughness);
             metal.roughness = 0.4f;
@@ -160,9 +161,9 @@ TEST_CASE("sheen: no surface sends on more than all, a white base beneath absorb
 TEST_CASE("sheen: black, and that of glass, is none", "[shading]")
 {
     for (const Material& material :
-         {velvet(tiny::matt(Rgb(0.5f)), Rgb(0), 0.5f), velvet(tiny::glass(1.5f), Rgb(1), 0.5f)})
+         {velvet(tiny::diffuse(Rgb(0.5f)), Rgb(0), 0.5f), velvet(tiny::glass(1.5f), Rgb(1), 0.5f)})
         CHECK(make_bsdf(material, material_factors(material), DiffuseModel::lambert).layers.sheen ==
               0);
-    const Material white = velvet(tiny::matt(Rgb(0.5f)), Rgb(1), 0.5f);
+    const Material white = velvet(tiny::diffuse(Rgb(0.5f)), Rgb(1), 0.5f);
     CHECK(make_bsdf(white, material_factors(white), DiffuseModel::lambert).layers.sheen == 1);
 }

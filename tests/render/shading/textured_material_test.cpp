@@ -8,7 +8,7 @@ using namespace hipmap;
 
 namespace {
 
-/// The unit square with a picture of four pixels on it: red, green above blue, white.
+/// The unit square with a texture of four pixels on it: red, green above blue, white.
 Scene textured_quad()
 {
     Scene scene = tiny::make_scene(tiny::quad());
@@ -18,7 +18,7 @@ Scene textured_quad()
                             2,
                             {255, 0, 0, 255, 0, 255, 0, 255, //
                              0, 0, 255, 255, 255, 255, 255, 255}});
-    scene.materials[0] = tiny::matt(Rgb(0.5f));
+    scene.materials[0] = tiny::diffuse(Rgb(0.5f));
     TextureSlot slot;
     slot.sampler.magnify = Filter::nearest;
     scene.materials[0].textures = {slot};
@@ -75,7 +75,7 @@ TEST_CASE("textured material: without a texture that is rendered there are only 
     CHECK_FALSE(varies(scene.materials[0]));
     CHECK(material_at(scene, 0, {0.1f, 0.1f}).base_color == Rgb(0.5f));
     scene.materials[0].textures[0].use = TextureUse::base_color;
-    scene.mesh.attributes.uv[0].clear(); // no coordinates: no picture
+    scene.mesh.attributes.uv[0].clear(); // no coordinates: no texture
     CHECK(material_at(scene, 0, {0.1f, 0.1f}).base_color == Rgb(0.5f));
 }
 
@@ -83,7 +83,7 @@ TEST_CASE("textured material: colours of vertices multiply the base colour", "[s
 {
     Scene scene = textured_quad();
     scene.mesh.attributes.colours.assign(4, glm::vec4(1));
-    CHECK(varying_materials(scene) == std::vector<std::uint8_t>{1}); // by its picture
+    CHECK(varying_materials(scene) == std::vector<std::uint8_t>{1}); // by its texture
     scene.materials[0].textures.clear();
     CHECK(varying_materials(scene) == std::vector<std::uint8_t>{0}); // white says nothing
     scene.mesh.attributes.colours = {{1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 1}, {1, 1, 1, 1}};

@@ -1,0 +1,102 @@
+#include "render/photons/cross_media.h"
+
+#include "render/media/phase.h"
+
+#include <algorithm>
+
+namespace hipmap {
+
+namespace {
+
+constexpr int kMostScatterings = 1 << 14;
+
+/// From this scattering of a path on, one of as many more leaves a photon: a path in milk would
+/// leave thousands.
+constexpr int kFullScatterings = 16;
+
+/// Moves the path to the point of a medium where it scatters.
+void stop_in_medium(LightPath& path, const glm::vec3& position)
+{
+    ++path.scatterings;
+    path.media_last = true;
+    if (path.behind == LightPathClass::direct)
+        path.behind = LightPathClass::volume;
+    path.last = kNoPhoton;
+    path.nanometres = 0;
+    path.ray.origin = position;
+}
+
+/// Keeps a photon where a medium scatters the path: at the origin of its ray.
+void store_in_medium(const LightPath& path, const Wanted& wanted, RandomSequence& random,
+                     TracedPhotons& out)
+{
+    const glm::vec3& position = path.ray.origin;
+    const float probability = static_cast<float>(kFullScatterings) /
+                              static_cast<float>(std::max(path.scatterings, kFullScatterings));
+    if (!wants_class(path.behind, wanted) || !wanted.volume || !(random.next() < probability))
+        return;
+    const Rgb power = path.power / probability;
+    if (is_finite(power) && is_finite(position))
+        out.volume.push_back({position, power, path.ray.direction, path.inside.current()});
+    else
+        ++out.dropped;
+}
+
+/// Whether a path that a medium scatters goes on: by Russian roulette against what it carried
+/// before.
+bool survives_in_medium(float before, const Wanted& wanted, RandomSequence& random, LightPath& path,
+                        TracedPhotons& out)
+{
+    const float probability = std::min(1.0f, max_channel(path.power) / before);
+    const bool goes_on = random.next() < probability && !is_done(path, wanted);
+    const Rgb incoming = path.power;
+    path.power = goes_on ? incoming / probability : Rgb(0);
+    out.power.absorbed += glm::dvec3(incoming - path.power);
+    return goes_on;
+}
+
+/// Sends the path on in a direction drawn from the phase function of its medium.
+void scatter_in_medium(const MediaSet& media, RandomSequence& random, LightPath& path)
+{
+    const Medium& medium = media.medium(path.inside.current());
+    path.ray.direction = sample_phase(medium.phase, path.ray.direction, random.next2());
+    path.ray.far = std::numeric_limits<float>::infinity();
+}
+
+} // namespace
+
+std::optional<RayHit> cross_media(const MediaSet& media, const Wanted& wanted,
+                                  RandomSequence& random, LightPath& path, TracedPhotons& out)
+{
+    while (path.scatterings < kMostScatterings) {
+        const Rgb before = path.power;
+        glm::vec3 position(0.0f);
+        const WalkEnd end =
+            walk<true>(media, path.ray, path.inside, [&](const MediumSegment& segment) {
+                const OpticalDepth optical_depth =
+                    optical_depth_along(media.density(segment.inside), segment.ray);
+                const FreePath free_path = sample_free_path(
+                    media.medium(segment.inside), optical_depth.total, path.power, random);
+                path.power *= free_path.weight;
+                position =
+                    segment.ray.origin +
+                    distance_at(optical_depth, free_path.optical_depth) * segment.ray.direction;
+                return !free_path.scattered;
+            });
+        out.power.absorbed += glm::dvec3(before - path.power);
+        if (!end.stopped) {
+            if (!end.hit)
+                out.power.escaped += glm::dvec3(path.power);
+            return end.hit;
+        }
+        stop_in_medium(path, position);
+        store_in_medium(path, wanted, random, out);
+        if (!survives_in_medium(max_channel(before), wanted, random, path, out))
+            return std::nullopt;
+        scatter_in_medium(media, random, path);
+    }
+    ++out.cut;
+    return std::nullopt;
+}
+
+} // namespace hipmap

@@ -1,0 +1,58 @@
+#pragma once
+
+#include "common/math/random.h"
+#include "render/paths/path_class.h"
+#include "render/photons/light_path.h"
+
+namespace hipmap {
+
+/// A light path under way.
+struct LightPath {
+    Ray ray;
+    Rgb power{0.0f};
+    Rgb absorption{0.0f}; ///< of what the ray travels in
+    MediumStack inside;   ///< where there are media
+    float nanometres = 0; ///< of its light; 0: all
+    LightPathClass behind = LightPathClass::direct;
+    bool media_last = false; ///< a medium scattered it since the last gathered lobe
+    int scatterings = 0;
+    int diffuse = 0;                ///< bounces off gathered lobes
+    std::uint64_t last = kNoPhoton; ///< photon of the chunk left at the last diffuse surface
+    bool last_caustic = false;
+};
+
+/// Whether photons of a path's class are wanted.
+inline bool wants_class(LightPathClass path, const Wanted& wanted)
+{
+    switch (path) {
+    case LightPathClass::direct:
+        return wanted.direct;
+    case LightPathClass::caustic:
+        return wanted.caustic;
+    case LightPathClass::volume:
+        return wanted.after_media;
+    case LightPathClass::indirect:
+        return wanted.indirect;
+    }
+    return false;
+}
+
+/// Whether nothing more of a path is wanted.
+inline bool is_done(const LightPath& path, const Wanted& wanted)
+{
+    if (!wanted.after_specular && path.behind == LightPathClass::caustic)
+        return true;
+    if (path.behind != LightPathClass::direct && !wanted.indirect &&
+        path.behind != LightPathClass::indirect && !wants_class(path.behind, wanted))
+        return true;
+    const bool bounces = wanted.bounces && path.last != kNoPhoton;
+    return !wanted.indirect && path.diffuse > (bounces ? 1 : 0);
+}
+
+/// Brings the path to the next surface, whatever that lets pass, through the media of a scene, and
+/// keeps the photons that are wanted of it on the way; none: it has ended, or left the scene.
+/// docs/media.md (7).
+std::optional<RayHit> cross_media(const MediaSet& media, const Wanted& wanted,
+                                  RandomSequence& random, LightPath& path, TracedPhotons& out);
+
+} // namespace hipmap

@@ -1,0 +1,35 @@
+#include "render/previous_frame.h"
+
+#include "common/partition/partition_file.h"
+#include "common/scene/fingerprint.h"
+
+namespace hipmap {
+
+namespace {
+
+std::string world_of(const Scene& scene, const Partition& partition, const EnvironmentMap& sky)
+{
+    const Fingerprint still = still_fingerprint(scene);
+    std::string out;
+    for (const std::uint64_t word : {still.words[0], still.words[1], partition_checksum(partition),
+                                     sky.empty() ? std::uint64_t{0} : checksum(sky)})
+        out += std::to_string(word) + " ";
+    return out;
+}
+
+} // namespace
+
+PhotonCache& cache_for(PreviousFrame& previous, const Scene& scene, const Partition& partition,
+                       const EnvironmentMap& sky, double most_mib)
+{
+    std::string world = world_of(scene, partition, sky);
+    const bool first = previous.world.empty(), same = previous.world == world;
+    if (!same)
+        previous.photons = {};
+    previous.world = std::move(world);
+    previous.photons.most = first || same ? static_cast<std::size_t>(most_mib * 0x1p20) : 0;
+    previous.photons.served = 0;
+    return previous.photons;
+}
+
+} // namespace hipmap

@@ -1,0 +1,77 @@
+#include "common/math/random.h"
+#include "render/integrator/sample_allocation.h"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+using namespace hipmap;
+
+namespace {
+
+/// Of mean one; the right half deviates three times as much as the left.
+Image noisy_image(std::uint64_t sample, int size = 64)
+{
+    Image image(size, size);
+    for (int y = 0; y < size; ++y)
+        for (int x = 0; x < size; ++x) {
+            RandomSequence random(1, RandomStream::pictures, sample,
+                                  static_cast<std::uint64_t>(y * size + x));
+            const float deviation = x < size / 2 ? 0.1f : 0.3f;
+            image.at(x, y) = Rgb(1 + deviation * (2 * random.next() - 1));
+        }
+    return image;
+}
+
+double mean_samples(const SampleAllocation& allocation, int width, int from_x, int to_x)
+{
+    double sum = 0;
+    const int height = static_cast<int>(allocation.samples.size()) / width;
+    for (int y = 0; y < height; ++y)
+        for (int x = from_x; x < to_x; ++x)
+            sum += allocation.samples[static_cast<std::size_t>(y * width + x)];
+    return sum / (height * (to_x - from_x));
+}
+
+} // namespace
+
+TEST_CASE("sample allocation: in proportion to the deviation, the mean kept", "[integrator]")
+{
+    const SampleAllocation allocation =
+        allocate_samples(noisy_image(0), noisy_image(1), 128, 128, 16);
+    const double calm = mean_samples(allocation, 128, 0, 56);
+    const double noisy = mean_samples(allocation, 128, 72, 128);
+    CHECK(noisy / calm == Approx(3).epsilon(0.1));
+    CHECK(mean_samples(allocation, 128, 0, 128) == Approx(16).epsilon(0.01));
+}
+
+TEST_CASE("sample allocation: every pixel has a sample, none very many", "[integrator]")
+{
+    Image first = noisy_image(0), second = first;
+    second.at(10, 10) = Rgb(1e6f);
+    second.at(20, 20) = Rgb(std::numeric_limits<float>::quiet_NaN());
+    second.at(30, 30) = Rgb(std::numeric_limits<float>::infinity());
+    for (const std::uint32_t mean : {1u, 2u, 60'000u}) {
+        const SampleAllocation allocation = allocate_samples(first, second, 32, 64, mean);
+        REQUIRE(allocation.samples.size() == 32 * 64);
+        for (const std::uint16_t samples : allocation.samples) {
+            CHECK(samples >= 1);
+            CHECK(samples <= 8 * mean + 1);
+        }
+    }
+    const Image black(8, 8);
+    for (const std::uint16_t samples : allocate_samples(black, black, 8, 8, 4).samples)
+        CHECK(samples == 4); // no pixel has differed from another
+}
+
+TEST_CASE("sample allocation: its checksum tells allocations apart", "[integrator]")
+{
+    SampleAllocation allocation = allocate_samples(noisy_image(0), noisy_image(1), 64, 64, 4);
+    const std::uint64_t sum = checksum(allocation);
+    CHECK(sum == checksum(allocation));
+    ++allocation.samples[100];
+    CHECK(sum != checksum(allocation));
+    CHECK(checksum({}) == 0);
+}
