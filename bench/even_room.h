@@ -19,7 +19,8 @@ struct EvenRoomOptions {
 };
 
 /// Estimates of the irradiance at points of the floor, x and y in [0, 1]: [points][sets].
-/// Those of one set are not independent of each other.  Same options, same numbers.
+/// Returns estimates by sets of photons; estimates of one set are not independent of each other.
+/// Same options, same numbers.
 std::vector<std::vector<double>> estimates_in_even_room(const std::vector<glm::vec2>& points,
                                                         const EvenRoomOptions& options);
 

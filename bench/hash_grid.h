@@ -26,7 +26,7 @@ class HashGrid {
     /// radius: of the searches; a cell is twice as wide, so that each looks into eight.
     HashGrid(std::span<const Item> items, float radius);
 
-    /// Of the photons within the radius.
+    /// Sums the photons within the radius.
     Sum within(const glm::vec3& point) const;
 
   private:

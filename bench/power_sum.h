@@ -10,10 +10,10 @@
 
 namespace hipmap {
 
-/// Of photons, red, green and blue; the fourth fills a vector of the processor.
+/// The powers of photons, red, green and blue; the fourth component fills a vector register.
 using Powers = std::vector<glm::vec4>;
 
-/// Of the powers at `place(element)`.  Four sums, so that none waits for the last.
+/// Sums the powers at `place(element)`, in four sums that do not wait for each other.
 template <typename Found, typename Place>
 glm::vec4 sum_powers(const Powers& powers, std::span<const Found> found, const Place& place)
 {

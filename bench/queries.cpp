@@ -35,7 +35,7 @@ struct QueryOrder {
     double seconds_each = 0;
 };
 
-/// Of processor time.
+/// Returns the processor time since `start`, in seconds.
 double seconds_since(std::clock_t start)
 {
     return double(std::clock() - start) / CLOCKS_PER_SEC;
@@ -70,7 +70,7 @@ std::vector<QueryOrder> make_orders()
             {"sorted", sample_runs(sorted), each}};
 }
 
-/// Of a search, and of the sum of the powers it found if so wanted.
+/// Returns the time of a search, and of the sum of the powers it found if `sum`.
 double nanoseconds(QueryMethod& method, const QueryOrder& order, bool sum)
 {
     double best = std::numeric_limits<double>::infinity();
@@ -190,7 +190,7 @@ bool measure(const Points& photons, std::vector<BuiltMethod>& methods,
     return right;
 }
 
-/// Of no two photons the same.
+/// Makes a different power for each photon.
 Powers make_powers(std::size_t count)
 {
     Powers powers;

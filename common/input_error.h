@@ -5,9 +5,9 @@
 
 namespace hipmap {
 
-/// Bad input or usage: the one exception that is the user's to mend.
-/// The message is one line that names the file, the place in it, what is wrong and what to do.
-/// Only main catches it (exit code 2).
+/// Reports bad input or usage, the one exception that the user can fix.  The message is one line
+/// that names the file, the place in it, what is wrong and what to do.  Only main catches it (exit
+/// code 2).
 class InputError : public std::runtime_error {
   public:
     explicit InputError(const std::string& message) : std::runtime_error(message) {}

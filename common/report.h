@@ -8,30 +8,30 @@
 
 namespace hipmap {
 
-/// "12.34 s", or "1:02:03" from 100 s on.
+/// Formats a time: "12.34 s", or "1:02:03" from 100 s on.
 std::string format_seconds(double seconds);
 
-/// The line that progress shows: "stage: 20 %, note, 4.00 s left".  done: 0 to 1; none: without
-/// share and time left; a NaN counts as nothing done.  elapsed: since the stage began, s.
+/// Returns the progress line: "stage: 20 %, note, 4.00 s left".  done: 0 to 1; none: without share
+/// and time left; NaN counts as 0.  elapsed: seconds since the stage began.
 std::string progress_text(std::string_view stage, std::optional<double> done, std::string_view note,
                           double elapsed);
 
-/// The only printing of both tools, all of it on standard error.  Thread-safe.
+/// Prints all text of both tools, on standard error.  Thread-safe.
 class Report {
   public:
-    /// A plain line.
+    /// Prints a plain line.
     void line(std::string_view text);
-    /// "warning: ..."; counted.
+    /// Prints "warning: ..." and counts it.
     void warn(std::string_view text);
     std::size_t warnings() const { return warnings_; }
 
-    /// Starts a stage of long work that `progress` then reports on.
+    /// Starts a stage of long work that `progress` reports on.
     void begin(std::string_view stage);
-    /// done: 0 to 1; none: not known, and neither is the time left.  note: how things stand, may be
-    /// empty.  On a terminal one line that is rewritten, with the time left; elsewhere a plain line
-    /// at intervals.  Cheap enough to call often.
+    /// Updates the progress of the current stage.  done: 0 to 1; none: unknown, and so is the time
+    /// left.  note: the current state, may be empty.  On a terminal one line is rewritten;
+    /// elsewhere plain lines are printed at intervals.  Cheap enough to call often.
     void progress(std::optional<double> done, std::string_view note = {});
-    /// Ends the stage with a line that gives its time.  Returns the seconds it took.
+    /// Ends the stage and prints its time.  Returns the seconds it took.
     double end();
 
   private:

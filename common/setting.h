@@ -16,11 +16,11 @@ struct Setting {
     bool operator==(const Setting&) const = default;
 };
 
-/// A value for people to read: "none", "on", "off", "200000", "0.5", "progressive".  A number is
+/// Formats a value for people: "none", "on", "off", "200000", "0.5", "progressive".  A number is
 /// the shortest text that names no other number.
 std::string text_of(const SettingValue& value);
 
-/// "name=value".
+/// Formats a setting as "name=value".
 std::string text_of(const Setting& setting);
 
 } // namespace hipmap

@@ -5,12 +5,12 @@
 
 namespace hipmap {
 
-/// Time since it was made.
+/// Measures the time since its construction.
 class Stopwatch {
   public:
-    /// By the wall clock.
+    /// Returns the wall-clock time, in seconds.
     double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
-    /// Of the processor, of all threads together, whatever other programs run meanwhile.
+    /// Returns the processor time of all threads of this process together, in seconds.
     double processor_seconds() const
     {
         return static_cast<double>(std::clock() - processor_start_) / CLOCKS_PER_SEC;

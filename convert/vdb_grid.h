@@ -7,7 +7,7 @@
 
 namespace hipmap {
 
-/// Which axis of a file points upwards.
+/// The axis of a file that points upwards.
 enum class UpAxis : std::uint8_t { y, z };
 
 /// A grid of a .vdb file, turned so that y is up as in glTF (z up: x, z, -y).
@@ -19,9 +19,9 @@ struct VdbGrid {
     std::size_t negative = 0; ///< values below 0, which count as 0
 };
 
-/// Reads the grid of floats of that name; "": the one named density, or the only one.
-/// Throws InputError naming the file: OpenVDB cannot read it, no such grid, not of floats, turned
-/// or skewed, no active voxel, fewer than 2 or very many along an axis, a value that is not finite.
+/// Reads the float grid called `name`; "": the one called density, or the only one.  Throws
+/// InputError naming the file: OpenVDB cannot read it, no such grid, not of floats, turned or
+/// skewed, no active voxel, fewer than 2 or very many along an axis, a value that is not finite.
 /// Cost: the memory of all voxels in the box, twice.
 VdbGrid read_vdb(const std::filesystem::path& path, const std::string& name, UpAxis up);
 

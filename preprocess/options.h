@@ -11,9 +11,9 @@ namespace hipmap {
 inline constexpr Choice<SplitBy> kSplits[] = {
     {"angle", SplitBy::angle}, {"normals", SplitBy::normals}, {"both", SplitBy::both}};
 
-/// What the user asked of `preprocess`.
+/// The options of a `preprocess` run.
 struct PreprocessArguments {
-    std::vector<std::string> command; ///< as typed, of the name of the tool and its arguments
+    std::vector<std::string> command; ///< the tool and its arguments as typed
     std::filesystem::path scene;
     std::filesystem::path output;
     std::filesystem::path images;   ///< folder; empty: none
@@ -23,22 +23,22 @@ struct PreprocessArguments {
     SplitBy split = SplitBy::angle;
     double weld_metres = 0; ///< 0: identical positions only
     SceneOptions scene_options;
-    SkyOptions sky; ///< what it lights is no matter here
+    SkyOptions sky; ///< read, but not used by preprocess
     FrameOptions frames;
     PictureSize size{768, 0};
     unsigned threads = 0; ///< 0: all cores
 };
 
-/// Every option of `preprocess`, bound to `arguments`, which must outlive the rows.
+/// Returns every option of `preprocess`, bound to `arguments`, which must outlive the rows.
 std::vector<OptionRow> option_rows(PreprocessArguments& arguments);
 
-/// The command line of `preprocess`: the scene, and the options.
+/// Adds the command line of `preprocess`: the scene and the options.
 void add_arguments(CLI::App& app, PreprocessArguments& arguments);
 
-/// The arguments of one frame: its moment, and files of its own.
+/// Returns the arguments of one frame: its time and its own file names.
 PreprocessArguments arguments_of_frame(const PreprocessArguments& all, int frame);
 
-/// Throws InputError unless every file asked for could be written and none of them is the scene or
+/// Throws InputError unless every output file could be written and none of them is the scene or
 /// another one.  Changes no file.
 void check_outputs(const PreprocessArguments& arguments);
 

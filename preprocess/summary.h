@@ -10,14 +10,15 @@
 
 namespace hipmap {
 
-/// What a partition holds, as plain sentences for the user.
+/// Describes a partition in plain sentences for the user.
 std::vector<std::string> describe(const PartitionSummary& summary, double angle_deg);
 
-/// What was wrong with the mesh and what was done about it, as sentences; empty if nothing was.
+/// Describes the defects of the mesh and what was done about them, in sentences; empty if there
+/// were none.
 std::vector<std::string> describe_defects(const PartitionSummary& summary);
 
-/// The same and more as JSON text; docs/partition_file.md.  Lengths in metres, areas in m2.
-/// partition: of the scene.  pictures: written of it.  O(n log n) in faces.
+/// Returns the summary of a partition as JSON text, docs/partition_file.md.  Lengths in metres,
+/// areas in m2. partition: of the scene.  pictures: the images written of it.  O(n log n) in faces.
 std::string summary_json(const PreprocessArguments& arguments, const Scene& scene,
                          const Partition& partition, const PartitionSummary& summary,
                          const std::vector<LegendedPicture>& pictures);

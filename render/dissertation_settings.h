@@ -5,10 +5,10 @@
 
 namespace hipmap {
 
-/// DissertationOptions::local_min while it follows from the number of neighbours.
+/// The value of DissertationOptions::local_min while it follows from the number of neighbours.
 inline constexpr std::uint32_t kLocalMinOpen = 0;
 
-/// The options of what is compared with the dissertation, bound to `asked`, which must outlive the
+/// Returns the options of the dissertation's methods, bound to `asked`, which must outlive the
 /// rows.
 std::vector<OptionRow> dissertation_rows(DissertationOptions& asked);
 

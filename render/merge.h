@@ -4,8 +4,8 @@
 
 namespace hipmap {
 
-/// `render merge`: the image of all passes of several states, which must be of one render and have
-/// no pass in common.  Returns the exit code; throws InputError.
+/// Runs `render merge`: renders the image of all passes of several states, which must be of one
+/// render and have no pass in common.  Returns the exit code; throws InputError.
 int merge_states(const MergeArguments& arguments);
 
 } // namespace hipmap

@@ -12,14 +12,14 @@
 
 namespace hipmap {
 
-/// Passes of a render that nothing else ends.
+/// The number of passes of a render that no other rule ends.
 inline constexpr std::uint64_t kDefaultPasses = 16;
 
 /// Bounds of the light paths of a pass where --photons is not given.
 inline constexpr std::uint64_t kFewestDefaultPhotons = 200'000;
 inline constexpr std::uint64_t kMostDefaultPhotons = 2'000'000;
 
-/// What `render` and `render merge` write.
+/// The files that `render` and `render merge` write.
 struct OutputFiles {
     std::vector<std::filesystem::path> images;
     std::filesystem::path error_image; ///< empty: none
@@ -28,9 +28,9 @@ struct OutputFiles {
     std::optional<float> exposure_ev;  ///< of 8-bit images; none: auto
 };
 
-/// What the user asked of `render`.
+/// The options of a `render` run.
 struct RenderArguments {
-    std::vector<std::string> command; ///< as typed, of the name of the tool and its arguments
+    std::vector<std::string> command; ///< the tool and its arguments as typed
     std::filesystem::path scene;
     std::filesystem::path partition;
     OutputFiles files;
@@ -43,7 +43,8 @@ struct RenderArguments {
     FrameOptions frames;
     double photon_cache_mib = 1024; ///< for maps that further frames may use
     double shutter = 0;             ///< frames that the shutter is open; 0: no time
-    /// What passes are made by.  The size, the photons and the light classes follow from the frame.
+    /// The options of the passes.  The size, the photons and the light classes follow from the
+    /// frame.
     RenderOptions render{
         .maps = {}, .dissertation = {.local_min = kLocalMinOpen}, .samples = 4, .light = {}};
     std::optional<DiffuseModel> diffuse;  ///< none: the scene's own
@@ -53,17 +54,17 @@ struct RenderArguments {
     unsigned threads = 0; ///< 0: all cores
 };
 
-/// The arguments of one frame: its moment, and files of its own.
+/// Returns the arguments of one frame: its time and its own file names.
 RenderArguments arguments_of_frame(const RenderArguments& all, int frame);
 
-/// What the user asked of `render merge`.
+/// The options of a `render merge` run.
 struct MergeArguments {
     std::vector<std::string> command; ///< as typed, of the name of the tool and its arguments
     std::vector<std::filesystem::path> states;
     OutputFiles files; ///< at least one image
 };
 
-/// Fills in what follows from other options; throws InputError if they contradict each other.
+/// Fills in options that follow from others; throws InputError if they contradict each other.
 void complete_arguments(RenderArguments& arguments);
 
 } // namespace hipmap

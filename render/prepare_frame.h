@@ -9,9 +9,9 @@
 
 namespace hipmap {
 
-/// All that is read and decided before a frame is rendered.
+/// Everything that is read and decided before a frame is rendered.
 struct PreparedFrame {
-    /// As asked, completed by the frame: image size, photons of a pass, diffuse model, and the
+    /// The arguments, completed by the frame: image size, photons of a pass, diffuse model, and the
     /// light classes that are traced.
     RenderArguments arguments;
     LoadedScene loaded; ///< without what the plan leaves out
@@ -24,11 +24,13 @@ struct PreparedFrame {
     double seconds = 0;               ///< reading all of it
 };
 
-/// The scene at a time of its animation, changed as the options say.  Throws as SceneSource::at.
+/// Loads the scene at a time of its animation, changed as the options say.  Throws as
+/// SceneSource::at.
 LoadedScene load_at(const RenderArguments& arguments, SceneSource& source,
                     std::optional<double> time);
 
-/// The scene at another moment of a frame, with the frame's partition and plan.  Throws as load_at.
+/// Loads the scene at another moment of a frame, with the frame's partition and plan.  Throws as
+/// load_at.
 Scene load_moment(const PreparedFrame& frame, SceneSource& source, double time);
 
 /// Reads and plans the frame that `request` names, and the state to resume if its file exists.

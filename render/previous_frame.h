@@ -16,7 +16,7 @@ struct RenderedFrame {
     double seconds_rays = 0; ///< building the ray tracing structure
 };
 
-/// What a frame of an animation leaves to the next one.  All frames are rendered by the same
+/// What a frame of an animation keeps for the next one.  All frames are rendered with the same
 /// options.
 struct PreviousFrame {
     std::vector<Setting> settings; ///< all that its image depends on; empty: there was none
@@ -25,9 +25,9 @@ struct PreviousFrame {
     PhotonCache photons;
 };
 
-/// Keeps the cache of photons for a frame of this scene, or empties it if anything but the camera
-/// has changed.  It takes photons up in the first frame, and in one where nothing else has moved
-/// since the frame before: if things go on moving, no memory is spent.
+/// Returns the cache of photons for a frame of this scene; empties it if anything except the camera
+/// has changed.  The cache fills in the first frame, and in a frame where only the camera has moved
+/// since the previous one; while other things move, it uses no memory.
 PhotonCache& cache_for(PreviousFrame& previous, const Scene& scene, const Partition& partition,
                        const EnvironmentMap& sky, double most_mib);
 

@@ -5,8 +5,8 @@
 
 namespace hipmap {
 
-/// Plans the effects of a run, completes the options by the plan, and takes what it leaves out from
-/// the scene.  moving: names of what moves while the shutter is open.
+/// Plans the effects of a run, completes the options by the plan, and removes from the scene what
+/// it leaves out.  moving: names of what moves while the shutter is open.
 EffectPlan plan_run(RenderArguments& arguments, Scene& scene, const Partition& partition,
                     std::vector<std::string> moving);
 

@@ -8,11 +8,11 @@
 
 namespace hipmap {
 
-/// The statistics of a render as JSON text (docs/statistics.md); powers in W.
+/// Returns the statistics of a render as JSON text (docs/statistics.md); powers in W.
 std::string statistics_json(const PreparedFrame& frame, const RenderedFrame& rendered,
                             const WrittenFiles& written);
 
-/// The statistics of merged states, as far as states know them.
+/// Returns the statistics of merged states, as far as states know them.
 std::string merged_statistics_json(const MergeArguments& arguments, const RenderState& state,
                                    const WrittenFiles& written);
 

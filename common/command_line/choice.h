@@ -6,15 +6,15 @@
 
 namespace hipmap {
 
-/// A value of a closed set and its name on the command line, in statistics and in states.  One
-/// array of these per set is the only place where the names are written.
+/// Pairs a value of a closed set with its name on the command line, in statistics and in states.
+/// One array per set is the only place where the names are written.
 template <typename Value>
 struct Choice {
     const char* name;
     Value value;
 };
 
-/// name: of one of the choices.
+/// Returns the value called `name`, which must be the name of one of the choices.
 template <typename Value>
 Value value_of(std::span<const Choice<Value>> choices, std::string_view name)
 {
@@ -25,7 +25,7 @@ Value value_of(std::span<const Choice<Value>> choices, std::string_view name)
     return choices.front().value;
 }
 
-/// value: of one of the choices.
+/// Returns the name of `value`, which must be one of the choices.
 template <typename Value>
 const char* name_of(std::span<const Choice<Value>> choices, const Value& value)
 {

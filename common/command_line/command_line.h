@@ -20,28 +20,30 @@ inline constexpr int kExitStopped = 3; ///< by a signal
 /// --version, or after one line on standard error that says what is wrong with the arguments.
 std::optional<int> parse_arguments(CLI::App& app, int argc, char** argv);
 
-/// What was typed, with the tool's bare name first: the same whatever folder it lies in.
+/// Returns the command as it was typed, with the tool's bare name first, whatever folder the tool
+/// lies in.
 std::vector<std::string> command_of(const std::string& tool, int argc, char** argv);
 
-/// Runs the body of a tool; turns what it throws into one line on standard error and an exit code.
+/// Runs the body of a tool.  Turns what the body throws into one line on standard error and an exit
+/// code.
 int run_tool(const std::function<int()>& body);
 
-/// A number that is finite and within [low, high]; CLI11's own range check lets NaN through.
+/// Accepts a finite number within [low, high].  CLI11's own range check lets NaN through.
 CLI::Validator finite_in(double low, double high);
 
-/// Width and height in pixels; height 0: by the camera's aspect.
+/// Image width and height in pixels; a height of 0 follows from the camera's aspect.
 struct PictureSize {
     int width = 0;
     int height = 0;
 };
 
-/// "WxH" or "W", each 1 to 65,536.
+/// Parses an image size: "WxH" or "W", each 1 to 65,536.
 PictureSize parse_picture_size(const std::string& text);
 
-/// With the height filled in.  aspect: width over height.
+/// Returns `size` with a missing height filled in.  aspect: width over height.
 PictureSize complete_size(PictureSize size, float aspect);
 
-/// Limits the threads of a tool for as long as it lives; 0: all cores.
+/// Limits the threads of a tool during the lifetime of the object; 0: all cores.
 class ThreadLimit {
   public:
     explicit ThreadLimit(unsigned threads);

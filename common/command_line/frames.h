@@ -7,7 +7,7 @@
 
 namespace hipmap {
 
-/// Which moments of an animation to work on.  Frame f is at f / fps seconds, as in Blender.
+/// Selects the moments of an animation to work on.  Frame f is at f / fps seconds, as in Blender.
 struct FrameOptions {
     int first = -1; ///< below 0: no animation, the scene as its file places it
     int last = -1;
@@ -16,20 +16,22 @@ struct FrameOptions {
     bool asked() const { return first >= 0; }
 };
 
-/// --frames and --fps, bound to `frames`.
+/// Returns the rows of --frames and --fps, bound to `frames`.
 std::vector<OptionRow> frame_rows(FrameOptions& frames);
 
-/// The file that belongs to a frame: "out.png" of frame 3 is "out.0003.png".  Empty stays empty.
+/// Returns the file name of a frame: "out.png" of frame 3 becomes "out.0003.png".  An empty path
+/// stays empty.
 std::filesystem::path frame_path(const std::filesystem::path& path, int frame);
 
-/// Leaves only `frame` in `frames`, and sets its moment in `options`.
+/// Restricts `frames` to `frame`, and sets its time in `options`.
 void set_frame(SceneOptions& options, FrameOptions& frames, int frame);
 
-/// Calls body(frame) for all frames in order until one does not end with kExitDone; returns what
-/// the last one called returned.  Without frames: body(-1).
+/// Calls body(frame) for all frames in order until one does not return kExitDone, and returns the
+/// last result.  Without frames it calls body(-1) once.
 int for_each_frame(const FrameOptions& frames, const std::function<int(int frame)>& body);
 
-/// The same with the arguments of each frame, by arguments_of_frame; without frames with all.
+/// Calls body(arguments) for each frame in order, with the arguments of arguments_of_frame; without
+/// frames, once with `all`.  Returns the result of the last call.
 template <typename Arguments, typename Body>
 int for_each_frame_of(const Arguments& all, const Body& body)
 {

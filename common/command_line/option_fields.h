@@ -8,8 +8,8 @@
 
 namespace hipmap {
 
-/// How the text after an option becomes the value of a field, and how the value is read again.  The
-/// field that it was made with must outlive it.
+/// Converts between the text after an option and the value of a field.  The field must outlive the
+/// OptionField.
 struct OptionField {
     /// Adds the option to a command line.
     std::function<CLI::Option*(CLI::App&, const std::string& flags)> add;
@@ -19,19 +19,19 @@ struct OptionField {
     std::vector<std::string> names = {}; ///< of a choice
 };
 
-/// Inclusive.
+/// An inclusive range of numbers.
 struct NumberRange {
     double low;
     double high;
 };
 
-/// "box, b-spline".
+/// Joins names with commas: "box, b-spline".
 std::string joined(const std::vector<std::string>& names);
 
-/// What stands in the table for a range: "1 to 65536".
+/// Returns the text of a range for the options table: "1 to 65536".
 std::string text_of(NumberRange range);
 
-/// A whole number is std::uint64_t, another one double.
+/// Returns a number as a setting: whole numbers as std::uint64_t, others as double.
 template <typename Number>
 SettingValue number_value(Number number)
 {
@@ -47,7 +47,7 @@ SettingValue number_value(const std::optional<Number>& number)
     return number ? number_value(*number) : SettingValue();
 }
 
-/// A number, which may be a std::optional one.
+/// Makes an option field for a number, which may be a std::optional.
 template <typename Number>
 OptionField number_field(Number& into, NumberRange range, std::string placeholder = "N")
 {
@@ -60,7 +60,7 @@ OptionField number_field(Number& into, NumberRange range, std::string placeholde
             .values = text_of(range)};
 }
 
-/// A number whose field holds `none` while it is not given.
+/// Makes an option field for a number that equals `none` until the option is given.
 template <typename Number>
 OptionField number_or_none_field(Number& into, Number none, NumberRange range,
                                  std::string placeholder = "N")
@@ -70,10 +70,10 @@ OptionField number_or_none_field(Number& into, Number none, NumberRange range,
     return out;
 }
 
-/// Any number that fits the field.
+/// Makes an option field for any number that the seed can hold.
 OptionField seed_field(std::uint64_t& into);
 
-/// One of `choices`, which must outlive the field.
+/// Makes an option field for one of `choices`, which must outlive the field.
 template <typename Value>
 OptionField choice_field(Value& into, std::span<const Choice<Value>> choices,
                          std::string placeholder = "NAME")
@@ -94,25 +94,27 @@ OptionField choice_field(Value& into, std::span<const Choice<Value>> choices,
     return out;
 }
 
-/// True once given.
+/// Makes an option field for a flag, which is true once the option is given.
 OptionField flag_field(bool& into);
 
-/// Text; none while it is empty.
+/// Makes an option field for text; empty text counts as not given.
 OptionField text_field(std::string& into, std::string placeholder);
 
-/// Text that may be given several times; its value is all of it, with commas between.
+/// Makes an option field for text that may be given several times; the value joins all texts with
+/// commas.
 OptionField texts_field(std::vector<std::string>& into, std::string placeholder);
 
-/// A file or folder.
+/// Makes an option field for a file or folder.
 OptionField file_field(std::filesystem::path& into, std::string placeholder = "FILE");
 
-/// Files, each given by an option of its own.
+/// Makes an option field for several files, each given by its own option.
 OptionField files_field(std::vector<std::filesystem::path>& into);
 
-/// A width and height in pixels, or a width alone.
+/// Makes an option field for a width and height in pixels, or a width alone.
 OptionField size_field(PictureSize& into);
 
-/// Text that `parse` reads; it throws CLI::ValidationError or InputError if it is wrong.
+/// Makes an option field for text that `parse` reads.  `parse` throws CLI::ValidationError or
+/// InputError for wrong text.
 OptionField parsed_field(std::function<void(const std::string&)> parse,
                          std::function<SettingValue()> value, std::string placeholder);
 

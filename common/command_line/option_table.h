@@ -4,7 +4,7 @@
 
 namespace hipmap {
 
-/// What depends on an option's value.
+/// Says what depends on an option's value.
 enum class Changes : std::uint8_t {
     nothing, ///< not the passes of an image: which files, when to end, how fast
     scene,   ///< what is rendered; states hold a hash of that
@@ -17,15 +17,15 @@ inline constexpr const char* kSceneSection = "Scene";
 inline constexpr const char* kAnimationSection = "Animation";
 inline constexpr const char* kRunSection = "Running";
 
-/// A value of an option that only makes sense with some values of another.
+/// Restricts a value of an option to some values of another option.
 struct OnlyWith {
     std::string value;               ///< of this option; empty: any but the default
     std::string option;              ///< name of the other
     std::vector<std::string> values; ///< of the other
 };
 
-/// All that is known of an option.  Its command line, help, documentation, statistics and place in
-/// a state follow from this.
+/// Everything known about an option.  The command line, help, documentation, statistics and render
+/// state follow from it.
 struct OptionRow {
     std::string name;       ///< "samples"
     const char* section;    ///< heading under which it is listed
@@ -39,18 +39,18 @@ struct OptionRow {
     std::vector<OnlyWith> only_with = {};
 };
 
-/// The text of a default: of a row's value now, or what holds while it has none.  Empty: a flag, or
-/// nothing to say.
+/// Returns the text of a row's default: its current value, or what applies while it has none.
+/// Empty for a flag, or where there is nothing to say.
 std::string default_text(const OptionRow& row);
 
 /// Adds an option for each row.  The fields must outlive the parsing.
 void add_options(CLI::App& app, const std::vector<OptionRow>& rows);
 
-/// Throws InputError for the first row whose value does not go with that of another (OnlyWith).
+/// Throws InputError for the first row whose value does not go with another row's value (OnlyWith).
 /// defaults: rows of the same table, whose fields hold the defaults.
 void check_combinations(const std::vector<OptionRow>& rows, const std::vector<OptionRow>& defaults);
 
-/// Tables in Markdown, one for each section: docs/options.md.
+/// Returns the options as Markdown tables, one for each section (docs/options.md).
 std::string options_markdown(const std::vector<OptionRow>& rows);
 
 /// Appends `more` to `rows`.

@@ -5,16 +5,16 @@
 
 namespace hipmap {
 
-/// A environment map instead of the scene's own.
+/// An environment map that replaces the scene's own.
 struct SkyOptions {
     std::string map_file;  ///< path; empty: none
-    double turn_deg = 0.0; ///< of any texture, about +y, counter-clockwise from above
+    double turn_deg = 0.0; ///< of any environment map, about +y, counter-clockwise from above
 };
 
-/// The options that both tools give to load_scene, bound to `options` and `sky`.
+/// Returns the options that both tools pass to load_scene, bound to `options` and `sky`.
 std::vector<OptionRow> scene_rows(SceneOptions& options, SkyOptions& sky);
 
-/// --threads, bound to `threads`.
+/// Returns the row of --threads, bound to `threads`.
 OptionRow threads_row(unsigned& threads);
 
 } // namespace hipmap

@@ -18,7 +18,7 @@ void write_file(const std::filesystem::path& path, std::string_view text);
 /// itself), so that long work is not done for nothing.  Changes no file.
 void check_writable(const std::filesystem::path& path);
 
-/// The whole file.  Throws InputError with path and cause if it cannot be read.
+/// Reads a whole file.  Throws InputError with path and cause if it cannot be read.
 std::vector<std::byte> read_file(const std::filesystem::path& path);
 
 } // namespace hipmap

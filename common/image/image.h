@@ -7,7 +7,7 @@
 
 namespace hipmap {
 
-/// Linear RGB, rows from the top left.
+/// An image of linear RGB pixels, rows from the top left.
 struct Image {
     int width = 0;
     int height = 0;

@@ -7,8 +7,8 @@ namespace hipmap {
 /// exr, pfm and hdr hold radiance; png and ppm 8-bit display values.
 enum class ImageFormat { exr, pfm, hdr, png, ppm };
 
-/// The format that the suffix of `path` names, in lower or upper case.
-/// Throws InputError, with the suffixes there are, on any other.
+/// Returns the format that the suffix of `path` names, in lower or upper case.  Throws InputError,
+/// listing the known suffixes, on any other.
 ImageFormat image_format(const std::filesystem::path& path);
 
 } // namespace hipmap

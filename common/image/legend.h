@@ -8,19 +8,19 @@
 
 namespace hipmap {
 
-/// A colour of a picture and what it stands for.
+/// A colour of an image and its meaning.
 struct LegendEntry {
     std::vector<Rgb> colours; ///< display-linear; several make a scale from left to right
     std::string text;         ///< letters, digits and . , : - % ( ) / ; others become blank
 };
 
-/// The picture (display values) with the entries below it, in as many rows as they need.
+/// Returns the image (display values) with the legend below it, in as many rows as it needs.
 Image add_legend(const Image& picture, const std::vector<LegendEntry>& entries);
 
-/// "#rrggbb" of a display-linear colour, clipped.
+/// Returns a display-linear colour as "#rrggbb", clipped.
 std::string hex_colour(const Rgb& linear);
 
-/// A picture in a file, and what its colours stand for.
+/// An image in a file, with the legend of its colours.
 struct LegendedPicture {
     std::filesystem::path path;
     int width = 0;
@@ -28,8 +28,8 @@ struct LegendedPicture {
     std::vector<LegendEntry> legend;
 };
 
-/// Writes the picture (display values) with its legend below, as .png.  Throws InputError if the
-/// file cannot be written.
+/// Writes the image (display values) with its legend below, as .png.  Throws InputError if the file
+/// cannot be written.
 LegendedPicture write_with_legend(const std::filesystem::path& path, const Image& picture,
                                   std::vector<LegendEntry> legend);
 

@@ -8,7 +8,8 @@
 
 namespace hipmap {
 
-/// A picture as the JSON files of both tools list it; of a scale some 16 of its colours.
+/// Describes an image as both tools list it in their JSON files.  A continuous scale is listed by
+/// about 16 of its colours.
 inline nlohmann::ordered_json picture_json(const LegendedPicture& picture)
 {
     constexpr std::size_t kMostColours = 16;

@@ -7,20 +7,20 @@
 
 namespace hipmap {
 
-/// How 8-bit formats show an image.
+/// Display settings of the 8-bit formats.
 struct Display {
     float exposure_ev = 0.0f; ///< stops: the image is multiplied by 2^exposure_ev
 };
 
-/// Writes `image` in the format of the suffix of `path`, whole or not at all (write_file).
-/// .exr, .pfm, .hdr: linear, never exposed (.hdr: three 8-bit mantissas and one exponent, rounded
-/// towards zero, so up to 1 part in 128 of the largest channel low; negative values are 0).
-/// .png, .ppm: exposed, clipped to [0, 1], sRGB transfer function, rounded, not dithered.
-/// A channel that is not finite is written as 0.
-/// Throws InputError: unknown suffix, file not writable, picture too large for its format.
+/// Writes `image` in the format of the suffix of `path`, whole or not at all (write_file). .exr,
+/// .pfm, .hdr: linear, never exposed (.hdr: three 8-bit mantissas and one exponent, rounded towards
+/// zero, so up to 1 part in 128 of the largest channel low; negative values are 0). .png, .ppm:
+/// exposed, clipped to [0, 1], sRGB transfer function, rounded, not dithered. A channel that is not
+/// finite is written as 0. Throws InputError: unknown suffix, file not writable, image too large
+/// for its format.
 void write_image(const std::filesystem::path& path, const Image& image, const Display& display);
 
-/// Writes a picture whose pixels are display values in [0, 1] already, clipped, as 8-bit .png.
+/// Writes an image whose pixels are already display values in [0, 1], clipped, as 8-bit .png.
 /// Throws InputError if the file cannot be written.
 void write_display_png(const std::filesystem::path& path, const Image& picture);
 

@@ -6,7 +6,7 @@
 
 namespace hipmap {
 
-/// Axis-aligned box; empty until a point is added.
+/// An axis-aligned box; empty until a point is added.
 template <typename Vec>
 struct Bounds {
     using Scalar = typename Vec::value_type;

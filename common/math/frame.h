@@ -6,8 +6,8 @@
 
 namespace hipmap {
 
-/// Right-handed orthonormal basis whose z axis is a given unit vector.
-/// Source: Duff et al. 2017, "Building an Orthonormal Basis, Revisited".
+/// A right-handed orthonormal basis whose z axis is a given unit vector. Source: Duff et al. 2017,
+/// "Building an Orthonormal Basis, Revisited".
 struct Frame {
     glm::vec3 x, y, z;
 

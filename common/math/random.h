@@ -16,7 +16,7 @@ inline std::uint64_t mix_bits(std::uint64_t x)
     return x ^ (x >> 31);
 }
 
-/// What random numbers are drawn for; streams of one seed are independent.
+/// Purposes that random numbers are drawn for.  Streams of one seed are independent.
 enum class RandomStream : std::uint64_t {
     photons = 1,
     eye_paths = 2,
@@ -28,9 +28,9 @@ enum class RandomStream : std::uint64_t {
 /// Uniform numbers in [0, 1) as a function of (seed, stream, pass, path, dimension) alone, so that
 /// neither the number of threads nor the order of work can change them.
 ///
-/// Of samples that are summed, the index can be given too: samples 0, 1, 2, ... of a path are then
-/// stratified, each dimension and pair of dimensions for itself (`scrambled_sobol`), while each of
-/// them stays uniform.
+/// A sample index can be given for samples that are summed: samples 0, 1, 2, ... of a path are then
+/// stratified in each dimension and each pair of dimensions (`scrambled_sobol`), while every sample
+/// stays uniform.
 class RandomSequence {
   public:
     RandomSequence(std::uint64_t seed, RandomStream stream, std::uint64_t pass, std::uint64_t path)
@@ -46,7 +46,7 @@ class RandomSequence {
     {
     }
 
-    /// The next dimension; 24 bits.
+    /// Returns the next dimension, with 24 random bits.
     float next()
     {
         state_ += kStep;
@@ -55,7 +55,7 @@ class RandomSequence {
                            : fraction(static_cast<std::uint32_t>(mixed >> 32));
     }
 
-    /// The next two.
+    /// Returns the next two dimensions.
     glm::vec2 next2()
     {
         if (!stratified_) {

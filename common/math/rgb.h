@@ -15,7 +15,7 @@ inline float max_channel(const Rgb& c)
     return std::max(c.x, std::max(c.y, c.z));
 }
 
-/// Rec. 709 luminance.
+/// Returns the Rec. 709 luminance of a colour.
 inline float luminance(const Rgb& c)
 {
     return 0.2126f * c.x + 0.7152f * c.y + 0.0722f * c.z;

@@ -4,7 +4,7 @@
 
 namespace hipmap {
 
-/// Bit 0 becomes bit 31 and so on.
+/// Reverses the order of the bits: bit 0 becomes bit 31 and so on.
 inline std::uint32_t reverse_bits(std::uint32_t x)
 {
     x = (x >> 1 & 0x55555555u) | (x & 0x55555555u) << 1;
@@ -13,9 +13,9 @@ inline std::uint32_t reverse_bits(std::uint32_t x)
     return __builtin_bswap32(x);
 }
 
-/// Owen's scrambling of a number in [0, 1) whose bits are written in reverse (Owen 1995), by the
-/// hash of Laine and Karras (2011) in Vegdahl's form: a bit is turned over by a function of the
-/// seed and of the bits that weigh more.  The result is in reverse too.
+/// Applies Owen's scrambling (Owen 1995) to a number in [0, 1) whose bits are written in reverse,
+/// by the hash of Laine and Karras (2011) in Vegdahl's form: whether a bit is flipped depends on
+/// the seed and the more significant bits.  The result is in reverse too.
 inline std::uint32_t scramble_reversed(std::uint32_t x, std::uint32_t seed)
 {
     x ^= x * 0x3d20adeau;
@@ -26,9 +26,9 @@ inline std::uint32_t scramble_reversed(std::uint32_t x, std::uint32_t seed)
     return x;
 }
 
-/// The second dimension of Sobol's sequence, in reverse.  Its matrix is Pascal's triangle modulo 2,
-/// which has a one where the bits of the row are among those of the column (Lucas), so that five
-/// steps do what else takes one for each bit.
+/// Returns the second dimension of Sobol's sequence with its bits in reverse.  Its matrix is
+/// Pascal's triangle modulo 2, which has a one where the bits of the row are among those of the
+/// column (Lucas), so five steps replace one step per bit.
 inline std::uint32_t second_sobol_reversed(std::uint32_t index)
 {
     std::uint32_t x = index;

@@ -7,7 +7,7 @@
 
 namespace hipmap {
 
-/// An item near the one of the given rank: that of evenly spaced samples.
+/// Returns an item near the one of the given rank, chosen from evenly spaced samples.
 template <typename Item, typename Less>
 Item pivot_near(std::span<const Item> items, std::size_t rank, const Less& less)
 {
@@ -21,8 +21,8 @@ Item pivot_near(std::span<const Item> items, std::size_t rank, const Less& less)
     return *pivot;
 }
 
-/// Moves the items less than the pivot to the front and returns how many they are.  Without a
-/// branch on the outcome, which no processor could foresee.
+/// Moves the items less than the pivot to the front and returns how many they are.  The loop does
+/// not branch on the comparison, which no processor could predict.
 template <typename Item, typename Less>
 std::size_t move_to_front(std::span<Item> items, const Item& pivot, const Less& less)
 {
@@ -36,9 +36,9 @@ std::size_t move_to_front(std::span<Item> items, const Item& pivot, const Less& 
     return front;
 }
 
-/// As std::nth_element: orders items so that the least `rank` come first, in about half the time.
-/// rank: at most items.size().  less: a total order without branches of its own.
-/// The same items in the same order give the same order.  Linear on average, one thread.
+/// Orders items so that the least `rank` come first, as std::nth_element does, in about half its
+/// time. rank: at most items.size().  less: a total order without branches of its own. The same
+/// items in the same order give the same order.  Linear on average, one thread.
 template <typename Item, typename Less>
 void split_at_rank(std::span<Item> items, std::size_t rank, const Less& less)
 {

@@ -11,11 +11,11 @@ struct EdgePlane {
     glm::dvec3 origin{0.0};
     glm::dvec3 inward{0.0}; ///< unit, in the face's plane; zero for a face without area
 
-    /// Distance of a point in front of the plane, on the side of the face; negative behind it.
+    /// Returns the distance of a point from the plane, positive on the side of the face.
     double height(const glm::dvec3& point) const { return glm::dot(point - origin, inward); }
 };
 
-/// corner: 0 to 2, where the edge begins.
+/// Returns the plane through the edge that begins at `corner`, 0 to 2.
 inline EdgePlane edge_plane(const TriangleMesh& mesh, FaceId face, int corner)
 {
     const glm::uvec3 c = mesh.corners[face];
@@ -37,7 +37,8 @@ inline EdgePlane edge_plane(const TriangleMesh& mesh, FaceId face, int corner)
 float exact_limiting_radius(const TriangleMesh& mesh, const Partition& partition, FaceId face,
                             const glm::vec3& point);
 
-/// Where equation (5) has the self-distance of a face in a group: the mean of its corners.
+/// Returns the mean of the corners of a face, from which equation (5) measures the self-distance of
+/// a face in a group.
 glm::dvec3 face_centre(const TriangleMesh& mesh, FaceId face);
 
 /// Distance from a point within which its shared map has photons of the face's group alone,

@@ -11,7 +11,7 @@ namespace hipmap {
 
 using MapId = std::uint32_t;
 
-/// What an edge of a face is; see docs/partition_file.md.
+/// The class of an edge of a face; see docs/partition_file.md.
 enum class EdgeClass : std::uint8_t {
     connected = 0,    ///< both faces belong to one shared map
     unconnected = 1,  ///< a crease: the faces meet at the angle threshold or above
@@ -20,7 +20,7 @@ enum class EdgeClass : std::uint8_t {
     degenerate = 4,   ///< an edge of a face without area
 };
 
-/// A piece of a map's boundary that is no edge of it, scene units.
+/// A piece of a map's boundary that is not an edge of the map, scene units.
 struct MapContact {
     MapId map = kNone;
     glm::vec3 a{0.0f}, b{0.0f};
@@ -28,9 +28,9 @@ struct MapContact {
     bool operator==(const MapContact&) const = default;
 };
 
-/// Which faces may share photons; made by preprocess, read by render.  All arrays by FaceId of the
-/// scene whose fingerprint it bears.  An edge of face f is numbered 3 f + c and runs from corner c
-/// to corner (c + 1) mod 3.
+/// Says which faces may share photons; made by preprocess, read by render.  All arrays are by
+/// FaceId of the scene whose fingerprint it holds.  An edge of face f is numbered 3 f + c and runs
+/// from corner c to corner (c + 1) mod 3.
 struct Partition {
     Fingerprint scene;
     double angle_threshold = 0.0;      ///< radians

@@ -8,14 +8,15 @@
 namespace hipmap {
 
 /// Writes `partition` as a .hpm file (docs/partition_file.md): to a temporary name, synced,
-/// renamed. Throws InputError if the file cannot be written; then nothing is left behind.
+/// renamed. Throws InputError if the file cannot be written; then no file is left behind.
 void write_partition(const std::filesystem::path& path, const Partition& partition);
 
 /// Reads a .hpm file and checks every value in it: sizes, ranges of ids, edges that point back.
 /// Throws InputError: no such file, truncated or damaged, another version of the format.
 Partition read_partition(const std::filesystem::path& path);
 
-/// 64 bits over every field, so that damage which leaves each number plausible is found as well.
+/// Returns a 64-bit checksum of every field, which also detects damage that leaves each number
+/// plausible.
 std::uint64_t partition_checksum(const Partition& partition);
 
 /// Throws InputError, naming `path`, unless `partition` was made from this scene.

@@ -4,12 +4,12 @@
 
 namespace hipmap {
 
-/// The partition of `then` for another moment, `now`, at which some of the same faces have moved.
-/// Which faces share a map, and how they hang together, stays.  What depends on distances goes
-/// where a face of the map has moved: its faces are no candidates for local or group maps. Contacts
-/// of such maps, and those in the box of an object that has moved, are gone too, and none are found
-/// anew: the estimate there is that of a map without them, off by what its radius reaches across.
-/// Its fingerprint stays that of `then`.  Linear in faces, and in contacts times objects that move.
+/// Returns the partition of `then` adapted to another moment, `now`, at which some of the same
+/// faces have moved. Shared maps and their connections stay.  Maps with a moved face lose what
+/// depends on distances: their faces are no candidates for local or group maps.  Contacts of these
+/// maps and contacts in the box of a moved object are removed and not searched again; an estimate
+/// there ignores them and is biased by what its radius reaches across. The fingerprint stays that
+/// of `then`.  Linear in faces, and in contacts times moved objects.
 Partition partition_in_motion(const Partition& partition, const TriangleMesh& then,
                               const TriangleMesh& now);
 

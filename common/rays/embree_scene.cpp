@@ -78,7 +78,7 @@ void keep_lowest_face(const RTCFilterFunctionNArguments* args)
     query->face = face;
 }
 
-/// The same where faces may let light pass.
+/// Keeps the lowest of equally near faces that stop the ray, where faces may let light pass.
 void keep_lowest_face_that_stops(const RTCFilterFunctionNArguments* args)
 {
     keep_what_stops(args);
@@ -216,7 +216,7 @@ std::optional<RayHit> EmbreeScene::nearest_face(const Ray& ray) const
     return find_nearest(ray, false);
 }
 
-/// that_stops: there is a opacity, which is to be asked.
+/// that_stops: there is an opacity, which must be asked.
 std::optional<RayHit> EmbreeScene::find_nearest(const Ray& ray, bool that_stops) const
 {
     if (!can_cast(ray))

@@ -9,11 +9,12 @@
 
 namespace hipmap {
 
-/// Half-line in scene units.  direction: unit.
+/// A half-line in scene units.  direction: unit.
 struct Ray {
     glm::vec3 origin{0.0f};
     glm::vec3 direction{0, 0, 1};
-    /// Above zero: a ray that starts exactly on a face does not meet that face.
+    /// The nearest distance that counts; above zero, so that a ray that starts exactly on a face
+    /// does not meet that face.
     float near = std::numeric_limits<float>::min();
     float far = std::numeric_limits<float>::infinity();
 };
@@ -24,40 +25,39 @@ struct RayHit {
     glm::vec2 barycentric{0.0f}; ///< weights of the second and third corner
 };
 
-/// The share, 0 to 1, of the light that meets a face at a point which the face stops; the rest goes
-/// on as if the face were not there.  barycentric: as in RayHit.  Must be thread-safe.
+/// Returns the share of light, 0 to 1, that a face stops at a point; the rest passes as if the face
+/// were not there.  barycentric: as in RayHit.  Must be thread-safe.
 using Opacity = std::function<float(FaceId face, const glm::vec2& barycentric)>;
 
-/// The faces of a mesh, ready for ray casting (Embree, robust).
-/// Read-only once built: any number of threads may cast rays.
+/// The faces of a mesh, ready for ray casting (Embree, robust).  Read-only once built: any number
+/// of threads may cast rays.
 class EmbreeScene {
   public:
-    /// Copies what it needs of the mesh.  O(n log n).  An empty mesh is never hit.
-    /// opacity: empty if every face stops all light; else a face that stops a part of it stops
-    /// that share of all rays, by the bits of the ray and the face: the same ray always ends at the
-    /// same place.
+    /// Copies what ray casting needs of the mesh.  O(n log n).  An empty mesh is never hit.
+    /// opacity: empty if every face stops all light; else a face stops that share of all rays,
+    /// decided by the bits of the ray and the face, so that one ray always ends at the same place.
     explicit EmbreeScene(const TriangleMesh& mesh, Opacity opacity = {});
     ~EmbreeScene();
     EmbreeScene(EmbreeScene&&) noexcept;
     EmbreeScene& operator=(EmbreeScene&&) noexcept;
 
-    /// The nearest face within [near, far]; of equally near ones the lowest FaceId.
-    /// A ray with a number that is not finite (far may be) or a near below zero hits nothing.
+    /// Returns the nearest face within [near, far]; of equally near faces the lowest FaceId. A ray
+    /// with a number that is not finite (far may be) or a near below zero hits nothing.
     std::optional<RayHit> nearest(const Ray& ray) const;
 
-    /// The same of all faces, whatever they let pass.
+    /// Returns the nearest face as `nearest` does, but ignores opacity.
     std::optional<RayHit> nearest_face(const Ray& ray) const;
 
-    /// Whether any face lies within [near, far].
+    /// Returns whether any face lies within [near, far].
     bool occluded(const Ray& ray) const;
 
-    /// The point of the faces nearest to this one, if it lies within the radius; of equally near
-    /// ones that of the lowest FaceId.  radius: not negative.  A number that is not finite finds
-    /// nothing.
+    /// Returns the point of the faces nearest to `point`, if it lies within the radius; of equally
+    /// near points the one of the lowest FaceId.  radius: not negative.  A number that is not
+    /// finite finds nothing.
     std::optional<glm::vec3> closest_point(const glm::vec3& point, float radius) const;
 
-    /// Calls `visit` for the faces of which the box comes within the radius of the point, in any
-    /// order.  A number that is not finite finds nothing.
+    /// Calls `visit` for the faces whose boxes come within the radius of the point, in any order.
+    /// A number that is not finite finds nothing.
     void visit_near(const glm::vec3& point, float radius,
                     const std::function<void(FaceId)>& visit) const;
 

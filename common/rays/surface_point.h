@@ -14,19 +14,19 @@ struct SurfacePoint {
     glm::vec3 shading_normal{0.0f};   ///< unit, in the hemisphere of the geometric normal
 };
 
-/// barycentric: weights of the second and third corner.
+/// Computes a point of a face.  barycentric: weights of the second and third corner.
 SurfacePoint surface_point(const TriangleMesh& mesh, FaceId face, const glm::vec2& barycentric);
 
-/// Origin of a ray that leaves `point` along `direction`, moved off the face by the position's own
-/// rounding bound (by nothing where the position is exact; a ray does not meet the face it starts
-/// on).  Source: Pharr, Jakob and Humphreys 2023, section 6.8.6.
+/// Returns the origin of a ray that leaves `point` along `direction`, moved off the face by the
+/// rounding bound of the position (not at all where the position is exact; a ray does not meet the
+/// face it starts on).  Source: Pharr, Jakob and Humphreys 2023, section 6.8.6.
 glm::vec3 offset_origin(const SurfacePoint& point, const glm::vec3& direction);
 
-/// A ray from one point towards another that stops short of it.
+/// Returns a ray from one point towards another that stops short of it.
 Ray ray_between(const SurfacePoint& from, const glm::vec3& to);
 
-/// A ray from one surface point to another that does not meet the faces of either: it ends off the
-/// second face by that position's own rounding bound.
+/// Returns a ray from one surface point to another that meets the faces of neither: it ends before
+/// the second face by the rounding bound of that position.
 Ray ray_between(const SurfacePoint& from, const SurfacePoint& to);
 
 } // namespace hipmap

@@ -6,9 +6,9 @@
 
 namespace hipmap {
 
-/// Supplies what a scene cannot do without and says so in the audit: a camera that frames all
-/// faces if it has none, a uniform grey sky if nothing emits, one material.  Chooses the camera
-/// that the options name; throws InputError, listing the names, if there is none of that name.
+/// Adds what a scene needs and lacks, and notes it in the audit: a camera that frames all faces, a
+/// uniform grey sky if nothing emits light, one material.  Selects the camera that the options
+/// name; throws InputError, listing the names, if there is none of that name.
 void complete_scene(LoadedScene& loaded, const SceneOptions& options,
                     const std::filesystem::path& path);
 

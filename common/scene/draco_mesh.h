@@ -14,10 +14,11 @@ namespace hipmap {
 /// Indices of the mesh are in range.  Not more than linear in the size of the data.
 std::unique_ptr<draco::Mesh> decode_draco(std::span<const unsigned char> data);
 
-/// The encoder's best, a flat regular grid, has 11 faces a byte.
+/// The most elements per byte of data.  The encoder's best case, a flat regular grid, has 11 faces
+/// a byte.
 inline constexpr std::size_t kDracoElementsPerByte = 128;
 inline constexpr std::size_t kDracoBytesPerByte = 2048;
-/// Above either bound, for meshes of hardly any bytes.
+/// Elements allowed above either bound, for meshes of hardly any bytes.
 inline constexpr std::size_t kDracoSpare = 1 << 16;
 
 } // namespace hipmap

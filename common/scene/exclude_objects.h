@@ -7,9 +7,9 @@
 
 namespace hipmap {
 
-/// Leaves out the faces of the objects that bear one of `names`, as their own or their mesh's
-/// name, and the vertices that no other face uses; says so in the audit.
-/// Throws InputError, listing similar names, if no object bears one of them.
+/// Removes the faces of the objects called one of `names` (object or mesh name) and the vertices
+/// that no other face uses; notes it in the audit. Throws InputError, listing similar names, if no
+/// object has one of the names.
 void exclude_objects(RawScene& scene, std::span<const std::string> names);
 
 } // namespace hipmap

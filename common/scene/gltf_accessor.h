@@ -12,13 +12,13 @@
 
 namespace hipmap {
 
-/// Bytes of one bufferView, seen as elements.
+/// The bytes of one bufferView as elements.
 struct ElementSpan {
     const unsigned char* first = nullptr; ///< null: all zero
     std::size_t stride = 0;
     int component_type = 0; ///< 5120 to 5126
 
-    /// One component of element `i` as the number it is, not normalised.
+    /// Returns one component of element `i` as a number, not normalised.
     double component(std::size_t i, int c) const;
 };
 
@@ -34,8 +34,8 @@ struct ElementLayout {
 /// The elements of a glTF accessor, all of them known to lie within their buffer.
 class GltfAccessor {
   public:
-    /// Throws InputError, naming the accessor, unless type, component type, stride, count and
-    /// range are sound, and a sparse part points into it in rising order.
+    /// Checks the accessor.  Throws InputError, naming it, unless type, component type, stride,
+    /// count and range are sound, and a sparse part points into it in rising order.
     GltfAccessor(const tinygltf::Model& model, int index, const std::filesystem::path& path);
 
     std::size_t size() const { return count_; }
@@ -43,11 +43,11 @@ class GltfAccessor {
     int component_type() const { return base_.component_type; }
     bool normalized() const { return normalized_; }
 
-    /// Element `i` < size() of a VEC2, VEC3, VEC4, normalised integers as their fraction.
+    /// Returns element `i` < size() of a VEC2, VEC3 or VEC4, normalised integers as fractions.
     glm::dvec2 vec2(std::size_t i) const;
     glm::dvec3 vec3(std::size_t i) const;
     glm::dvec4 vec4(std::size_t i) const;
-    /// Element `i` < size() of a SCALAR; `index`: of unsigned integers.
+    /// Returns element `i` < size() of a SCALAR; `index` reads unsigned integers.
     double scalar(std::size_t i) const { return value(i, 0); }
     std::uint32_t index(std::size_t i) const;
 

@@ -13,7 +13,7 @@ namespace hipmap {
 enum class NodePart : std::uint8_t { translation, rotation, scale };
 enum class Interpolation : std::uint8_t { linear, step, cubic };
 
-/// How one part of a node's transform goes with time.
+/// The animation of one part of a node's transform.
 struct AnimationChannel {
     std::size_t node = 0;
     NodePart part = NodePart::translation;
@@ -31,23 +31,24 @@ struct GltfAnimation {
     double first = 0.0, last = 0.0;         ///< of all times
 };
 
-/// Reads what animations do to nodes' transforms; warns of what else they do.  Where several drive
-/// the same part of a node, the first in the file does.  Throws InputError, naming the place: a
+/// Reads the animations of nodes' transforms and warns of other animations.  If several drive the
+/// same part of a node, the first in the file counts.  Throws InputError, naming the place: a
 /// sampler or accessor that is missing or of another shape, times that fall, numbers that are not
 /// finite, a node that has a matrix.
 GltfAnimation read_gltf_animation(const GltfDocument& document, const tinygltf::Model& model,
                                   SceneAudit& audit);
 
-/// The value at `time`, s: that of the first key before it and of the last behind it.  Rotations
-/// are quaternions x, y, z, w; linear ones turn evenly, the short way round (glTF 2.0, appendix C).
+/// Interpolates a channel at `time`, in seconds; before the first key and after the last key it is
+/// constant.  Rotations are quaternions x, y, z, w and interpolate along the shorter arc (glTF 2.0,
+/// appendix C).
 glm::dvec4 value_at(const AnimationChannel& channel, double time);
 
-/// Gives the nodes that move the transforms of `time`.
+/// Sets the transforms of the animated nodes to those of `time`.
 void pose_nodes(const GltfAnimation& animation, double time, tinygltf::Model& model);
 
-/// Where the faces of each object, lights and cameras come in the course of the animation, by the
-/// poses at its keys (at 256 of them at most); none if nothing moves.  Throws as place_nodes does.
-/// Leaves the model in some pose.
+/// Returns the bounds of each object's faces, the lights and the cameras over the animation, from
+/// the poses at its keys (at most 256); none if nothing moves.  Throws as place_nodes does.  Leaves
+/// the model in an arbitrary pose.
 std::optional<SceneSweep> sweep_nodes(const GltfAnimation& animation, tinygltf::Model& model,
                                       const std::filesystem::path& path);
 

@@ -12,7 +12,7 @@
 
 namespace hipmap {
 
-/// Which attributes the materials of a file call for; others are not worth their memory.
+/// Lists the attributes that the materials of a file need; others are not stored.
 struct WantedAttributes {
     std::array<bool, 2> uv{}; ///< some texture reads TEXCOORD_0, TEXCOORD_1
     bool tangents = false;    ///< some texture gives directions on the surface
@@ -20,7 +20,7 @@ struct WantedAttributes {
 
 WantedAttributes find_wanted_attributes(const GltfDocument& document);
 
-/// A primitive of a file, and where it is in it.
+/// A primitive of a file and its place in it.
 struct PrimitivePlace {
     const tinygltf::Model& model;
     const tinygltf::Primitive& primitive;
@@ -28,8 +28,8 @@ struct PrimitivePlace {
     const std::string& place;
 };
 
-/// The wanted attributes and the colours of the vertices `used`, in their order; empty arrays where
-/// the primitive has none.  Colours are clamped to 0 to 1, tangents left as they are.
+/// Reads the wanted attributes and the colours of the vertices `used`, in their order; arrays are
+/// empty where the primitive has none.  Colours are clamped to 0 to 1, tangents left as they are.
 /// vertex_count: of the primitive's positions.  Throws InputError, naming the primitive: damaged
 /// accessors, a type that glTF does not allow, a count that is not vertex_count, a number that is
 /// not finite.

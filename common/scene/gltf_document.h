@@ -31,8 +31,8 @@ struct GltfDocument {
 GltfDocument read_gltf_document(const std::filesystem::path& path);
 
 /// Checks the type of every property that is read, every reference between parts of the file and
-/// every bufferView's range, so that what follows may rely on them.  Throws InputError with the
-/// place, as "meshes[3].primitives[0].indices".
+/// every bufferView's range, so that later code may rely on them.  Throws InputError with the
+/// place, such as "meshes[3].primitives[0].indices".
 void check_gltf_schema(const GltfDocument& document);
 
 } // namespace hipmap

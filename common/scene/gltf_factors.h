@@ -68,7 +68,7 @@ class FactorReader {
     std::string place_;
 };
 
-/// What a material says under the name of an extension; an empty object: nothing.
+/// Returns what a material holds under the name of an extension; an empty object if nothing.
 inline const nlohmann::json& extension(const nlohmann::json& material, const char* name)
 {
     static const nlohmann::json kNothing = nlohmann::json::object();

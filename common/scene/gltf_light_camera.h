@@ -8,14 +8,14 @@
 
 namespace hipmap {
 
-/// Adds punctual light `index` of the file (KHR_lights_punctual), named `name`, as placed by a
-/// node's `to_world`; the node's scale means nothing.  A light of an unknown kind is warned of and
-/// not added; whether it is. Throws InputError, naming the light: negative intensity or colour,
-/// cone angles out of range.
+/// Adds punctual light `index` of the file (KHR_lights_punctual), named `name`, placed by a node's
+/// `to_world`; the node's scale has no effect.  Returns whether it was added: a light of an unknown
+/// kind is only warned of.  Throws InputError, naming the light: negative intensity or colour, cone
+/// angles out of range.
 bool add_gltf_light(const tinygltf::Model& model, std::size_t index, const std::string& name,
                     const glm::dmat4& to_world, RawScene& scene);
 
-/// Adds camera `index` of the file likewise.
+/// Adds camera `index` of the file, placed by a node's `to_world`.  Returns whether it was added.
 /// Throws InputError, naming the camera: a field of view, size or clipping plane out of range.
 bool add_gltf_camera(const tinygltf::Model& model, std::size_t index, const std::string& name,
                      const glm::dmat4& to_world, RawScene& scene);

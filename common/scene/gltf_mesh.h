@@ -29,10 +29,10 @@ class GltfMeshReader {
     {
     }
 
-    /// The triangles of mesh `index`: modes triangles, strip and fan, with and without indices.
-    /// Points and lines are passed over.  No face is dropped, but an incomplete last one.
-    /// Throws InputError, naming the primitive: damaged accessors, an index out of range, a
-    /// number that is not finite.
+    /// Reads the triangles of mesh `index`: modes triangles, strip and fan, with and without
+    /// indices. Points and lines are skipped.  No face is dropped except an incomplete last one.
+    /// Throws InputError, naming the primitive: damaged accessors, an index out of range, a number
+    /// that is not finite.
     std::vector<GltfPrimitive> read(std::size_t index);
 
   private:

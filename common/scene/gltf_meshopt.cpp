@@ -81,7 +81,7 @@ class MeshoptDecoder {
             fail("has an unknown filter, or one that does not go with its byteStride or mode");
     }
 
-    /// So much cannot come out of so few bytes, whatever they are.
+    /// Throws InputError if the view promises more than its bytes can hold.
     void check_size(const MeshoptView& packed, std::size_t view_length) const
     {
         const std::size_t most_elements = packed.mode == "ATTRIBUTES"

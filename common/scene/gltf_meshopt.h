@@ -6,11 +6,11 @@
 
 namespace hipmap {
 
-/// Decodes every bufferView with EXT_meshopt_compression into a buffer of its own, and points the
-/// view there.  Memory is bounded before it is taken: the codec spends a byte or more on 64 bytes
-/// of vertices, on a triangle, on an index, and compressed parts may not overlap.
-/// Throws InputError, naming the view: a mode, filter or stride that the extension does not allow,
-/// damaged data.
+/// Decodes every bufferView with EXT_meshopt_compression into its own buffer, and points the view
+/// there.  Memory is bounded before it is allocated: the codec spends at least a byte on 64 bytes
+/// of vertices, on a triangle, on an index, and compressed parts may not overlap. Throws
+/// InputError, naming the view: a mode, filter or stride that the extension does not allow, damaged
+/// data.
 void decode_meshopt_views(const GltfDocument& document, tinygltf::Model& model);
 
 } // namespace hipmap

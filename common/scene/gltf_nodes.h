@@ -25,9 +25,9 @@ glm::dmat4 to_matrix(const NodeTransform& transform);
 
 bool is_finite_transform(const glm::dmat4& m);
 
-/// The nodes of scene `scene` (or the first; or, without scenes, all roots), depth first.
-/// Throws InputError: a node that is its own ancestor or has two parents, a transform that is
-/// not finite or not affine.
+/// Returns the nodes of scene `scene` (or the first; or, without scenes, all roots), depth first.
+/// Throws InputError: a node that is its own ancestor or has two parents, a transform that is not
+/// finite or not affine.
 std::vector<PlacedNode> place_nodes(const tinygltf::Model& model,
                                     const std::filesystem::path& path);
 

@@ -10,10 +10,10 @@
 
 namespace hipmap {
 
-/// Appends the meshes of all nodes, each as often as the file places it, to the scene: an object
-/// for every node, in the order of the nodes, then of its instances, then of its primitives.
-/// Each mesh is read once.  Throws InputError: as GltfMeshReader, damaged instances, more than
-/// 2^32 - 2 faces or vertices, or more than memory holds.
+/// Appends the meshes of all nodes to the scene, each as often as the file places it: an object for
+/// every node, in the order of the nodes, then of its instances, then of its primitives. Each mesh
+/// is read once.  Throws InputError: as GltfMeshReader, damaged instances, more than 2^32 - 2 faces
+/// or vertices, or more than memory holds.
 void place_meshes(const tinygltf::Model& model, const std::vector<PlacedNode>& nodes,
                   const WantedAttributes& wanted, RawScene& scene);
 

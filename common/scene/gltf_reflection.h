@@ -7,10 +7,10 @@
 
 namespace hipmap {
 
-/// The model by which a material reflects, from its extras (docs/scene.md).  What the model knows
-/// nothing of is taken from the material, and the audit says so if the file has it.  from: the
-/// material's JSON.  Throws InputError with the place: a value out of its range, a key of another
-/// model, one that is missing.
+/// Reads the reflection model of a material from its extras (docs/scene.md).  Properties that the
+/// model does not use are reset, and the audit says so if the file has them.  from: the material's
+/// JSON.  Throws InputError with the place: a value out of its range, a key of another model, a
+/// missing key.
 void read_reflection(HipmapExtras& extras, const nlohmann::json& from, Material& material,
                      SceneAudit& audit);
 

@@ -2,7 +2,7 @@
 
 namespace hipmap {
 
-/// What a property of a glTF file must be.
+/// The kind of value that a property of a glTF file must have.
 enum class GltfWant {
     object,
     array,
@@ -17,8 +17,8 @@ enum class GltfWant {
     index,      ///< into the array at `target`
 };
 
-/// One property: where it is ("[]": every element, "{}": every member, "a*b": every member whose
-/// name begins and ends so), and what it must be.
+/// A rule for one property: its path ("[]": every element, "{}": every member, "a*b": every member
+/// whose name begins and ends so), and the kind of value it must have.
 struct GltfRule {
     const char* path;
     GltfWant want;

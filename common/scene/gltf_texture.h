@@ -19,9 +19,9 @@ class GltfTextureReader {
     {
     }
 
-    /// The textures of a checked material.  A texture that is missing, damaged, too large or in a
-    /// format that is not read, and a third set of texture coordinates, are warned of; the texture
-    /// is left out, so that the factor stands alone.
+    /// Reads the textures of a checked material.  A texture that is missing, damaged, too large or
+    /// in an unsupported format, and a third set of texture coordinates, are warned of and left
+    /// out, so that the factor stands alone.
     std::vector<TextureSlot> read(const nlohmann::json& material, const std::string& name);
 
   private:

@@ -5,11 +5,11 @@
 
 namespace hipmap {
 
-/// Throws InputError, with the cure where there is one, if the file's shapes or lights cannot be
-/// read without an extension that is not read.
+/// Throws InputError, with the cure where there is one, if the shapes or lights of the file need an
+/// extension that hipmap does not read.
 void check_required_extensions(const GltfDocument& document);
 
-/// One warning in the audit for each kind of thing that is in the file but not read, with the
+/// Adds one warning to the audit for each kind of thing that is in the file but not read, with the
 /// names of what it concerns.
 void warn_of_unread_gltf(const GltfDocument& document, SceneAudit& audit);
 

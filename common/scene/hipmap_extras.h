@@ -12,29 +12,30 @@
 namespace hipmap {
 
 /// The values under `extras.hipmap` of one thing in a glTF file: an object, or an object as JSON
-/// text, which is what a custom property in Blender can hold.
+/// text, which a custom property in Blender can hold.
 class HipmapExtras {
   public:
-    /// thing: the JSON that may have extras.  place: what errors call it, as "light 'Lamp'".
-    /// Throws InputError if the extras are neither an object nor the text of one.
+    /// Reads the extras of one thing.  thing: the JSON that may have extras.  place: its name in
+    /// errors, such as "light 'Lamp'".  Throws InputError if the extras are neither an object nor
+    /// the text of one.
     HipmapExtras(const nlohmann::json& thing, std::string place, RawScene& scene);
 
-    /// The value of a key, which is then known; nothing if it is not there.
-    /// Throws InputError, naming the key, if it is of another type, negative or not finite.
+    /// Returns the value of a key and marks the key as known; nothing if it is absent.  Throws
+    /// InputError, naming the key, if the value is of another type, negative or not finite.
     std::optional<double> positive(const char* key);
     std::optional<glm::dvec3> positive_triple(const char* key);
     std::optional<std::string> text(const char* key);
 
     std::optional<bool> flag(const char* key);
 
-    /// A number from -limit to limit.
+    /// Returns the value of a key, a number from -limit to limit.
     std::optional<double> within(const char* key, double limit);
 
-    /// An object in the object, with keys of its own; its `finish` is the caller's to call.
+    /// Returns an object within the object, with its own keys; the caller must call its `finish`.
     std::optional<HipmapExtras> object(const char* key);
 
-    /// Warns of the keys that nobody has asked for, and says that `effect` is not rendered yet if
-    /// any other was there.
+    /// Warns of the keys that were not asked for, and says that `effect` is not rendered yet if any
+    /// other was there.
     void finish(const std::string& effect) const;
 
     [[noreturn]] void fail(const std::string& key, const std::string& what) const;

@@ -10,8 +10,8 @@
 
 namespace hipmap {
 
-/// What the numbers of punctual lights mean (Blender's exporter calls the modes Standard, Unitless
-/// and Raw): lumen-based as the specification has it, W/sr and W/m2, or light watts.
+/// The meaning of the numbers of punctual lights, which Blender's exporter calls Standard, Unitless
+/// and Raw: lumen-based as the specification has it, W/sr and W/m2, or watts.
 enum class LightUnits { spec, compat, raw };
 
 struct SceneOptions {
@@ -22,7 +22,7 @@ struct SceneOptions {
     std::optional<double> time;       ///< of the animation, s; none: as the file places its nodes
 };
 
-/// What was found in a scene file, what was taken for granted, and what is lost, as sentences.
+/// What loading found in a scene file, what it assumed, and what it lost, as sentences.
 struct SceneAudit {
     std::vector<std::string> found;
     std::vector<std::string> assumed;
@@ -34,7 +34,7 @@ struct LoadedScene {
     SceneAudit audit;
 };
 
-/// A scene file that is read once, of which any moment of its animation can be had.
+/// A scene file that is read once and returns the scene at any time of its animation.
 class SceneSource {
   public:
     /// Reads .glb, .gltf or .obj by suffix and checks it.  Throws InputError: no such file, not a
@@ -44,12 +44,12 @@ class SceneSource {
     SceneSource(SceneSource&&) noexcept;
     SceneSource& operator=(SceneSource&&) noexcept;
 
-    /// The scene at `time` of its animation, s; none: as the file places it.  Moved into its
-    /// SceneFrame, the same at all times, and supplied with what a scene cannot do without: a
-    /// camera that frames everything, a uniform grey sky if nothing emits.  Same faces in the
-    /// same order at all times.  Throws InputError: a number that is not finite, no face at all,
-    /// an unknown camera or excluded name.  last: nothing will be asked for
-    /// afterwards, which saves memory.  Not for several threads at once.
+    /// Returns the scene at `time` of its animation, in seconds; none: as the file places it.  The
+    /// scene is moved into its SceneFrame, which is the same at all times, and completed with a
+    /// camera that frames everything and a uniform grey sky where it has no camera or no light.
+    /// The faces and their order are the same at all times.  Throws InputError: a number that is
+    /// not finite, no face at all, an unknown camera or excluded name.  last: no other time will be
+    /// asked for, which saves memory.  Not for several threads at once.
     LoadedScene at(std::optional<double> time, bool last = false);
 
   private:
@@ -57,7 +57,7 @@ class SceneSource {
     std::unique_ptr<Impl> impl_;
 };
 
-/// SceneSource(path, options).at(options.time, true).  Cost: linear in the file.
+/// Returns SceneSource(path, options).at(options.time, true).  Cost: linear in the file.
 LoadedScene load_scene(const std::filesystem::path& path, const SceneOptions& options);
 
 } // namespace hipmap

@@ -12,21 +12,21 @@ namespace hipmap {
 
 enum class PhaseKind : std::uint8_t { isotropic, henyey_greenstein, schlick };
 
-/// How a medium spreads the light that it scatters, docs/media.md (2).
+/// The angular distribution of light that a medium scatters, docs/media.md (2).
 struct PhaseFunction {
     PhaseKind kind = PhaseKind::isotropic;
     float g = 0.0f; ///< mean cosine, above -1 and below 1; of Schlick's that of the Henyey and
                     ///<   Greenstein function it stands for
 };
 
-/// How dense a medium is: what its coefficients are multiplied by, at the nodes of a grid that
-/// fills the box of its mesh, docs/media.md (11).
+/// The density of a medium: a factor of its coefficients at the nodes of a grid that fills the box
+/// of its mesh, docs/media.md (11).
 struct DensityGrid {
     glm::uvec3 nodes{2};       ///< along x, y and z of the world, at least 2
     std::vector<float> values; ///< [x * y * z], x fastest; finite, not negative
 };
 
-/// What fills a closed mesh, or surrounds the scene.
+/// A medium that fills a closed mesh, or surrounds the scene.
 struct Medium {
     Rgb absorption{0.0f}; ///< per scene unit
     Rgb scattering{0.0f}; ///< per scene unit
@@ -34,7 +34,7 @@ struct Medium {
     PhaseFunction phase;
     std::shared_ptr<const DensityGrid> density; ///< null: 1 everywhere
 
-    /// What a ray loses per scene unit where the density is 1.
+    /// Returns the extinction coefficient per scene unit where the density is 1.
     Rgb extinction() const { return absorption + scattering; }
     bool scatters() const { return !is_black(scattering); }
     bool emits() const { return !is_black(emission); }

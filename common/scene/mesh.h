@@ -14,10 +14,10 @@ using FaceId = std::uint32_t;
 using MaterialId = std::uint32_t;
 using ObjectId = std::uint32_t;
 
-/// No face, no map, no object.
+/// Marks the absence of a face, map or object.
 inline constexpr std::uint32_t kNone = 0xffffffffu;
 
-/// What vertices may have besides position and normal; an array is empty where none has it.
+/// Vertex attributes besides position and normal; an array is empty where no vertex has it.
 struct VertexAttributes {
     std::array<std::vector<glm::vec2>, 2> uv; ///< [V] of two sets, (0, 0) the texture's top left
     std::vector<glm::vec4> colours;           ///< [V] linear RGBA in [0, 1], multiplies the base
@@ -40,8 +40,8 @@ struct TriangleMesh {
     std::size_t face_count() const { return corners.size(); }
 };
 
-/// Cross product of two edges of a face: twice its area long, along its front normal.
-/// In double, so that tiny faces keep their direction.  Zero for a degenerate face.
+/// Returns the cross product of two edges of a face: along its front normal, with twice its area as
+/// length.  In double, so that tiny faces keep their direction.  Zero for a degenerate face.
 inline glm::dvec3 scaled_normal(const TriangleMesh& mesh, FaceId face)
 {
     const glm::uvec3 c = mesh.corners[face];
@@ -49,7 +49,7 @@ inline glm::dvec3 scaled_normal(const TriangleMesh& mesh, FaceId face)
     return glm::cross(glm::dvec3(mesh.positions[c.y]) - a, glm::dvec3(mesh.positions[c.z]) - a);
 }
 
-/// Area of a face in square scene units.
+/// Returns the area of a face in square scene units.
 inline double face_area(const TriangleMesh& mesh, FaceId face)
 {
     return 0.5 * glm::length(scaled_normal(mesh, face));

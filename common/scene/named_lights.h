@@ -8,7 +8,7 @@
 
 namespace hipmap {
 
-/// What messages and statistics say of a light that is no mesh, medium or environment.
+/// A light that is no mesh, medium or environment, as messages and statistics describe it.
 struct NamedLight {
     std::string_view kind; ///< "point light", "spot light", ...
     std::string name;
@@ -17,7 +17,7 @@ struct NamedLight {
     std::vector<glm::vec3> placement; ///< positions and directions, scene units
 };
 
-/// All of a scene, grouped by kind.  A kind of light that the scene gains is added here.
+/// Returns all named lights of a scene, grouped by kind.  A new kind of light is added here.
 std::vector<NamedLight> named_lights(const Scene& scene);
 
 } // namespace hipmap

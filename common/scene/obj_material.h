@@ -8,12 +8,12 @@
 
 namespace hipmap {
 
-/// Reads the MTL files an OBJ file names into `scene.materials`, by the table in docs/scene.md;
-/// the id of each by its name.  A file that is missing or lies outside the scene's folder, and
-/// what is not read, is warned of.
+/// Reads the MTL files that an OBJ file names into `scene.materials`, by the table in
+/// docs/scene.md. Returns the id of each material by its name.  Warns of what is not read, and of a
+/// file that is missing or lies outside the scene's folder.
 std::map<std::string, MaterialId> read_obj_materials(const ObjText& text, RawScene& scene);
 
-/// What a face without material gets: grey Lambert.
+/// Returns the material of a face without one: grey Lambert.
 Material obj_default_material();
 
 } // namespace hipmap

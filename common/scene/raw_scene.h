@@ -18,7 +18,7 @@ struct RawObject {
     std::string mesh_name; ///< of the shared mesh data; may be empty
 };
 
-/// A light as its file has it: intensity in the file's own unit.
+/// A light as its file describes it: intensity in the file's own unit.
 struct RawLight {
     std::string name;
     LightKind kind = LightKind::point;
@@ -54,13 +54,14 @@ struct RawCamera {
     double aperture_radius = 0.0, focus_distance = 0.0; ///< metres
 };
 
-/// Where things come in the course of an animation, metres.
+/// The bounds of objects, lights and cameras over an animation, metres.
 struct SceneSweep {
     std::vector<Bounds<glm::dvec3>> objects; ///< [O] of their faces
     Bounds<glm::dvec3> others;               ///< lights, cameras and other nodes without a mesh
 };
 
-/// A scene as its file has it: metres, world space, doubles.  Every vertex is used by some face.
+/// A scene as its file describes it: metres, world space, doubles.  Every vertex is used by some
+/// face.
 struct RawScene {
     std::filesystem::path path;
     std::vector<glm::dvec3> positions;        ///< [V]
@@ -85,7 +86,7 @@ struct RawScene {
     SceneAudit audit;
 };
 
-/// The error of bad input: "file: place: what".
+/// Returns the error for bad input: "file: place: what".
 inline InputError scene_error(const std::filesystem::path& path, std::string_view place,
                               std::string_view what)
 {

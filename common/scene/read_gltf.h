@@ -11,16 +11,17 @@
 
 namespace hipmap {
 
-/// A .gltf or .glb file that is read once, of which any moment can be had: the default scene's
-/// nodes with all their instances.  Faces come in the order of a depth-first walk, so the same file
-/// gives the same faces, at any time.  Not for several threads at once.
+/// A .gltf or .glb file that is read once and returns the default scene, with all instances, at any
+/// time.  Faces come in the order of a depth-first walk, so one file gives the same faces at any
+/// time.  Not for several threads at once.
 class GltfSource {
   public:
-    /// Throws InputError with the place and what is wrong.
+    /// Reads the file.  Throws InputError with the place and what is wrong.
     explicit GltfSource(const std::filesystem::path& path);
 
-    /// time: of the animation, s; none: the nodes as they stand in the file.  last: nothing will be
-    /// asked for afterwards, so textures need not be copied.  Throws likewise.
+    /// Returns the scene at `time` of the animation, in seconds; none: the nodes as they stand in
+    /// the file.  last: no other time will be asked for, so textures need not be copied.  Throws
+    /// InputError with the place and what is wrong.
     RawScene at(std::optional<double> time, bool last);
 
   private:

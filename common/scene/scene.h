@@ -20,7 +20,8 @@ struct SceneFrame {
     double metres_per_unit = 1.0;
 };
 
-/// What a base colour's alpha means: nothing, a cut at alpha_cutoff, or a share let through.
+/// The meaning of a base colour's alpha: none, a cut at alpha_cutoff, or the share of light that
+/// the surface stops.
 enum class AlphaMode : std::uint8_t { opaque, mask, blend };
 
 /// How a surface reflects, docs/light_transport.md.
@@ -30,7 +31,8 @@ enum class ReflectionModel : std::uint8_t {
     schlick,            ///< one layer, even, spread and mirror by its roughness (36)
 };
 
-/// glTF metallic-roughness and the extensions read so far.  Textures multiply the factors.
+/// A material of glTF metallic-roughness with the extensions read so far.  Textures multiply the
+/// factors.
 struct Material {
     std::string name;
     Rgb base_color{1.0f};
@@ -49,7 +51,7 @@ struct Material {
     PhaseFunction phase;       ///< of the inside
     std::shared_ptr<const DensityGrid> density; ///< of the inside, as Medium has it
     bool boundary = true;    ///< false: nothing but where its inside begins, rays go on
-    float priority = 0.0f;   ///< of its inside: where others lie too, the highest is there
+    float priority = 0.0f;   ///< of the inside: the highest of overlapping ones counts
     float dispersion = 0.0f; ///< KHR_materials_dispersion: 20 / Abbe number
     float clearcoat = 0.0f;  ///< KHR_materials_clearcoat
     float clearcoat_roughness = 0.0f;
@@ -59,7 +61,7 @@ struct Material {
     Rgb diffuse_transmission_color{1.0f};
     float anisotropy = 0.0f;          ///< KHR_materials_anisotropy
     float anisotropy_rotation = 0.0f; ///< radians from the tangent towards the bitangent
-    bool energy_compensation = false; ///< what its facets pass to one another is not lost
+    bool energy_compensation = false; ///< adds multiple scattering between facets
     ReflectionModel reflection_model = ReflectionModel::metallic_roughness;
     float phong_exponent = 0.0f;
     Rgb phong_specular{0.0f}; ///< 0 to 1
@@ -71,7 +73,7 @@ struct Material {
     std::vector<TextureSlot> textures; ///< one of a use at most
 
     Medium inside() const { return {absorption, scattering, medium_emission, phase, density}; }
-    /// Its inside does more than absorb, or is all there is of it.
+    /// Returns whether the inside does more than absorb, or the material has no surface.
     bool holds_medium() const
     {
         return !is_black(scattering) || !is_black(medium_emission) || density || !boundary;
@@ -144,10 +146,10 @@ struct Scene {
     std::string environment_map_file;  ///< path of an environment map; empty: none
     float environment_strength = 1.0f; ///< its factor
     float environment_turn_deg = 0.0f; ///< its turn about +y, counter-clockwise from above
-    Medium around;                     ///< what is in no closed mesh, docs/media.md
+    Medium around;                     ///< the medium outside closed meshes, docs/media.md
     std::vector<Camera> cameras;       ///< at least one
     std::size_t camera = 0;            ///< the one to render from
-    DiffuseModel diffuse_model = DiffuseModel::lambert; ///< of the program the author saw it in
+    DiffuseModel diffuse_model = DiffuseModel::lambert; ///< of the program that wrote the file
     bool nested_dielectrics = false; ///< rays are to know which dielectrics they are in, as some
                                      ///<   lie in one another; the effect plan says so
 };

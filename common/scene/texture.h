@@ -16,11 +16,11 @@ struct TextureImage {
     std::vector<std::uint8_t> rgba; ///< [4 * width * height]
 };
 
-/// What lies beyond [0, 1]: the texture again, its mirror image, or its edge.
+/// How a texture continues outside [0, 1]: repeated, mirrored, or by its edge.
 enum class Wrap : std::uint8_t { repeat, mirror, clamp };
 enum class Filter : std::uint8_t { linear, nearest };
 
-/// How a texture is read.
+/// How a texture is sampled.
 struct Sampler {
     Wrap wrap_u = Wrap::repeat;
     Wrap wrap_v = Wrap::repeat;
@@ -29,7 +29,7 @@ struct Sampler {
     bool srgb = false;              ///< RGB holds sRGB values, as colours do; alpha never does
 };
 
-/// What a texture is multiplied with, or stands for.  Channels are glTF's.
+/// The use of a texture.  Channels are glTF's.
 enum class TextureUse : std::uint8_t {
     base_color,                 ///< RGB; A: alpha
     metallic_roughness,         ///< G: roughness, B: metallic
@@ -60,13 +60,13 @@ struct TextureSlot {
     float strength = 1.0f; ///< normals: factor of x and y; occlusion: how much of it
 };
 
-/// The slot for `use`; null if there is none.
+/// Returns the slot for `use`; null if there is none.
 const TextureSlot* find_texture(const std::vector<TextureSlot>& slots, TextureUse use);
 
-/// The texture's value at `uv`, (0, 0) its top left corner and (1, 1) its bottom right one: linear
+/// Samples a texture at `uv`, (0, 0) its top left corner and (1, 1) its bottom right one: linear
 /// RGB and alpha in [0, 1].  Bilinear between the middles of pixels, after sRGB values are made
-/// linear; or the pixel that holds the point, if sampler.magnify says nearest.
-/// A coordinate that is not finite counts as 0; no texture is white.  Thread-safe.
+/// linear; or the pixel that holds the point, if sampler.magnify says nearest. A coordinate that is
+/// not finite counts as 0; a texture without pixels is white.  Thread-safe.
 glm::vec4 sample_texture(const TextureImage& image, const Sampler& sampler, glm::vec2 uv);
 
 } // namespace hipmap

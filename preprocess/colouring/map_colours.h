@@ -5,13 +5,14 @@
 
 namespace hipmap {
 
-/// A display-linear colour for every shared map.  Maps that meet at an edge are never alike; a map
-/// that meets few others mostly has the colour of its id in palette_colour.
-/// Returns [map_count].  The same partition gives the same colours.  Near linear.
-/// Greedy colouring in order of falling degree (Welsh and Powell 1967).
+/// Chooses a display-linear colour for every shared map.  Maps that meet at an edge are never
+/// alike; a map that meets few others mostly has the colour of its id in palette_colour. Returns
+/// [map_count].  The same partition gives the same colours.  Near linear. Greedy colouring in order
+/// of falling degree (Welsh and Powell 1967).
 std::vector<Rgb> map_colours(const Partition& partition);
 
-/// The same for every candidate for a group map.  Returns [group_count].
+/// Chooses a display-linear colour for every group-map candidate, as map_colours does for shared
+/// maps.  Returns [group_count].
 std::vector<Rgb> group_colours(const Partition& partition);
 
 } // namespace hipmap

@@ -6,8 +6,8 @@
 
 namespace hipmap {
 
-/// Colour number `index` of an endless palette: neighbouring numbers are far apart, the first
-/// kDistinctColours are told apart by eye, and no two are equal.
+/// Returns colour `index` of an endless palette: neighbouring numbers are far apart, the first
+/// kDistinctColours can be told apart by eye, and no two are equal.
 Rgb palette_colour(std::uint32_t index);
 inline constexpr std::uint32_t kDistinctColours = 24;
 

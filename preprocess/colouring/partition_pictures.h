@@ -9,11 +9,11 @@
 
 namespace hipmap {
 
-/// Writes four pictures of a partition, as the scene's camera sees it, into `folder`:
-/// shared_maps.png, edges.png, candidates.png and groups.png, each with a legend below.
-/// width, height: of the picture without its legend, pixels, at least one.  The folder is made if
-/// it is missing.  Throws InputError if a file cannot be written.
-/// Returns them in this order.  Parallel; the same at any thread count.
+/// Writes four images of a partition, as the scene's camera sees it, into `folder`:
+/// shared_maps.png, edges.png, candidates.png and groups.png, each with a legend below. width,
+/// height: of the image without its legend, pixels, at least one.  The folder is made if it is
+/// missing.  Throws InputError if a file cannot be written. Returns the images in this order.
+/// Parallel; the same at any thread count.
 std::vector<LegendedPicture> write_partition_pictures(const std::filesystem::path& folder,
                                                       const Scene& scene,
                                                       const Partition& partition, int width,

@@ -5,7 +5,7 @@
 
 namespace hipmap {
 
-/// What was found wrong with a mesh; nothing of it loses a face.
+/// Counts of defects in a mesh; none of them removes a face.
 struct MeshDefects {
     std::size_t degenerate_faces = 0;   ///< a vertex twice, or an area of exactly zero
     std::size_t flipped_faces = 0;      ///< wound against the rest of their component

@@ -14,10 +14,9 @@ struct VertexWeld {
     std::uint32_t count = 0;                 ///< ids: 0..count-1 by lowest vertex
 };
 
-/// Gives vertices with bit-identical positions one id; -0 counts as 0.
-/// distance: of 0 keeps near positions apart; of more, a position takes the id of the nearest one
-/// kept before it that is no farther, and is kept otherwise.  positions: finite, any unit.
-/// Linear, one thread.
+/// Gives vertices with bit-identical positions one id; -0 counts as 0. distance: 0 keeps near
+/// positions apart; above 0, a position takes the id of the nearest position kept before it within
+/// the distance, and is kept otherwise.  positions: finite, any unit. Linear, one thread.
 VertexWeld weld_vertices(std::span<const glm::vec3> positions, double distance = 0.0);
 
 } // namespace hipmap

@@ -5,8 +5,8 @@
 
 namespace hipmap {
 
-/// The faces of a mesh by welded vertex.  Edge 3 f + c of face f runs from corner c to corner
-/// (c + 1) mod 3, as everywhere.
+/// The faces of a mesh by welded vertex.  Edge 3 f + c of face f runs from corner c to corner (c +
+/// 1) mod 3, as in Partition.
 struct WeldedFaces {
     std::vector<std::uint32_t> vertex_of_corner; ///< [3F] welded
     std::vector<std::uint8_t> degenerate; ///< [F] 1: a vertex twice, or an area of exactly zero
@@ -22,7 +22,7 @@ struct WeldedFaces {
 /// Looks every corner up in the weld and finds the degenerate faces.  Linear, parallel.
 WeldedFaces weld_faces(const TriangleMesh& mesh, const VertexWeld& weld);
 
-/// The edges of all faces but the degenerate ones, those between the same two vertices together.
+/// The edges of all non-degenerate faces, grouped by their two vertices.
 struct EdgeGroups {
     std::vector<std::uint32_t> edges; ///< by group; ascending within one
     std::vector<std::uint32_t> first; ///< [G + 1] where each group begins in `edges`
@@ -30,7 +30,8 @@ struct EdgeGroups {
     std::size_t count() const { return first.size() - 1; }
 };
 
-/// Groups come in the order of their lower, then their higher vertex.  Near linear, parallel.
+/// Groups the edges of faces; groups come in the order of their lower, then their higher vertex.
+/// Near linear, parallel.
 EdgeGroups group_edges(const WeldedFaces& faces);
 
 } // namespace hipmap

@@ -24,7 +24,7 @@ struct PartitionOptions {
     std::function<void(const PartitionPass&)> after_pass{}; ///< for progress; may be empty
 };
 
-/// What was found on the way to a partition.
+/// Counts and times collected while a partition is built.
 struct PartitionSummary {
     struct Map {
         MapId id = 0;

@@ -6,16 +6,16 @@
 
 namespace hipmap {
 
-/// Edges nearer to the threshold than this, in radians, count as above it, so that the rounding of
-/// positions (a rotated cube) cannot change a partition.
+/// Width of the band, in radians, around the threshold angle.  An edge within it counts as above
+/// the threshold, so that the rounding of positions (a rotated cube) cannot change a partition.
 inline constexpr double kAngleBand = 1e-4;
 
-/// What parts two neighbouring faces: the angle between them, vertex normals that the scene's
+/// What separates two neighbouring faces: the angle between them, vertex normals that the scene's
 /// author split, or either.
 enum class SplitBy { angle, normals, both };
 
-/// Vertex normals of two faces at one vertex that differ by more than this, in radians, were split
-/// on purpose: quantised to 8 bits they differ by less.
+/// Vertex normals of two faces at one vertex that differ by more than this, in radians, count as
+/// split on purpose; quantisation to 8 bits makes a smaller difference.
 inline constexpr double kSplitNormals = 0.02;
 
 struct EdgeClasses {

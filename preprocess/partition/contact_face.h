@@ -7,7 +7,7 @@
 
 namespace hipmap {
 
-/// Part of a segment, from 0 at its beginning to 1 at its end.
+/// A part of a segment, from 0 at its beginning to 1 at its end.
 struct Interval {
     double begin = 0.0;
     double end = 1.0;
@@ -27,25 +27,25 @@ struct ContactFace {
     std::array<EdgePlane, 3> planes;
     double error = 0.0; ///< how far apart points may be that are meant to be one
 
-    /// error: scene units, above 0.  The face's area must not be zero.
+    /// Prepares a face.  error: scene units, above 0.  The face's area must not be zero.
     ContactFace(const TriangleMesh& mesh, FaceId face, double error);
 
-    /// Contacts shorter than this are points.
+    /// Returns the length below which contacts count as points, scene units.
     double least_length() const { return 64 * error; }
-    /// Whether the face is too thin for its plane to mean anything.
+    /// Returns whether the face is too thin for its plane to mean anything.
     bool too_thin() const { return least_height < 16 * error; }
     double height(const glm::dvec3& point) const { return glm::dot(point - corners[0], normal); }
 
-    /// The part of a segment that lies on the face: within two errors of its plane and one of its
-    /// edges.  Empty if that is shorter than least_length().
+    /// Returns the part of a segment that lies on the face: within two errors of its plane and of
+    /// one of its edges.  Empty if it is shorter than least_length().
     std::optional<Interval> part_on(const glm::dvec3& a, const glm::dvec3& b) const;
 };
 
-/// Whether two faces lie in parallel planes as far as rounding lets one say.
+/// Returns whether two faces lie in parallel planes, up to rounding.
 bool parallel(const ContactFace& f, const ContactFace& g);
 
-/// The segment in which two faces cut through each other, each with a corner clearly on both sides
-/// of the other.  Empty if they do not, or it is shorter than their least_length().
+/// Returns the segment in which two faces cut through each other, each with a corner clearly on
+/// both sides of the other.  Empty if they do not, or if it is shorter than their least_length().
 /// Moeller 1997, "A fast triangle-triangle intersection test".
 std::optional<ContactLine> crossing(const ContactFace& f, const ContactFace& g);
 

@@ -12,15 +12,16 @@ class FaceSurroundings {
 
     const std::array<EdgePlane, 3>& planes() const { return planes_; }
 
-    /// Largest height over the nearest of the chosen planes, of any point of the face.
+    /// Returns the largest height of any point of the face over the nearest of the chosen planes.
     double largest_height(unsigned edges) const;
 
-    /// Distance of the face from the map's other faces in front of the chosen planes; infinity if
-    /// it is not below `bound`, 0 if finding it takes too long.
+    /// Returns the distance of the face from the map's other faces in front of the chosen planes;
+    /// infinity if it is not below `bound`, 0 if finding it takes too long.
     double distance_in_front(unsigned edges, double bound) const;
 
-    /// The same among faces that were sorted out by this face's planes, and hold all of the map
-    /// within `bound`.
+    /// Returns the distance of the face from the map's other faces in front of the chosen planes,
+    /// searching only `nearby`: faces already sorted by this face's planes that include all of the
+    /// map within `bound`.
     double distance_in_front(unsigned edges, const NearbyFaces& nearby, double bound) const;
 
   private:

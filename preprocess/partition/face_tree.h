@@ -9,7 +9,7 @@
 
 namespace hipmap {
 
-/// Whether two boxes have a point in common.
+/// Returns whether two boxes have a point in common.
 inline bool meet(const Bounds<glm::vec3>& a, const Bounds<glm::vec3>& b)
 {
     // Without branches, which would be guesses.
@@ -17,8 +17,8 @@ inline bool meet(const Bounds<glm::vec3>& a, const Bounds<glm::vec3>& b)
            (b.low.y <= a.high.y) & (a.low.z <= b.high.z) & (b.low.z <= a.high.z);
 }
 
-/// A tree of boxes over faces: a complete binary tree, each node of which holds faces that are
-/// consecutive in the order of the tree.  Read-only once built: any number of threads may walk it.
+/// A tree of boxes over faces: a complete binary tree, each node of which holds consecutive faces
+/// in the order of the tree.  Read-only once built: any number of threads may walk it.
 class FaceTree {
   public:
     struct Range {
@@ -27,19 +27,19 @@ class FaceTree {
 
     FaceTree() = default; ///< of no faces
 
-    /// Halves the faces of each node along its longest axis.  The same faces give the same tree.
-    /// O(n log n), parallel; 24 bytes a node, at most one node to four faces.
+    /// Builds the tree by halving the faces of each node along its longest axis.  The same faces
+    /// give the same tree. O(n log n), parallel; 24 bytes a node, at most one node to four faces.
     FaceTree(const TriangleMesh& mesh, std::span<const FaceId> faces);
 
-    /// Puts the same faces where the mesh has them now; they stay in their nodes.  A visit then
-    /// meets the same faces as in a tree built anew, in another order, if only faces whose own
-    /// boxes meet what is looked for count.  Linear, parallel.
+    /// Updates the boxes to the current positions of the same faces; faces stay in their nodes.  A
+    /// visit then meets the same faces as in a new tree, in another order, if only faces whose own
+    /// boxes meet the query count.  Linear, parallel.
     void refit(const TriangleMesh& mesh);
 
-    /// Of no faces if there are none, then without a box.
+    /// Returns the root; without faces it is empty and has no box.
     Range root() const { return {0, 0, static_cast<std::uint32_t>(faces_.size())}; }
     bool is_leaf(const Range& range) const { return range.node >= leaf_count() - 1; }
-    /// The halves of a node that is no leaf.
+    /// Returns the two children of a node that is no leaf.
     std::array<Range, 2> children(const Range& range) const
     {
         const auto child_depth = static_cast<std::uint32_t>(std::bit_width(range.node + 1));
@@ -56,15 +56,15 @@ class FaceTree {
     }
 
     std::uint32_t leaf_count() const { return std::uint32_t{1} << depth_; }
-    /// index: below leaf_count().  Neighbouring leaves are near each other.
+    /// Returns leaf `index`, below leaf_count().  Neighbouring leaves are near each other.
     Range leaf(std::uint32_t index) const { return node_at(depth_, index); }
 
-    /// The label that all faces below a node have, or kNone if they differ.
-    /// label_of_face: by FaceId.  Returns by Range::node.  Linear.
+    /// Returns, by Range::node, the label that all faces below a node have, or kNone if they
+    /// differ. label_of_face: by FaceId.  Linear.
     std::vector<std::uint32_t> labels_of_nodes(std::span<const std::uint32_t> label_of_face) const;
 
-    /// Calls visit(FaceId) for every face whose leaf's box meets `box`, in the order of the tree,
-    /// but for those in nodes that `skip(Range)` leaves out; it may be asked of any node.
+    /// Calls visit(FaceId) for every face whose leaf's box meets `box`, in the order of the tree.
+    /// Leaves out nodes for which `skip(Range)` returns true; it may be asked of any node.
     template <typename Skip, typename Visit>
     void visit(const Bounds<glm::vec3>& box, const Skip& skip, const Visit& visit_face) const
     {
@@ -88,7 +88,7 @@ class FaceTree {
         }
     }
 
-    /// No node is deeper: halving 2^32 faces goes 32 deep.
+    /// The greatest depth of a node: halving 2^32 faces goes 32 deep.
     static constexpr std::size_t kMostDepth = 32;
 
   private:
@@ -109,7 +109,7 @@ class FaceTree {
     std::uint32_t depth_ = 0;              ///< of the leaves
 };
 
-/// The box of one face.
+/// Returns the box of one face.
 inline Bounds<glm::vec3> face_box(const TriangleMesh& mesh, FaceId face)
 {
     Bounds<glm::vec3> box;

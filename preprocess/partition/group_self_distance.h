@@ -4,7 +4,7 @@
 
 namespace hipmap {
 
-/// What a search for the faces around a patch goes through.
+/// The data that a search for the faces around a patch walks through.
 struct PatchSurroundings {
     const TriangleMesh& mesh;
     const FaceTree& tree; ///< of the map
@@ -17,12 +17,11 @@ struct FaceDistance {
     double distance = 0.0; ///< scene units
 };
 
-/// How far the centres of a patch's faces are from the faces of its map outside it, D of
-/// docs/partition_file.md (5): never more than it is, and less by at most `slack`.  Scene units.
-/// clumps: all of the patch, not empty.  Returns all its faces, or none where it would take too
-/// long.
-/// One search of O(log n) for each stretch of faces whose centres lie within about `slack`, so that
-/// neighbouring clumps had better follow each other.
+/// Returns the distance of each face centre of a patch from the faces of its map outside the patch,
+/// D of docs/partition_file.md (5), in scene units: never too large, and too small by at most
+/// `slack`. clumps: all of the patch, not empty.  Returns all faces of the patch, or none where it
+/// would take too long. Cost: one search of O(log n) for each run of faces whose centres lie within
+/// about `slack`, so neighbouring clumps should follow each other.
 std::vector<FaceDistance> distances_of_patch(const PatchSurroundings& around,
                                              std::span<const Clump> clumps, double slack);
 

@@ -11,20 +11,19 @@ struct LocalCandidates {
     std::vector<std::uint8_t> candidate; ///< [F] 1: worth a local map
 };
 
-/// Largest distance of any point of a triangle from the nearest of its chosen edges (segments).
-/// corners: any unit; area not zero.  connected: for the edges from corner 0, 1 and 2.
-/// Infinity if none is chosen; three: the inradius; one: the distance of the corner across; two:
+/// Returns the largest distance of any point of a triangle from the nearest of its chosen edges
+/// (segments). corners: any unit; area not zero.  connected: for the edges from corner 0, 1 and 2.
+/// Infinity if none is chosen; three: the inradius; one: the distance of the opposite corner; two:
 /// see docs/partition_file.md (2).
 double reach_of(const std::array<glm::dvec3, 3>& corners, const std::array<bool, 3>& connected);
 
-/// The filter radius of the smallest map that is kept, 10 k photons spread evenly over `area`,
-/// docs/partition_file.md (3).  area: square scene units.
+/// Returns the filter radius of the smallest map that is kept, with 10 k photons spread evenly over
+/// `area`, docs/partition_file.md (3).  area: square scene units.
 double widest_filter_radius(double area);
 
-/// Faces on which the search of a local map can end within its limiting radius: those that are not
-/// alone in their shared map, and whose reach exceeds the filter radius that the fewest photons a
-/// local map may have, 10 k, would give it, docs/partition_file.md (3).
-/// Linear, parallel.
+/// Finds faces on which the search of a local map can end within its limiting radius: faces that
+/// are not alone in their shared map, and whose reach exceeds the filter radius of a local map with
+/// the fewest photons allowed, 10 k, docs/partition_file.md (3).  Linear, parallel.
 LocalCandidates find_local_candidates(const TriangleMesh& mesh,
                                       std::span<const EdgeClass> edge_class,
                                       const SharedMaps& maps);

@@ -11,10 +11,9 @@ struct MapTree {
     const FaceTree& tree; ///< all of them and no other
 };
 
-/// A tree of the faces of each shared map, by id; one without faces where wanted[map] is 0.  Each
-/// depends on its own faces alone.
-/// wanted: [maps.count].
-/// Near linear, parallel; the same at any thread count.
+/// Builds a tree of the faces of each shared map, by id; a tree without faces where wanted[map] is
+/// 0.  Each tree depends on its own faces alone. wanted: [maps.count]. Near linear, parallel; the
+/// same at any thread count.
 std::vector<FaceTree> trees_of_maps(const TriangleMesh& mesh, const SharedMaps& maps,
                                     std::span<const std::uint8_t> wanted);
 

@@ -7,7 +7,7 @@
 
 namespace hipmap {
 
-/// Some faces side by side, to be sorted out by planes in float.
+/// Faces stored side by side, to be sorted by planes in float.
 class NearbyFaces {
   public:
     static constexpr std::size_t kMost = 256;
@@ -20,8 +20,9 @@ class NearbyFaces {
     /// Adds a face if its box meets `box`.  Returns false if there is no room.
     bool add(const TriangleMesh& mesh, FaceId face, const Bounds<glm::vec3>& box);
 
-    /// Finds before which of the planes each face may have a corner by more than `error`, at least
-    /// position_error_of(mesh): bit c of front(i) is 0 only if face i has none before plane c.
+    /// Finds which planes each face may have a corner in front of by more than `error`, at least
+    /// position_error_of(mesh): bit c of front(i) is 0 only if face i has no corner in front of
+    /// plane c.
     void sort_out(const std::array<EdgePlane, 3>& planes, double error);
     unsigned front(std::size_t i) const { return front_[i]; }
 

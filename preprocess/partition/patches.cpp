@@ -9,8 +9,8 @@
 namespace hipmap {
 namespace {
 
-/// Of the map's area.  Parts are halved down to at most sqrt(2) times it, so that they have at
-/// least 1/sqrt(2) of it where faces are small.
+/// The area of a patch as a share of the map's.  Parts are halved down to at most sqrt(2) times
+/// this, so that they have at least 1/sqrt(2) of it where faces are small.
 constexpr double kPatchFraction = 1.0 / 64;
 
 /// Fewer have hardly more photons together than each of them.

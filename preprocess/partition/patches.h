@@ -22,14 +22,14 @@ struct Patches {
     }
 };
 
-/// Parts a map into patches of about 1/64 of its area, docs/partition_file.md (Groups), of at least
-/// four faces each, and names for each of their faces one face of its patch in `patch_of_face`.
-/// patch_of_face: [F] of the mesh, kNone at the faces of the map; stays so at those in no patch.
-/// Near linear, parallel; the same at any thread count.
+/// Divides a map into patches of about 1/64 of its area, docs/partition_file.md (Groups), of at
+/// least four faces each, and stores in `patch_of_face` one face of its patch for each face.
+/// patch_of_face: [F] of the mesh, kNone at the faces of the map; stays so at faces without a
+/// patch. Near linear, parallel; the same at any thread count.
 Patches find_patches(const MapTree& map, std::span<std::uint32_t> patch_of_face);
 
-/// Numbers labels 0, 1, .. in the order in which they first appear; kNone stays.
-/// labels: below labels.size().  Returns how many there are.  Linear.
+/// Renumbers labels 0, 1, .. in the order of their first appearance; kNone stays. labels: below
+/// labels.size().  Returns how many there are.  Linear.
 std::uint32_t number_by_first(std::vector<std::uint32_t>& labels);
 
 } // namespace hipmap

@@ -10,7 +10,7 @@
 
 namespace hipmap {
 
-/// What the partition of a frame of an animation leaves to that of the next one.
+/// What building the partition of one animation frame keeps for the next frame.
 struct PreviousFrame {
     std::vector<glm::vec3> positions;  ///< [V]
     VertexWeld weld;                   ///< of these
@@ -21,25 +21,25 @@ struct PreviousFrame {
     PartitionResult result;
 };
 
-/// Makes the partition of a frame by that of the one before, of the same faces and options, if
-/// there is one, and puts it in its place: the same, in all but the seconds that passes took, as
-/// build_partition(scene, options).  Maps that have not changed keep what is known of them.
+/// Builds the partition of a frame, reusing the previous frame's of the same faces and options if
+/// there is one, and stores it in `previous`.  The result equals build_partition(scene, options)
+/// except for the seconds that passes took.  Maps that have not changed are not analysed again.
 void build_partition(const Scene& scene, const PartitionOptions& options,
                      std::optional<PreviousFrame>& previous);
 
-/// find_half_edges(mesh, weld), found anew only where something has moved since a previous frame of
-/// the same faces: for those that hang together with it, by vertices that were welded then or are
-/// now.  Linear, but for these faces.
+/// Returns find_half_edges(mesh, weld), but searches again only near faces that have moved since
+/// the previous frame: faces connected to a moved vertex by the old or the new weld.  Linear, but
+/// for these faces.
 HalfEdges find_half_edges(const TriangleMesh& mesh, const VertexWeld& weld,
                           const PreviousFrame& previous);
 
-/// Whether the previous frame's tree, refitted, is as good for a mesh as one built anew: of the
-/// same faces, few of which have moved.  map_of_face: [F] kNone for a face that has no place in it.
+/// Returns whether the previous frame's tree, refitted, is as good for a mesh as a new one: it has
+/// the same faces, and few have moved.  map_of_face: [F] kNone for a face that has no place in it.
 /// Linear.
 bool tree_serves(const TriangleMesh& mesh, std::span<const MapId> map_of_face,
                  const PreviousFrame& previous);
 
-/// Shared maps of which the previous frame knows all that depends on their faces alone.
+/// Shared maps for which the previous frame knows everything that depends on their faces alone.
 struct KnownMaps {
     std::vector<std::uint8_t> changed; ///< [maps now] 0: has the faces of one map of then, at the
                                        ///<     same places, with the same edges
@@ -48,8 +48,8 @@ struct KnownMaps {
     bool has(MapId map) const { return map != kNone && changed[map] == 0; }
 };
 
-/// What the previous frame knows of these maps, at their faces alone, contacts with the ids of now.
-/// map_of_face: [F] of now.  out: of all faces.  Linear.
+/// Copies what the previous frame knows of these maps to their faces; contacts get the current ids.
+/// map_of_face: [F] of the current frame.  out: of all faces.  Linear.
 void copy_known_self_distances(const PreviousFrame& previous, const KnownMaps& known,
                                std::span<const MapId> map_of_face, SelfDistances& out);
 void copy_known_groups(const PreviousFrame& previous, const KnownMaps& known,
@@ -57,8 +57,8 @@ void copy_known_groups(const PreviousFrame& previous, const KnownMaps& known,
 void append_known_contacts(const PreviousFrame& previous, const KnownMaps& known,
                            std::vector<MadeContact>& out);
 
-/// Compares all of a partition that is about edges and maps with the previous frame's.
-/// now: its edges, maps, bridged edges and position error are set.  mesh: of now.  Linear.
+/// Compares the edges and maps of a partition with the previous frame's. now: its edges, maps,
+/// bridged edges and position error are set.  mesh: of the current frame.  Linear.
 KnownMaps find_known_maps(const TriangleMesh& mesh, const Partition& now,
                           const PreviousFrame& previous);
 

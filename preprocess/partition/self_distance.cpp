@@ -15,8 +15,8 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Of a point that is computed from a face's corners in float, per unit of the largest coordinate:
-/// three axes with seven roundings each stay below it.
+/// The rounding bound of a point computed from a face's corners in float, per unit of the largest
+/// coordinate: three axes with seven roundings each stay below it.
 constexpr double kPositionError = 0x1p-20;
 
 /// Sets of edges as bits, smaller sets first.

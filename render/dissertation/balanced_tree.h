@@ -8,7 +8,7 @@
 namespace hipmap {
 
 /// A balanced kd-tree without pointers: the middle point of a range is its root, the halves are its
-/// subtrees; each is split across its longest side.  Source: Jensen 2001, chapter 6.
+/// subtrees; each range is split across its longest side.  Source: Jensen 2001, chapter 6.
 /// Read-only once built: any number of threads may search.
 struct BalancedTree {
     std::vector<TreePoint> points;
@@ -17,14 +17,14 @@ struct BalancedTree {
     std::size_t bytes() const { return points.size() * sizeof(TreePoint) + axes.size(); }
 };
 
-/// O(n log n), in parallel for large ranges.  Same points, same tree, at any thread count.
-/// Positions must be finite.  No points: a tree that finds nothing.
+/// Builds the tree in O(n log n), in parallel for large ranges.  Same points, same tree, at any
+/// thread count. Positions must be finite.  No points: a tree that finds nothing.
 BalancedTree build_balanced_tree(std::vector<TreePoint> points);
 
-/// Ranges up to this size are not split.
+/// The largest range that is not split.
 inline constexpr std::size_t kBalancedLeaf = 8;
 
-/// Offers every photon of the tree that can matter and that `accept(photon)` lets through.
+/// Offers to `accept(photon)` every photon of the tree that can matter, and keeps those accepted.
 /// point: scene units.  Cost: O(k log n) typically; nothing is allocated.  Thread-safe.
 template <typename Accept>
 void search_tree(const BalancedTree& tree, const glm::vec3& point, const Accept& accept,

@@ -8,8 +8,8 @@
 #include <variant>
 #include <vector>
 
-/// What exists to be compared with the dissertation and the methods it builds on, behind one
-/// interface: docs/photon_maps.md.  The rest of render includes this header alone.
+/// The dissertation's methods and those they build on, kept for comparison behind one interface:
+/// docs/photon_maps.md.  The rest of render includes this header alone.
 namespace hipmap {
 
 /// How photons are split into maps.
@@ -21,13 +21,13 @@ enum class MapMode : std::uint8_t {
     hierarchical, ///< shared maps, and such local and group maps as save time
 };
 
-/// Which map levels below the shared maps mode hierarchical searches.
+/// The map levels below the shared maps that mode hierarchical searches.
 enum class LevelChoice : std::uint8_t {
     paying, ///< those that are expected to save time, docs/photon_maps.md (8)
     all,    ///< all, to measure and to test
 };
 
-/// What the photons of a map are searched in.
+/// The search structure of the photons of a map.
 enum class TreeKind : std::uint8_t {
     wide,       ///< WideTree
     balanced,   ///< BalancedTree, of the dissertation's time
@@ -40,13 +40,13 @@ enum class EstimateForm : std::uint8_t {
     thesis,  ///< those of k photons that face the surface over the whole disc, (7)
 };
 
-/// What gather rays read where they end.
+/// The irradiance that final-gather rays read where they end.
 enum class GatheredIrradiance : std::uint8_t {
     estimated,   ///< an estimate at that point
     precomputed, ///< that made at a photon near by (Christensen 1999): not exact, Lambert's alone
 };
 
-/// The defaults ask for nothing of the dissertation.
+/// Options of the dissertation's methods; the defaults use none of them.
 struct DissertationOptions {
     MapMode mode = MapMode::shared;
     std::uint32_t local_min = 500; ///< M: fewest photons of a local map
@@ -56,7 +56,7 @@ struct DissertationOptions {
     GatheredIrradiance irradiance = GatheredIrradiance::estimated;
 };
 
-/// What a map level costs and saves, in nodes of a search, docs/photon_maps.md (8).
+/// The cost and the saving of a map level, in nodes of a search, docs/photon_maps.md (8).
 struct LevelPlan {
     double asking = 0; ///< cost of asking for its map and limiting radius; 0: not planned
     double most = 0;   ///< that any search could save
@@ -70,10 +70,10 @@ struct LevelPlan {
     double saving = 0;            ///< mean of all searches; below zero: a loss
 };
 
-/// Why a map level is used or not, in a few words with the figures.
+/// Explains in a few words, with figures, why a map level is used or not.
 std::string describe_plan(const LevelPlan& plan);
 
-/// What was done in one map level below the shared maps.
+/// Counts of the searches in one map level below the shared maps.
 struct LevelSearches {
     std::uint64_t begun = 0;
     std::uint64_t skipped = 0;   ///< not begun: the radius expected exceeds the limiting radius
@@ -82,7 +82,7 @@ struct LevelSearches {
     LevelSearches& operator+=(const LevelSearches& other);
 };
 
-/// Searches of both map levels.
+/// Counts of the searches in both map levels.
 struct LevelStatistics {
     LevelSearches local;
     LevelSearches group; ///< mode hierarchical
@@ -100,37 +100,37 @@ struct LevelCounts {
 struct DissertationMaps;
 struct DissertationScratch;
 
-/// The maps of one kind of photon: shared maps, or what is compared with them.  Read-only once
-/// built: any number of threads may search.
+/// The maps of one kind of photon: shared maps, or the dissertation's maps.  Read-only once built:
+/// any number of threads may search.
 using ChosenMaps = std::variant<PhotonMaps, std::shared_ptr<const DissertationMaps>>;
 
-/// Memory that one thread lends to estimates from ChosenMaps.
+/// Scratch memory of one thread for estimates from ChosenMaps.
 struct ChosenScratch {
     EstimateScratch estimate;
     std::shared_ptr<DissertationScratch> dissertation; ///< null until a search needs it
 };
 
-/// Splits photons into maps, as build_photon_maps does; plans and stores nothing but shared maps
-/// where nothing else is asked for.
+/// Splits photons into maps as build_photon_maps does.  Builds shared maps alone unless the options
+/// ask for more.
 ChosenMaps build_chosen_maps(const std::vector<Photon>& photons, const MapSurfaces& surfaces,
                              const MapOptions& options, const DissertationOptions& asked);
 
-/// The options without map levels: searches within a radius read the shared maps alone.
+/// Returns the options without map levels: searches within a radius read the shared maps alone.
 DissertationOptions without_levels(DissertationOptions options);
 
-/// The shared maps among the maps; mode global: the one map.
+/// Returns the shared maps; in mode global, the one map.
 const PhotonMaps& shared_maps(const ChosenMaps& maps);
 
-/// Counts of the map levels; all zero for shared maps alone.
+/// Returns the counts of the map levels; all zero for shared maps alone.
 LevelCounts count_levels(const ChosenMaps& maps);
 
-/// Bytes of the arrays, those of map levels left out.
+/// Returns the bytes of the arrays, without those of map levels.
 std::size_t bytes_of(const ChosenMaps& maps);
 
-/// What searches did in map levels with this scratch.
+/// Returns the counts of the searches in map levels made with this scratch.
 LevelStatistics level_searches(const ChosenScratch& scratch);
 
-/// What the functions below do for maps that are not shared maps alone.
+/// Implements the functions below for maps other than shared maps.
 namespace dissertation {
 
 Rgb estimate_irradiance(const DissertationMaps& maps, const MapSurfaces& surfaces,
@@ -148,8 +148,8 @@ RadiusField build_radius_field(const DissertationMaps& maps, const MapSurfaces& 
 
 } // namespace dissertation
 
-/// The irradiance at a point as the maps estimate it: shared maps as render/maps/estimate.h says,
-/// mode global without boundaries, with EstimateForm::thesis by docs/photon_maps.md (7).
+/// Estimates the irradiance at a point: from shared maps as render/maps/estimate.h says; in mode
+/// global without boundaries; with EstimateForm::thesis by docs/photon_maps.md (7).
 inline Rgb estimate_irradiance(const ChosenMaps& maps, const MapSurfaces& surfaces,
                                const PhotonQuery& query, ChosenScratch& scratch)
 {
@@ -158,8 +158,8 @@ inline Rgb estimate_irradiance(const ChosenMaps& maps, const MapSurfaces& surfac
     return dissertation::estimate_irradiance(*std::get<1>(maps), surfaces, query, scratch);
 }
 
-/// The irradiance from all photons within some radii, render/maps/fixed_radius.h; mode global has
-/// no boundaries.
+/// Estimates the irradiance from all photons within some radii, render/maps/fixed_radius.h; mode
+/// global has no boundaries.
 inline RadiusEstimates estimate_within(const ChosenMaps& maps, const MapSurfaces& surfaces,
                                        const PhotonQuery& query, const std::array<float, 3>& radii,
                                        ChosenScratch& scratch)
@@ -169,8 +169,9 @@ inline RadiusEstimates estimate_within(const ChosenMaps& maps, const MapSurfaces
     return dissertation::estimate_within(*std::get<1>(maps), surfaces, query, radii, scratch);
 }
 
-/// The irradiance where a gather ray ends: with GatheredIrradiance::precomputed that of a photon
-/// near by, the same for all radii; else, or without such a photon, that of estimate_within.
+/// Estimates the irradiance where a final-gather ray ends: with GatheredIrradiance::precomputed,
+/// that of a photon near by, equal for all radii; else, or without such a photon, by
+/// estimate_within.
 inline RadiusEstimates estimate_gathered(const ChosenMaps& maps, const MapSurfaces& surfaces,
                                          const PhotonQuery& query,
                                          const std::array<float, 3>& radii, ChosenScratch& scratch)
@@ -180,7 +181,8 @@ inline RadiusEstimates estimate_gathered(const ChosenMaps& maps, const MapSurfac
     return dissertation::estimate_gathered(*std::get<1>(maps), surfaces, query, radii, scratch);
 }
 
-/// As of shared maps, render/maps/estimate.h; in mode global of all surfaces together.
+/// Returns the radius within which k photons would lie if the map's photons were spread evenly,
+/// render/maps/estimate.h; in mode global, over all surfaces together.
 inline float even_radius(const ChosenMaps& maps, const MapSurfaces& surfaces,
                          const PhotonQuery& query)
 {
@@ -189,7 +191,7 @@ inline float even_radius(const ChosenMaps& maps, const MapSurfaces& surfaces,
     return dissertation::even_radius(*std::get<1>(maps), surfaces, query);
 }
 
-/// As of shared maps, render/maps/radius_field.h.
+/// Builds a radius field as render/maps/radius_field.h does for shared maps.
 inline RadiusField build_radius_field(const ChosenMaps& maps, const MapSurfaces& surfaces,
                                       RadiusField::Sparse sparse = RadiusField::Sparse::even)
 {

@@ -37,8 +37,8 @@ struct LevelMaps {
     std::vector<LevelMap> maps;
 };
 
-/// Maps of one kind of photon by any mode but none, tree and form of estimate.  Read-only once
-/// built: any number of threads may search.
+/// The maps of one kind of photon in any mode except none, with any tree and form of estimate.
+/// Read-only once built: any number of threads may search.
 struct DissertationMaps {
     DissertationOptions options;
     PhotonMaps shared;                  ///< mode global: one, at every place of map_of
@@ -51,27 +51,27 @@ struct DissertationMaps {
     std::optional<PhotonIrradiance> irradiance;
 
     bool one_map() const { return options.mode == MapMode::global; }
-    /// Sides of a surface that have maps of their own: the thesis' estimate drops photons of the
-    /// wrong side only when they are chosen.
+    /// Returns how many sides of a surface have their own maps: the thesis' estimate drops photons
+    /// of the wrong side only when they are chosen.
     std::uint8_t sides() const { return options.estimate == EstimateForm::thesis ? 1 : 2; }
     std::size_t index_by_side(std::uint32_t face_or_group, std::uint8_t side) const
     {
         return std::size_t{sides()} * face_or_group + side % sides();
     }
-    /// Null: the map's wide tree is searched.
+    /// Returns the kd-tree of a map; null: the map's wide tree is searched.
     const KdTree* kd_tree(const PhotonMap& map) const
     {
         return kd_trees.empty() ? nullptr
                                 : &kd_trees[static_cast<std::size_t>(&map - shared.maps.data())];
     }
-    /// Area of the map that a query on `face` reads; the face must have one.
+    /// Returns the area of the map that a query on `face` reads; the face must have one.
     float area_read(const MapSurfaces& surfaces, FaceId face) const
     {
         return one_map() ? total_area : surfaces.area_at(face);
     }
 };
 
-/// Memory of one thread, beside that for shared maps.
+/// Scratch memory of one thread, in addition to that for shared maps.
 struct DissertationScratch {
     TreeScratch local;
     TreeScratch irradiance;
@@ -79,8 +79,8 @@ struct DissertationScratch {
     LevelStatistics levels;
 };
 
-/// Splits photons into maps, as build_photon_maps does, with the map levels that the options ask
-/// for, and irradiance at every fourth photon if they do.  asked.mode: not none.
+/// Splits photons into maps as build_photon_maps does, with the map levels and the irradiance at
+/// every fourth photon that the options ask for.  asked.mode: not none.
 DissertationMaps build_dissertation_maps(const std::vector<Photon>& photons,
                                          const MapSurfaces& surfaces, const MapOptions& options,
                                          const DissertationOptions& asked);

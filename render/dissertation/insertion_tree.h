@@ -11,7 +11,7 @@ namespace hipmap {
 
 inline constexpr std::uint32_t kNoNode = ~std::uint32_t{0};
 
-/// A photon of an insertion tree and what hangs from it; kNoNode: nothing.
+/// A photon of an insertion tree and its children; kNoNode: none.
 struct InsertionNode {
     glm::vec3 position;
     std::uint32_t photon;
@@ -20,10 +20,10 @@ struct InsertionNode {
     std::uint32_t axis = 0;
 };
 
-/// An unbalanced kd-tree, which photons are put into one by one, at any time.  A photon splits the
-/// cell it falls into, across the axis on which it cuts it most evenly.
-/// The rival of balanced trees that the dissertation names (Guenther, Wald and Slusallek 2004).
-/// Any number of threads may search while none inserts.
+/// An unbalanced kd-tree into which photons can be inserted one by one at any time.  A photon
+/// splits the cell it falls into, across the axis on which it cuts it most evenly. The dissertation
+/// names it as the rival of balanced trees (Guenther, Wald and Slusallek 2004). Any number of
+/// threads may search while none inserts.
 struct InsertionTree {
     Bounds<glm::vec3> box;            ///< of the photons to come; a wrong one costs time only
     std::vector<InsertionNode> nodes; ///< by order of insertion; the first is the root
@@ -31,10 +31,11 @@ struct InsertionTree {
     std::size_t bytes() const { return nodes.size() * sizeof(InsertionNode); }
 };
 
-/// Position: finite, scene units.  O(log n) for photons in random order, O(n) for sorted ones.
+/// Inserts a point; position: finite, scene units.  O(log n) for photons in random order, O(n) for
+/// sorted ones.
 void insert(InsertionTree& tree, const TreePoint& point);
 
-/// Inserts all in their order, one by one.  No points: a tree that finds nothing.
+/// Inserts all points in their order.  No points: a tree that finds nothing.
 InsertionTree build_insertion_tree(std::span<const TreePoint> points);
 
 /// A subtree that a search has still to look at.
@@ -43,7 +44,7 @@ struct PendingNode {
     float distance2; ///< nothing in it is nearer
 };
 
-/// Offers every photon of the tree that can matter and that `accept(photon)` lets through.
+/// Offers to `accept(photon)` every photon of the tree that can matter, and keeps those accepted.
 /// point: scene units.  pending: memory that the caller lends.  Cost: O(k log n) typically.
 /// Thread-safe.
 template <typename Accept>

@@ -7,32 +7,32 @@
 
 namespace hipmap {
 
-/// A map's photons in a tree of the dissertation's time; it has one of the two.  A photon's slot is
+/// A map's photons in a tree of the dissertation's time, of one of two kinds.  A photon's slot is
 /// its place in the order of the tree's array.
 struct KdTree {
     BalancedTree balanced;
     InsertionTree unbalanced;
 
     std::size_t size() const { return balanced.points.size() + unbalanced.nodes.size(); }
-    /// Bytes of the arrays.
+    /// Returns the bytes of the arrays.
     std::size_t bytes() const { return balanced.bytes() + unbalanced.bytes(); }
 };
 
-/// Orders `points` by slot and builds their tree; kind: not wide.  Cost, empty input and threads
-/// as of the tree it is.
+/// Sorts `points` by slot and builds their tree; kind: not wide.  Cost, empty input and threads as
+/// for the chosen tree.
 KdTree build_kd_tree(TreeKind kind, std::span<TreePoint> points);
 
-/// Memory that one thread lends to its searches: it grows, and is then reused.
+/// Scratch memory of one thread for its searches; it grows and is reused.
 struct KdScratch {
     std::vector<Neighbour> heap;
     std::vector<PendingNode> pending;
     std::vector<std::uint32_t> found;
 };
 
-/// The k nearest photons that `accept(slot)` lets through, fewer if there are no more within the
-/// radius; of equally near ones those with the lower slot.  Finds the photons that a WideTree
-/// finds, by other slots.  Jensen's search with a max-heap, which knows nothing of the search
-/// before.  Thread-safe with a scratch for each thread.
+/// Finds the k nearest photons that `accept(slot)` lets through, fewer if there are no more within
+/// the radius; of equally near ones those with the lower slot.  Finds the photons that a WideTree
+/// finds, by other slots.  Jensen's search with a max-heap, which does not use the previous search.
+/// Thread-safe with a scratch for each thread.
 template <typename Accept = AcceptAll>
 FoundSlots find_nearest(const KdTree& tree, const TreeQuery& query, KdScratch& scratch,
                         const Accept& accept = {})

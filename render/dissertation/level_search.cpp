@@ -28,7 +28,7 @@ struct Asked {
     {
         return {query.position, maps.shared.options.neighbours, query.radius * query.radius};
     }
-    /// Of the query's face in a level's table.
+    /// Returns the index of the query's face in a level's table.
     std::size_t index() const { return maps.index_by_side(query.face, query.side); }
 };
 

@@ -4,44 +4,45 @@
 
 namespace hipmap {
 
-/// Distance from a point of `face` to the nearest edge across which its shared map goes on;
-/// infinite if there is none.  Algorithm 4 of the thesis, docs/photon_maps.md (6).
+/// Returns the distance from a point of `face` to the nearest edge across which its shared map
+/// continues; infinite if there is none.  Algorithm 4 of the thesis, docs/photon_maps.md (6).
 float limiting_radius(const TriangleMesh& mesh, const Partition& partition, FaceId face,
                       const glm::vec3& point);
 
-/// What a thread searches shared maps and the levels below them with.
+/// Scratch memory of one thread for searches of shared maps and the levels below them.
 struct LevelScratch {
     SearchScratch& shared;
     DissertationScratch& below;
 };
 
-/// What a thread searches a tree of either kind with.
+/// Scratch memory of one thread for searches of a tree of either kind.
 struct EitherScratch {
     TreeScratch& wide;
     KdScratch& kd;
 };
 
-/// Whether searches pass over photons whose light fell on the side not looked at: in mode global
-/// those of all surfaces are in one map.
+/// Returns whether searches pass over photons whose light fell on the other side: in mode global
+/// one map holds the photons of all surfaces.
 inline bool passes_over(const DissertationMaps& maps)
 {
     return maps.one_map() && maps.options.estimate == EstimateForm::clipped;
 }
 
-/// The shared map that a query reads (mode global: the one map); null if it holds no photon.
+/// Returns the shared map that a query reads (mode global: the one map); null if it holds no
+/// photon.
 const PhotonMap* map_of_query(const DissertationMaps& maps, const Partition& partition,
                               const PhotonQuery& query);
 
-/// The k nearest photons of the query's map, fewer if there are no more within the radius; of
-/// equally near ones those with the lower slot.  A face without a map has none.
-/// Mode thesis looks in the face's local map first; what it returns is what the shared map would,
-/// in another order.  Mode hierarchical looks in the map levels it uses first; what it returns is
-/// what mode shared does, in the same order, whatever the surface.  Kd-trees find the same photons,
-/// in another order and by other slots.
+/// Finds the k nearest photons of the query's map, fewer if there are no more within the radius; of
+/// equally near ones those with the lower slot.  A face without a map has none. Mode thesis looks
+/// in the face's local map first; it returns the photons of the shared map, in another order.  Mode
+/// hierarchical looks in the map levels it uses first; it returns what mode shared does, in the
+/// same order, whatever the surface.  Kd-trees find the same photons, in another order and by other
+/// slots.
 FoundPhotons find_photons(const DissertationMaps& maps, const MapSurfaces& surfaces,
                           const PhotonQuery& query, const LevelScratch& scratch);
 
-/// The sum of what find_photons finds: for wide trees whose searches pass over no photon.
+/// Returns the sum of what find_photons finds, for wide trees whose searches pass over no photon.
 FoundSum sum_photons(const DissertationMaps& maps, const MapSurfaces& surfaces,
                      const PhotonQuery& query, const LevelScratch& scratch);
 

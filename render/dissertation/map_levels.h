@@ -5,8 +5,8 @@
 namespace hipmap {
 
 /// Plans the local and the group level of mode hierarchical from the shared maps' wide trees,
-/// docs/photon_maps.md (8), and keeps the maps of those that are used.  Same maps, same plan, at
-/// any thread count.  Cost: a pass over the photons, and searches for some 1000 of them.  No
+/// docs/photon_maps.md (8), and keeps the maps of the levels that are used.  Same maps, same plan,
+/// at any thread count.  Cost: a pass over the photons, and searches for some 1000 of them.  No
 /// photons: no levels.
 void build_levels(DissertationMaps& maps, const MapSurfaces& surfaces);
 

@@ -12,33 +12,36 @@ struct Neighbour {
     float distance2; ///< square of the distance, square scene units
     std::uint32_t photon;
 
-    /// Nearer first; equally near ones by index, so that a set of k nearest is always one set.
+    /// Orders by distance, and equally near photons by index, so that the set of k nearest is
+    /// unique.
     friend bool operator<(const Neighbour& a, const Neighbour& b)
     {
         return a.distance2 < b.distance2 || (a.distance2 == b.distance2 && a.photon < b.photon);
     }
 };
 
-/// The k nearest so far: a max-heap in memory that the caller lends.  Source: Jensen 2001,
-/// chapter 6.
+/// Keeps the k nearest photons so far: a max-heap in memory that the caller lends.  Source: Jensen
+/// 2001, chapter 6.
 class NeighbourHeap {
   public:
-    /// storage: [k], k >= 1.  radius2: nothing farther is taken (equally far is).
+    /// Starts an empty heap.  storage: [k], k >= 1.  radius2: squared radius; photons at or beyond
+    /// it are not taken.
     NeighbourHeap(std::span<Neighbour> storage, float radius2) : storage_(storage), bound2_(radius2)
     {
     }
 
-    /// Nothing farther than this can get in any more.
+    /// Returns the squared distance from which on no photon can enter any more.
     float bound2() const { return bound2_; }
     std::size_t size() const { return size_; }
     bool full() const { return size_ == storage_.size(); }
 
     void offer(const Neighbour& candidate);
 
-    /// Orders what was found, nearest first, and returns it.  The heap is spent.
+    /// Sorts what was found, nearest first, and returns it.  The heap must not be used afterwards.
     std::span<Neighbour> sorted();
 
-    /// What was found, the farthest last and the others in no order.  The heap is spent.
+    /// Returns what was found, the farthest last and the others in no order.  The heap must not be
+    /// used afterwards.
     std::span<Neighbour> farthest_last();
 
   private:

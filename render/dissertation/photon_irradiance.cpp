@@ -15,7 +15,7 @@ namespace {
 /// Cosine of the angle up to which two surfaces face the same way.
 constexpr float kSameWay = std::numbers::sqrt2_v<float> / 2;
 
-/// Of the side of its face that the photon's light fell on.
+/// Returns the normal of the side of its face that the photon's light fell on.
 glm::vec3 normal_of(const DissertationMaps& maps, const PhotonMap& map, std::uint32_t slot,
                     const MapSurfaces& surfaces)
 {

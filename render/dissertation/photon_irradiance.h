@@ -12,8 +12,8 @@ struct IrradianceOptions {
     bool bounded = false; ///< nothing farther than even_radius counts, as for caustic photons
 };
 
-/// Irradiance at some photons of each map, estimated beforehand, for rays that need it in many
-/// places and not so exactly: those of final gathering (Christensen 1999, "Faster photon map global
+/// The irradiance at some photons of each map, estimated beforehand for final-gather rays, which
+/// need it in many places and less exactly (Christensen 1999, "Faster photon map global
 /// illumination"), docs/photon_maps.md.  Read-only once built: any number of threads may use it.
 struct PhotonIrradiance {
     /// The estimates of one map.
@@ -26,14 +26,15 @@ struct PhotonIrradiance {
 };
 
 /// Estimates the irradiance (Lambert's) at every n-th photon of each map, in parallel.  Same maps,
-/// same numbers, at any thread count.  No photons: no maps.  Cost: an estimate each; 40 bytes each.
+/// same numbers, at any thread count.  No photons: no maps.  Cost: one estimate and 40 bytes for
+/// each of these photons.
 PhotonIrradiance estimate_at_photons(const DissertationMaps& maps, const MapSurfaces& surfaces,
                                      const IrradianceOptions& options);
 
-/// The irradiance at the nearest of those photons in the query's map whose surface faces the same
-/// way: their normals are less than 45 degrees from the query's.  Nothing if there is none; then
-/// only estimate_irradiance can tell.  maps: those it was built from.  query.radius and query.lobes
-/// do not count.  Thread-safe with a scratch for each thread.
+/// Returns the irradiance at the nearest of the chosen photons in the query's map whose surface
+/// faces the same way: their normals are less than 45 degrees from the query's.  Nothing if there
+/// is none; then call estimate_irradiance.  maps: those it was built from.  query.radius and
+/// query.lobes are not used.  Thread-safe with a scratch for each thread.
 std::optional<Rgb> nearest_irradiance(const PhotonIrradiance& irradiance,
                                       const DissertationMaps& maps, const Partition& partition,
                                       const PhotonQuery& query, TreeScratch& scratch);

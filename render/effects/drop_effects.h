@@ -4,8 +4,9 @@
 
 namespace hipmap {
 
-/// Takes out of the scene what belongs to effects that the plan leaves out, so that rendering meets
-/// a scene that never had it.  Shapes stay.  Those of LightClasses are not the scene's.
+/// Removes from the scene what belongs to effects that the plan leaves out, so that rendering sees
+/// a scene that never had it.  Shapes stay.  Effects of LightClasses are switched off in the
+/// integrator, not in the scene.
 void drop_effects(Scene& scene, const EffectPlan& plan);
 
 } // namespace hipmap

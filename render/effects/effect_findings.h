@@ -6,7 +6,7 @@
 
 namespace hipmap {
 
-/// Whether a scene calls for an effect that the renderer has.
+/// Says whether a scene needs an effect that the renderer has.
 struct Finding {
     bool on = false;
     std::string reason; ///< a sentence about the scene, without a full stop

@@ -11,7 +11,7 @@
 
 namespace hipmap {
 
-/// What a scene may call for, docs/effects.md.
+/// The effects that a scene may need, docs/effects.md.
 enum class Effect : std::uint8_t {
     soft_shadows,
     indirect,
@@ -39,20 +39,20 @@ enum class Effect : std::uint8_t {
 };
 inline constexpr std::size_t kEffects = 23;
 
-/// As the user writes it.
+/// Returns the name of an effect as the user writes it.
 std::string_view name_of(Effect effect);
 
-/// An effect to be left out, or not to be.
+/// An effect to leave out, or to keep.
 struct EffectSwitch {
     Effect effect = Effect::indirect;
     bool on = true;
 };
 
-/// "-caustics,+textures".  Throws InputError, with the names there are: an unknown name, one
-/// without + or -, one that cannot be left out.
+/// Parses effect switches such as "-caustics,+textures".  Throws InputError, listing the names: an
+/// unknown name, one without + or -, one that cannot be left out.
 std::vector<EffectSwitch> parse_effect_switches(std::string_view text);
 
-/// What parse_effect_switches reads: "-caustics,+textures".
+/// Formats switches as parse_effect_switches reads them: "-caustics,+textures".
 std::string text_of(const std::vector<EffectSwitch>& switches);
 
 /// What the plan depends on besides the scene.
@@ -70,25 +70,27 @@ struct PlannedEffect {
     std::string cost;   ///< in words; empty if off
 };
 
-/// Every effect, in the order of the names.
+/// A decision for every effect, in the order of the names.
 struct EffectPlan {
     std::array<PlannedEffect, kEffects> effects;
 
     bool has(Effect effect) const { return effects[static_cast<std::size_t>(effect)].on; }
 };
 
-/// What the scene calls for: an effect is on only if some face, light or camera needs it and the
-/// renderer has it.  Cost: as gather_facts.
+/// Decides which effects the scene needs: an effect is on only if some face, light or camera needs
+/// it and the renderer has it.  Cost: as gather_facts.
 EffectPlan plan_effects(const Scene& scene, const Partition& partition,
                         const EffectOptions& options);
 
-/// The light that the plan has followed.
+/// Returns the classes of light that the plan traces.
 LightClasses light_classes(const EffectPlan& plan);
 
-/// "caustics: on; light reaches diffuse surfaces by way of 'Glass'; costs ...".
+/// Describes a planned effect: "caustics: on; specular surfaces send light to others: 'Glass';
+/// costs
+/// ...".
 std::string describe(const PlannedEffect& effect);
 
-/// The names of those that are on: "indirect, caustics"; "none".
+/// Lists the names of the effects that are on: "indirect, caustics"; "none".
 std::string list_effects(const EffectPlan& plan);
 
 } // namespace hipmap

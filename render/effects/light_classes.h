@@ -2,7 +2,7 @@
 
 namespace hipmap {
 
-/// Which light is followed besides that which comes straight from a light to the first surface that
+/// The light that is traced in addition to light straight from a source to the first surface that
 /// gathers: the classes of photon of docs/effects.md.
 struct LightClasses {
     bool caustic = true;  ///< that specular surfaces bring to it, and all that comes of it later

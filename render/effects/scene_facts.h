@@ -10,7 +10,7 @@
 
 namespace hipmap {
 
-/// What effects are judged by.  Borrows the scene.
+/// Facts about a scene by which effects are judged.  Borrows the scene.
 struct SceneFacts {
     const Scene& scene;
     std::vector<Bsdf> bsdfs;           ///< [M] by the factors alone
@@ -22,12 +22,13 @@ struct SceneFacts {
     bool shutter = false;              ///< it is open for a time
     std::vector<std::string> moving{}; ///< names of what moves meanwhile
 
-    /// Names of the materials worn for which `holds(material, bsdf, solid)`, in quotes; "": none.
+    /// Returns the quoted names of the materials in use for which `holds(material, bsdf, solid)` is
+    /// true; "" if none.
     std::string
     materials_where(const std::function<bool(const Material&, const Bsdf&, bool)>& holds) const;
 };
 
-/// O(F + M), and what nested_dielectrics costs.
+/// Collects the facts of a scene.  Cost: O(F + M), and that of nested_dielectrics.
 SceneFacts gather_facts(const Scene& scene, const Partition& partition);
 
 } // namespace hipmap

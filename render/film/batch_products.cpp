@@ -41,7 +41,7 @@ double relative_weight(double mean, double variance, double dark)
     return plain > 0 ? 1 / (plain + 4 * variance * square / plain) : 0;
 }
 
-/// Of the channel in the pixels around; the pixel's own where there are none.
+/// Returns the median of the channel in the pixels around; the pixel's own where there are none.
 double median_around(const Image& image, int x, int y, int channel)
 {
     std::array<float, 8> values;
@@ -169,7 +169,7 @@ double ChannelReader::weight_by_neighbours(const ChannelStatistics& own, std::si
     return square > 0 ? 1 / square : 0;
 }
 
-/// The weight by all batches but `i`: what is bright by chance must not hide it.
+/// The weight by all batches but `i`: a value that is bright by chance must not hide itself.
 double ChannelReader::weight_without(const ChannelStatistics& all, double squares, std::size_t i,
                                      double sum, double kept) const
 {

@@ -6,8 +6,8 @@
 
 namespace hipmap {
 
-/// A bias of order 2 is so many times what a narrowing takes off, and what it leaves so many times
-/// what the next one does, docs/error.md (9).
+/// The ratio of a whole bias of order 2 to the part that one narrowing of the radius removes,
+/// docs/error.md (9); also the ratio of that part to the next narrowing's.
 inline constexpr double kSmoothRest = 1 / (1 - kNarrowing * kNarrowing);
 
 /// Inner products of the fields of up to kBatches batches with each other.
@@ -24,14 +24,14 @@ class Products {
     std::vector<double> values_;
 };
 
-/// Batches of a film that hold passes, and how many.
+/// The batches of a film that hold passes, and their number.
 struct Batches {
     std::vector<std::uint64_t> batch; ///< [K] ascending
     std::vector<double> passes;       ///< [K]
     double all = 0;                   ///< sum of `passes`
 };
 
-/// Of one channel of one pixel.
+/// Statistics of one channel of one pixel.
 struct ChannelStatistics {
     double passes = 0;  ///< that kept a sample
     double batches = 0; ///< with such passes
@@ -43,13 +43,13 @@ struct ChannelStatistics {
     double steady = 0;      ///< the weight by the pixels around, docs/error.md (5)
     double noise = 0;       ///< sum of squares of `deviation`, weighed by `steady`
     double most_noise = 0;  ///< the same, each weighed by the other batches alone
-    /// [K] sqrt(passes) times what a batch's mean differs from the mean.
+    /// [K] The difference of a batch's mean from the mean of all, times sqrt(passes).
     std::array<double, kBatches> deviation{};
-    /// By narrow batch: mean of radiance less that of narrow; of narrow less that of narrower.
+    /// By narrow batch: mean of radiance minus that of `narrow`; `narrow` minus `narrower`.
     std::array<double, kNarrowBatches> first{}, second{};
 };
 
-/// What the error of an image is estimated from: sums over channels and pixels, weighted.
+/// Weighted sums over channels and pixels from which the error of an image is estimated.
 struct BatchProducts {
     Batches wide;                 ///< of the image
     Batches narrow;               ///< of the images by narrower radii
@@ -68,7 +68,7 @@ class ChannelReader {
 
     const Batches& wide() const { return wide_; }
     const Batches& narrow() const { return narrow_; }
-    /// In W/(m2 sr).  channel: 0 to 2.
+    /// Returns the statistics of one channel, in W/(m2 sr).  channel: 0 to 2.
     ChannelStatistics read(std::size_t pixel, std::size_t channel) const;
 
   private:
@@ -88,7 +88,8 @@ class ChannelReader {
     double dark_ = 0; ///< c of docs/error.md (3)
 };
 
-/// One walk over the film.  Cost: some 100 operations a channel.
+/// Computes the products of all batches in one walk over the film.  Cost: some 100 operations a
+/// channel.
 BatchProducts batch_products(const Film& film);
 
 } // namespace hipmap

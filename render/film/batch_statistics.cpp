@@ -122,7 +122,8 @@ double f_quantile(double z, double above, double below)
 
 namespace {
 
-/// Of squares of a bias and of what is left of it by radii narrower by one step.
+/// Returns the order of a bias, from its square and the square that is left with radii narrower by
+/// one step.
 double order_of(double square, double left)
 {
     constexpr double kLowest = 1, kHighest = 4;

@@ -5,14 +5,14 @@
 
 namespace hipmap {
 
-/// The relative error of each pixel of film_image(film), docs/error.md (13); 1: 100 %.  Noisy, and
-/// never below zero.  Returns [pixels].
+/// Estimates the relative error of each pixel of film_image(film), docs/error.md (13); 1: 100 %.
+/// Noisy, and never below zero.  Returns [pixels].
 std::vector<double> relative_errors(const Film& film);
 
-/// Errors in false colour, on a logarithmic scale from 0.1 % to 100 %; display values.
+/// Draws errors in false colour, on a logarithmic scale from 0.1 % to 100 %; display values.
 Image error_picture(int width, int height, const std::vector<double>& errors);
 
-/// What its colours stand for.
+/// Returns the legend of error_picture.
 std::vector<LegendEntry> legend_of_errors();
 
 } // namespace hipmap

@@ -7,15 +7,16 @@
 
 namespace hipmap {
 
-/// Passes are dealt out to batches by their number; noise is what differs between batches.
+/// The number of batches.  Passes are assigned to batches by their number; the noise is estimated
+/// from the differences between batches.
 inline constexpr std::uint64_t kBatches = 8;
-/// Batches of the images by narrower radii; a divisor of kBatches.
+/// The number of batches of the images by narrower radii; a divisor of kBatches.
 inline constexpr std::uint64_t kNarrowBatches = 4;
 
-/// The most passes of a film: so many of the largest value do not overflow a sum.
+/// The most passes of a film: this many of the largest value do not overflow a sum.
 inline constexpr std::uint64_t kMostPasses = std::uint64_t{1} << 20;
 
-/// What is known of the bias of the passes.
+/// What is known about the bias of the passes.
 enum class BiasKnowledge : std::uint8_t {
     unbiased,
     unknown,    ///< an error that is told is that of noise alone
@@ -28,7 +29,7 @@ struct Film {
     int width = 0;
     int height = 0;
     int scale = 0; ///< values are counted in units of 2^-scale W/(m2 sr), docs/error.md (2)
-    std::uint64_t allocation = 0; ///< what the samples of its pixels are, docs/error.md (14)
+    std::uint64_t allocation = 0; ///< checksum of its sample allocation, docs/error.md (14)
     BiasKnowledge bias = BiasKnowledge::unknown;
     PassSet passes;
 
@@ -43,25 +44,27 @@ struct Film {
     bool operator==(const Film&) const = default;
 };
 
-/// An empty film.  mean: of the channels of some image of the scene, which fixes the unit; an
-/// estimate will do, but films can be merged only if it was the same.  Not above zero: as if one.
+/// Makes an empty film.  mean: of the channels of some image of the scene, which fixes the unit; an
+/// estimate will do, but films can be merged only if it was the same.  A mean of zero or less
+/// counts as one.
 Film make_film(int width, int height, double mean, BiasKnowledge bias);
 
 /// Adds a pass, which must not be in the film yet; images of the film's size.
 void add_pass(Film& film, std::uint64_t pass, const PassImages& images);
 
-/// Adds the passes of another film of the same size, scale, allocation and knowledge; they must be
-/// disjoint.
+/// Adds the passes of another film of the same size, scale, sample allocation and bias knowledge;
+/// the passes must be disjoint.
 void merge_film(Film& into, const Film& from);
 
-/// Passes of a batch that kept a sample of the pixel.  passes: of the batch, in the film.
+/// Returns the passes of a batch that kept a sample of the pixel.  passes: of the batch, in the
+/// film.
 std::uint64_t kept_passes(const Film& film, std::uint64_t passes, std::size_t pixel,
                           std::uint64_t batch);
 
-/// The largest value a channel of one pass can have in a film, in its units.
+/// Returns the largest value that a channel of one pass can have in a film, in its units.
 std::int64_t largest_value();
 
-/// The mean of all passes, radiance, W/(m2 sr); a pixel no sample of which was kept is black.
+/// Returns the mean of all passes, radiance, W/(m2 sr); a pixel without a kept sample is black.
 Image film_image(const Film& film);
 
 } // namespace hipmap

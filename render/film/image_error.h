@@ -6,7 +6,7 @@
 
 namespace hipmap {
 
-/// How far an image is from the truth: of relMSE, docs/error.md (3), and its root.  1: 100 %.
+/// The error of an image: relMSE, docs/error.md (3), and its root.  1: 100 %.
 struct ImageError {
     BiasKnowledge bias = BiasKnowledge::unknown;
     double noise2 = 0;  ///< relMSE that noise makes
@@ -19,12 +19,12 @@ struct ImageError {
     bool operator==(const ImageError&) const = default;
 };
 
-/// The error of `film_image(film)`, from the differences between its batches and between its radii.
-/// None if there are fewer than two passes.  With bias unknown, the error that noise makes alone.
-/// Black images have error 0.
+/// Estimates the error of `film_image(film)`, from the differences between its batches and between
+/// its radii. None if there are fewer than two passes.  With an unknown bias, it is the error of
+/// the noise alone. Black images have error 0.
 std::optional<ImageError> estimate_error(const Film& film);
 
-/// By pixel and channel, standard deviation and signed bias, both noisy; W/(m2 sr).
+/// The standard deviation and the signed bias by pixel and channel, both noisy; W/(m2 sr).
 struct ErrorLayers {
     Image noise;
     Image bias;  ///< empty unless known from radii

@@ -8,20 +8,21 @@
 
 namespace hipmap {
 
-/// Factor from the radius of a pass to that of `PassImages::narrow`, and from that to `narrower`.
+/// The factor from the radius of a pass to that of `PassImages::narrow`, and from that to
+/// `narrower`.
 inline constexpr double kNarrowing = 0.70710678118654752; // half the area each time
 
-/// What one pass of an integrator made of each pixel: means of its samples, radiance, W/(m2 sr).
+/// The result of one pass for each pixel: means of its samples, radiance, W/(m2 sr).
 struct PassImages {
     Image radiance;
-    Image narrow;                   ///< by the same photons within kNarrowing times the radii;
+    Image narrow;                   ///< from the same photons within kNarrowing times the radii;
     Image narrower;                 ///< and within kNarrowing squared.  Both empty without radii.
     std::vector<std::uint8_t> kept; ///< [pixels] 0: no sample of the pixel was finite; its values
                                     ///<     do not count, whatever they are
 };
 
-/// Radius in a pass (from 0) over that in pass 0, docs/error.md (1), 0 < alpha < 1.  Any thread; no
-/// loop.
+/// Returns the radius in a pass (from 0) relative to that in pass 0, docs/error.md (1), 0 < alpha <
+/// 1.  Any thread; no loop.
 inline double radius_of_pass(std::uint64_t pass, double alpha)
 {
     const auto i = static_cast<double>(pass);

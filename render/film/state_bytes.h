@@ -14,7 +14,7 @@ namespace hipmap {
 
 static_assert(std::endian::native == std::endian::little, "state files are little endian");
 
-/// Values one after another: a mark and version of the format, what is put, a checksum.
+/// Writes values one after another: a mark and version of the format, the values, a checksum.
 class StateWriter {
   public:
     explicit StateWriter(std::uint32_t version);
@@ -32,7 +32,7 @@ class StateWriter {
         put(static_cast<std::uint64_t>(values.size()));
         append(values.data(), values.size() * sizeof(T));
     }
-    /// All bytes with the checksum; the last call.
+    /// Appends the checksum and returns all bytes; must be the last call.
     std::span<const std::byte> finish();
 
   private:
@@ -40,8 +40,9 @@ class StateWriter {
     std::vector<std::byte> bytes_;
 };
 
-/// Reads what StateWriter wrote, from bytes that may hold anything: never beyond them, and nothing
-/// is allocated that they do not hold.  Every failure is an InputError that names the file.
+/// Reads what StateWriter wrote, from bytes that may hold anything: it never reads past their end,
+/// and allocates nothing that they do not hold.  Every failure is an InputError that names the
+/// file.
 class StateReader {
   public:
     /// Checks mark, version and checksum.  Borrows the bytes.
@@ -66,7 +67,7 @@ class StateReader {
         return values;
     }
     bool at_end() const { return at_ == bytes_.size(); }
-    /// Throws InputError unless `right`; says that `what` is wrong.
+    /// Throws InputError, saying that `what` is wrong, unless `right`.
     void require(bool right, const char* what) const;
 
   private:

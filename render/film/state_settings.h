@@ -8,8 +8,8 @@ namespace hipmap {
 /// Adds settings to a state's bytes: names, the kind of each value and the value.
 void put_settings(StateWriter& out, const std::vector<Setting>& settings);
 
-/// Reads what put_settings wrote.  Throws InputError: more settings than a render has, a kind that
-/// does not exist, text that is not printable ASCII, a number that is not finite.
+/// Reads what put_settings wrote.  Throws InputError: more settings than a render has, an unknown
+/// kind, text that is not printable ASCII, a number that is not finite.
 std::vector<Setting> get_settings(StateReader& in);
 
 } // namespace hipmap

@@ -7,13 +7,13 @@
 
 namespace hipmap {
 
-/// Where direct light comes from.
+/// The source of direct light.
 enum class DirectLight : std::uint8_t {
     shadow_rays, ///< sampled at each hit; the maps hold the other classes
     photons,     ///< from the global map, as the thesis has it
 };
 
-/// What one pass gathers from.  Borrows everything.
+/// The maps and lights that one pass gathers from.  Borrows everything.
 struct PassMaps {
     const RenderScene& scene;
     const MapSurfaces& surfaces;
@@ -23,25 +23,25 @@ struct PassMaps {
     const VolumeMap* volume = nullptr; ///< null: the scene has no media
 };
 
-/// What one thread needs for eye paths.
+/// Scratch memory of one thread for eye paths.
 struct EyeScratch {
     ChosenScratch caustic;
     ChosenScratch global;
 };
 
-/// Whether an eye path is to add the lights that are seen directly, by mirrors and through clear
-/// glass: they may have samples of their own, docs/error.md (16).
+/// Whether an eye path adds the directly visible lights (also seen in mirrors and through clear
+/// glass): they may have samples of their own, docs/error.md (16).
 enum class SeenLights : std::uint8_t { added, left_out };
 
-/// Radiance that arrives along an eye ray, W/(m2 sr): emission, and at every diffuse surface seen
-/// directly or through mirrors and glass, light from the lights (if not from photons), the caustic
-/// map and the global map.  docs/light_transport.md (12).
-/// May not be finite if the scene's numbers overflow; the film drops such samples.  Thread-safe.
+/// Returns the radiance that arrives along an eye ray, W/(m2 sr): emission, and at every diffuse
+/// surface seen directly or through mirrors and glass, direct light (if not from photons), the
+/// caustic map and the global map.  docs/light_transport.md (12). May not be finite if the scene's
+/// numbers overflow; the film drops such samples.  Thread-safe.
 Rgb trace_eye_path(const PassMaps& maps, const Ray& ray, SeenLights seen, RandomSequence& random,
                    EyeScratch& scratch);
 
-/// What SeenLights::left_out leaves out, alone: rays to surfaces and no more, so that it costs a
-/// small part of an eye path.  Thread-safe.
+/// Returns only the radiance that SeenLights::left_out leaves out.  It casts rays to surfaces and
+/// nothing more, so it costs a small part of an eye path.  Thread-safe.
 Rgb trace_seen_lights(const RenderScene& scene, const Ray& ray, RandomSequence& random);
 
 } // namespace hipmap

@@ -6,13 +6,13 @@
 
 namespace hipmap {
 
-/// From here on only one of the rays that leave a surface is followed.
+/// The depth from which on only one of the rays that leave a surface is followed.
 constexpr int kSplitDepth = 4;
 
-/// Rays that may leave one surface: by gathered and followed lobes, mirror and clear glass.
+/// The most rays that leave one surface: by gathered and followed lobes, mirror and clear glass.
 constexpr int kMostRays = 4;
 
-/// A part of an eye path still to be followed.
+/// A part of an eye path that is still to be followed.
 struct GatherBranch : PathState {
     float indirect_radius = 0;    ///< the first, of the indirect map at the last gathered lobe
     float transmitted_radius = 0; ///< the same on the other side
@@ -30,20 +30,21 @@ struct Departures {
     }
 };
 
-/// Branches wait on a stack: a surface before kSplitDepth takes one off and adds at most kMostRays.
+/// A stack of waiting branches: a surface before kSplitDepth takes one off and adds at most
+/// kMostRays.
 struct GatherBranchStack {
     std::array<GatherBranch, kMostRays*(kSplitDepth + 1)> branches;
     std::size_t size = 0;
 };
 
-/// One ray in a direction drawn from the lobes.
+/// Returns one ray in a direction drawn from the lobes.
 GatherBranch scatter(const RenderScene& scene, const GatherBranch& from, const Interaction& at,
                      Lobes lobes, RandomSequence& random);
 
 void add_mirror_and_glass(const RenderScene& scene, const GatherBranch& from, const Interaction& at,
                           Departures& out);
 
-/// Leaves one of the branches, picked by importance.
+/// Keeps one of the branches, picked by importance.
 void pick_one(Departures& out, RandomSequence& random);
 
 } // namespace hipmap

@@ -107,9 +107,9 @@ class GatherTracer {
         return false;
     }
 
-    /// The same where light comes through the surface too.  A second surface so near to the first
-    /// that it should be treated as that is not: photons of each side are weighed by a radius of
-    /// their own.
+    /// Adds the light of both sides where light comes through the surface too.  A second surface so
+    /// near to the first that it should be treated as that is not: photons of each side are weighed
+    /// by a radius of their own.
     bool add_both_sides(GatherBranch& branch, PhotonQuery query, const GatheredLobes& lobes)
     {
         for (const bool other : {false, true}) {
@@ -132,7 +132,8 @@ class GatherTracer {
         return is_gathered(branch.behind);
     }
 
-    /// Of what the gather ray finds, by photons within `first` in the first pass.
+    /// Returns the weight of what the final-gather ray finds, from photons within `first` in the
+    /// first pass.
     float weight_of(const GatherBranch& branch, float first) const
     {
         return gather_weight(first, branch.indirect_radius, maps_.first.samples);

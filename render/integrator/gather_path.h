@@ -8,7 +8,7 @@
 
 namespace hipmap {
 
-/// What one pass gathers from.  Borrows everything.
+/// The maps and lights that one pass gathers from.  Borrows everything.
 struct GatherMaps {
     const RenderScene& scene;
     const MapSurfaces& surfaces;
@@ -21,21 +21,20 @@ struct GatherMaps {
     const VolumeMap* volume = nullptr; ///< of the pass, of radii shrunk; null: there are no media
 };
 
-/// What one thread needs for gather paths.
+/// Scratch memory of one thread for gather paths.
 struct GatherScratch {
     ChosenScratch caustic, global, indirect;
 };
 
-/// Estimates of one radiance with the radius of the pass, and with narrower ones (kNarrowing,
-/// twice): from the same photons and rays, so that they differ by their bias and the noise of few
-/// photons.
+/// Estimates of one radiance with the radius of the pass and with two narrower ones (kNarrowing),
+/// from the same photons and rays, so that they differ by their bias and the noise of few photons.
 using RadianceByRadius = std::array<Rgb, 3>;
 
-/// Radiance that arrives along an eye ray, W/(m2 sr), docs/light_transport.md (20): at the first
-/// diffuse surface direct light by shadow rays, the caustic map, and one gather ray to the next
-/// diffuse surface, where both maps are read.  Biased by the maps' radii alone, which shrink from
-/// pass to pass.  May not be finite if the scene's numbers overflow; the film drops such samples.
-/// Thread-safe.
+/// Returns the radiance that arrives along an eye ray, W/(m2 sr), docs/light_transport.md (20): at
+/// the first diffuse surface direct light by shadow rays, the caustic map, and one final-gather ray
+/// to the next diffuse surface, where both maps are read.  Biased by the maps' radii alone, which
+/// shrink from pass to pass.  May not be finite if the scene's numbers overflow; the film drops
+/// such samples. Thread-safe.
 RadianceByRadius trace_gather_path(const GatherMaps& maps, const Ray& ray, SeenLights seen,
                                    RandomSequence& random, GatherScratch& scratch);
 

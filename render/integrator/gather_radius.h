@@ -7,20 +7,21 @@
 
 namespace hipmap {
 
-/// Radii of the first pass, by the photons of a pilot, which are never summed: an estimate must not
+/// The radii of the first pass, from pilot photons that are never summed: an estimate must not
 /// depend on the photons that are summed within its radius.  docs/photon_maps.md (10).
 struct FirstRadii {
     RadiusField caustic, global, indirect;
     float samples = 1; ///< gather rays of a pixel in a pass, on average
 };
 
-/// Light that goes from a diffuse surface at y to the diffuse surface at x is found in two ways: by
-/// the gather ray from x that reads a map at y, and by the photon that went on from y to x.  Both
-/// are weighed by how much each finds, docs/light_transport.md (21).  The weight of the first; 1 if
-/// there is no second (radius_at_x zero or not finite).  samples: of FirstRadii.
+/// Returns the weight of final gathering against direct photons.  Light that goes from a diffuse
+/// surface at y to the diffuse surface at x is found in two ways: by the final-gather ray from x
+/// that reads a map at y, and by the photon that continued from y to x.  Both are weighted by how
+/// much each finds, docs/light_transport.md (21); the weight of the first is 1 if there is no
+/// second (radius_at_x zero or not finite).  samples: of FirstRadii.
 float gather_weight(float radius_at_y, float radius_at_x, float samples);
 
-/// The photons of the second way, with their powers times 1 - gather_weight.  In parallel.
+/// Returns the bounced photons with their powers multiplied by 1 - gather_weight.  In parallel.
 std::vector<Photon> weigh_bounces(const TracedPhotons& traced, const FirstRadii& first,
                                   const MapSurfaces& surfaces);
 

@@ -14,10 +14,10 @@ namespace {
 constexpr std::uint32_t kLeastLightSamples = 16;
 constexpr std::uint16_t kPilotSamples = 8;
 
-/// Of their greatest difference to their mean: lights that differ by less are even.
+/// The ratio of the greatest difference of lights to their mean below which they count as even.
 constexpr float kEven = 0.1f;
 
-/// Of the light in some samples, by its brightest channel.
+/// The range of the light in some samples, by its brightest channel.
 struct Range {
     float least = std::numeric_limits<float>::infinity(), most = 0, sum = 0;
 
@@ -44,7 +44,8 @@ Range range_of(const PictureJob& job, int x, int y)
     return out;
 }
 
-/// Those of the pixel and its neighbours, for what few samples of a pixel alone may miss.
+/// Returns whether the lights of the pixel and its neighbours differ; few samples of a pixel alone
+/// may miss that.
 bool uneven_around(const std::vector<Range>& ranges, int x, int y, int width, int height)
 {
     Range all;

@@ -5,7 +5,7 @@
 
 namespace hipmap {
 
-/// The maps of one pass; its volume map is there if the scene has media.
+/// The maps of one pass, with a volume map if the scene has media.
 struct PassMapSet {
     ChosenMaps caustic;
     ChosenMaps global;
@@ -18,11 +18,11 @@ struct MappedScene {
     const MapSurfaces& surfaces;
 };
 
-/// What the photons of a pass are traced by.
+/// Returns the options for tracing the photons of a pass.
 PhotonOptions photon_options(const RenderScene& scene, const RenderOptions& options,
                              std::uint64_t pass);
 
-/// Radii by the photons of a pilot, docs/media.md (9).
+/// Returns the radii of volume photons, from pilot photons, docs/media.md (9).
 VolumeRadii volume_radii(const RenderScene& scene, const TracedPhotons& pilot,
                          const RenderOptions& options);
 
@@ -34,12 +34,12 @@ std::optional<VolumeMap> build_volume(const RenderScene& scene, const TracedPhot
 TracedPhotons trace_pass(const RenderScene& scene, const PhotonOptions& options,
                          RenderStatistics& statistics);
 
-/// Builds maps and counts them.  Those of several kinds may be built at the same time.
+/// Builds maps and counts them.  Maps of several kinds may be built at the same time.
 ChosenMaps build_maps(const MappedScene& mapped, const std::vector<Photon>& photons,
                       const MapOptions& options, const DissertationOptions& asked,
                       KindStatistics& kind);
 
-/// Counts all maps of a pass as a whole.  watch: since the first was begun.
+/// Counts all maps of a pass together.  watch: started when the first map was begun.
 void count_maps(const std::optional<VolumeMap>& volume, const Stopwatch& watch,
                 RenderStatistics& statistics);
 

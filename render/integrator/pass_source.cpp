@@ -14,7 +14,7 @@ namespace hipmap {
 
 namespace {
 
-/// Of the work of a pass, what its photons are taken for in the progress shown.
+/// The share of its photons in the work of a pass, for the progress shown.
 constexpr double kPhotonShare = 0.2;
 
 PassMapSet make_maps(const MappedScene& mapped, const RenderOptions& options, std::uint64_t pass,

@@ -125,7 +125,8 @@ class PathTracer {
             path_.throughput = Rgb(0);
     }
 
-    /// The same where one gathered lobe is all: a diffuse surface, or a point of a medium.
+    /// Continues the path where there is only one gathered lobe: a diffuse surface, or a point of a
+    /// medium.
     void leave_gathered(const Interaction& at)
     {
         radiance_ += path_.throughput * light_sampled_light(scene_, at, {.gathered = 1}, random_);

@@ -6,14 +6,13 @@
 
 namespace hipmap {
 
-/// Radiance that arrives along an eye ray, W/(m2 sr), by path tracing (Kajiya 1986): one lobe is
-/// followed at each surface, lights are sampled at diffuse ones, and what a diffuse ray finds by
-/// itself is combined with that by the power heuristic; docs/light_transport.md (14).  It shares
-/// scene, materials and lights with the photon maps, but neither photons nor maps: the referee.
-/// Unbiased but for light that only a specular surface can bring from a point, spot or sun, which
-/// no path finds.  May not be finite if the scene's numbers overflow; the film drops such samples.
-/// Thread-safe.
-/// light: classes that are left out of it count zero.
+/// Returns the radiance that arrives along an eye ray, W/(m2 sr), by path tracing (Kajiya 1986):
+/// one lobe is followed at each surface, lights are sampled at diffuse ones, and both ways to find
+/// a light are combined by the power heuristic; docs/light_transport.md (14).  It shares scene,
+/// materials and lights with the photon maps, but neither photons nor maps, and so serves as the
+/// reference. Unbiased except for light that only a specular surface can bring from a point, spot
+/// or sun, which no path finds.  May not be finite if the scene's numbers overflow; the film drops
+/// such samples. Thread-safe. light: the classes of light to trace; others count zero.
 Rgb trace_path(const RenderScene& scene, const Ray& ray, RandomSequence& random,
                const LightClasses& light = {});
 

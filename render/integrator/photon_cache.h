@@ -13,18 +13,18 @@ struct ProgressiveMaps {
     ChosenMaps caustic, global, indirect;
     std::optional<VolumeMap> volume; ///< if the scene has media
 
-    /// Of the large arrays.
+    /// Returns the bytes of the large arrays.
     std::size_t bytes() const;
 };
 
-/// The radii of its first pass, by photons of a pilot.
+/// The radii of the first pass, from pilot photons.
 struct ProgressiveRadii {
     FirstRadii surfaces;
     VolumeRadii volume;
 };
 
-/// What integrator progressive makes of photons for images of one scene from several cameras: the
-/// same for all of them.  Of one scene and one set of options but for camera and size of the image.
+/// The maps and radii that integrator progressive keeps for images of one scene from several
+/// cameras.  All options must be the same except the camera and the size of the image.
 struct PhotonCache {
     struct Pass {
         std::shared_ptr<const ProgressiveMaps> maps;
@@ -38,8 +38,9 @@ struct PhotonCache {
     std::map<std::uint64_t, Pass> passes; ///< by number
 };
 
-/// The maps of a pass from the cache, or made by `make(statistics)` and kept there if they fit.
-/// Adds what they took to `statistics`, but no time for those that were there.  cache: may be null.
+/// Returns the maps of a pass from the cache, or makes them by `make(statistics)` and keeps them if
+/// they fit. Adds the work of new maps to `statistics`, but no time for cached ones.  cache: may be
+/// null.
 std::shared_ptr<const ProgressiveMaps>
 maps_of_pass(PhotonCache* cache, std::uint64_t pass, RenderStatistics& statistics,
              const std::function<ProgressiveMaps(RenderStatistics&)>& make);

@@ -11,7 +11,7 @@ namespace hipmap {
 
 inline constexpr int kTile = 16;
 
-/// What the samples of a tile add to its pixels and to those around it.
+/// The sums that the samples of a tile add to its pixels and to those around it.
 template <std::size_t images>
 struct TileSums {
     static constexpr int kSide = kTile + 2;
@@ -19,7 +19,7 @@ struct TileSums {
     std::vector<Samples<images>> values = std::vector<Samples<images>>(kSide * kSide);
     std::vector<float> weights = std::vector<float>(kSide * kSide);
 
-    /// Those about pixel x, y of the tile.
+    /// Adds the samples around pixel x, y of the tile.
     void add(int x, int y, const FilteredSamples<images>& samples)
     {
         for (int i = 0; i < 9; ++i) {
@@ -32,15 +32,16 @@ struct TileSums {
     }
 };
 
-/// The tiles of a picture.
+/// The tiles of an image.
 struct TileGrid {
-    int width = 0; ///< of the picture, in pixels
+    int width = 0; ///< of the image, in pixels
     int height = 0;
     int across() const { return (width + kTile - 1) / kTile; }
     int down() const { return (height + kTile - 1) / kTile; }
 };
 
-/// A tile of 16 x 16 pixels; adds to `dropped` the samples left out because they were not finite.
+/// Renders a tile of 16 x 16 pixels; adds to `dropped` the samples left out because they were not
+/// finite.
 template <std::size_t images, typename Trace>
 TileSums<images> render_tile(const PictureJob& job, const TileGrid& grid, int tile,
                              std::uint64_t& dropped, const Trace& trace)
@@ -56,8 +57,8 @@ TileSums<images> render_tile(const PictureJob& job, const TileGrid& grid, int ti
     return sums;
 }
 
-/// Of pixel x, y: values and the weight that all tiles which reach it give it, in their order.
-/// Tiles without sums were left out.
+/// Sums the values and weights that all tiles contribute to pixel x, y, in the order of the tiles.
+/// Tiles without sums are skipped.
 template <std::size_t images>
 Samples<images> gather_tiles(const TileGrid& grid, const std::vector<TileSums<images>>& tiles,
                              int x, int y, float& weight)
@@ -77,7 +78,7 @@ Samples<images> gather_tiles(const TileGrid& grid, const std::vector<TileSums<im
     return sum;
 }
 
-/// The images that the sums of the tiles make, docs/error.md (17).  A pixel without weight, or of
+/// Makes images from the sums of the tiles, docs/error.md (17).  A pixel without weight, or with
 /// values that are not finite, is not kept.
 template <std::size_t images>
 PassImages images_of(const TileGrid& grid, const std::vector<TileSums<images>>& tiles)
@@ -106,10 +107,10 @@ PassImages images_of(const TileGrid& grid, const std::vector<TileSums<images>>& 
     return out;
 }
 
-/// Fills the images of a pass tile by tile, in parallel.  `trace(ray, seen, random, scratch)` gives
-/// the Samples of a ray; `count(scratch)` hears what the scratch of a tile has counted, one at a
-/// time. A pixel without a finite sample around, or of a tile that a stop left out, is not kept.
-/// Adds passes, samples dropped and time to the statistics.
+/// Renders the images of a pass tile by tile, in parallel.  `trace(ray, seen, random, scratch)`
+/// returns the Samples of a ray; `count(scratch)` receives the counts of each tile, one at a time.
+/// A pixel without a finite sample around it, or in a tile that a stop left out, is not kept. Adds
+/// passes, samples dropped and time to the statistics.
 template <std::size_t images, typename Scratch, typename Trace, typename Count>
 RenderedPass render_tiles(const PictureJob& job, const PassControl& control,
                           RenderStatistics& statistics, const Trace& trace, const Count& count)

@@ -12,7 +12,7 @@
 
 namespace hipmap {
 
-/// What the samples of one pass are taken by.
+/// The inputs of the samples of one pass.
 struct PictureJob {
     const RenderScene& scene;
     const RenderOptions& options;
@@ -29,7 +29,7 @@ struct PictureJob {
     }
 };
 
-/// Samples of one eye ray, by what each image of the pass is to have.
+/// The samples of one eye ray, one for each image of the pass.
 template <std::size_t images>
 using Samples = std::array<Rgb, images>;
 
@@ -39,8 +39,8 @@ bool are_finite(const Samples<images>& samples)
     return std::ranges::all_of(samples, [](const Rgb& value) { return is_finite(value); });
 }
 
-/// What samples add to the nine pixels around their own, row by row: sums of values times weights,
-/// and of weights.
+/// The sums that samples add to the nine pixels around their own, row by row: values times weights,
+/// and weights.
 template <std::size_t images>
 struct FilteredSamples {
     std::array<Samples<images>, 9> values{};
@@ -61,7 +61,8 @@ struct FilteredSamples {
     }
 };
 
-/// Passes of a batch share a sequence, and batches stay independent: docs/error.md (15).
+/// Returns the random numbers of a pixel's samples.  Passes of a batch share a sequence, and
+/// batches stay independent: docs/error.md (15).
 inline RandomSequence sample_sequence(const PictureJob& job, RandomStream stream,
                                       std::uint64_t pixel, std::uint32_t samples, std::uint32_t s)
 {
@@ -75,7 +76,7 @@ struct PixelRay {
     glm::vec2 at;
 };
 
-/// A ray through somewhere in the pixel.
+/// Returns a ray through a random point of the pixel.
 inline PixelRay pixel_ray(const PictureJob& job, int x, int y, RandomSequence& random)
 {
     const glm::vec2 size(static_cast<float>(job.options.width),
@@ -87,7 +88,7 @@ inline PixelRay pixel_ray(const PictureJob& job, int x, int y, RandomSequence& r
     return {camera_ray(camera, point, size.x / size.y, lens), at};
 }
 
-/// The samples of seen lights alone that are finite.
+/// Takes the extra samples of directly visible lights; keeps those that are finite.
 inline FilteredSamples<1> sample_seen_lights(const PictureJob& job, int x, int y)
 {
     const std::uint64_t pixel = static_cast<std::uint64_t>(y) * job.options.width + x;
@@ -103,8 +104,8 @@ inline FilteredSamples<1> sample_seen_lights(const PictureJob& job, int x, int y
     return sums;
 }
 
-/// Adds the mean of the samples of seen lights to that of the others, as each of the pixels around
-/// weighs them.
+/// Adds the mean of the samples of directly visible lights to that of the others, with the weights
+/// of each pixel around.
 template <std::size_t images>
 void add_seen_lights(const FilteredSamples<1>& lights, FilteredSamples<images>& samples)
 {
@@ -114,8 +115,8 @@ void add_seen_lights(const FilteredSamples<1>& lights, FilteredSamples<images>& 
                 lights.values[i][0] / lights.weights[i] * samples.weights[i];
 }
 
-/// Takes the samples of a pixel; those that are not finite are left out with their weights.  What
-/// all samples of a pixel weigh is one.
+/// Takes the samples of a pixel; samples that are not finite are left out with their weights.  All
+/// samples of a pixel together weigh one.
 template <std::size_t images, typename Trace>
 FilteredSamples<images> sample_pixel(const PictureJob& job, int x, int y, const Trace& trace)
 {

@@ -13,7 +13,7 @@ enum class Integrator : std::uint8_t {
     progressive, ///< from photon maps and a gather ray, by radii that shrink from pass to pass
 };
 
-/// What a pass is made by: the same for all passes of an image.
+/// The options of a pass, the same for all passes of an image.
 struct RenderOptions {
     Integrator integrator = Integrator::progressive;
     int width = 0;
@@ -25,11 +25,11 @@ struct RenderOptions {
     std::uint32_t samples = 1; ///< eye paths per pixel and pass
     std::uint64_t seed = 0;
     LightClasses light;     ///< that is found at all
-    double alpha = 2.0 / 3; ///< how slowly radii shrink, docs/error.md (1); progressive
+    double alpha = 2.0 / 3; ///< decay of the radii, docs/error.md (1); progressive
     PixelFilter filter = PixelFilter::b_spline;
 };
 
-/// Of one kind of photon, summed over the passes.
+/// Statistics of one kind of photon, summed over the passes.
 struct KindStatistics {
     std::uint64_t stored = 0;
     std::uint64_t shared_maps = 0; ///< shared maps that hold photons, of the last pass
@@ -46,7 +46,7 @@ struct KindStatistics {
     }
 };
 
-/// What the passes of one run did.
+/// Statistics of the passes of one run.
 struct RenderStatistics {
     std::uint64_t passes = 0;          ///< whole ones
     std::uint64_t emitted = 0;         ///< light paths

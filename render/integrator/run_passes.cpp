@@ -8,7 +8,7 @@ namespace hipmap {
 
 namespace {
 
-/// Of the time, what saving may take.
+/// The share of the time that saving may take.
 constexpr double kSavingShare = 0.02;
 constexpr double kSecondsBetweenSaves = 0.2;
 

@@ -7,7 +7,7 @@
 
 namespace hipmap {
 
-/// When a render ends: at whichever comes first.
+/// The rules that end a render; the first one reached applies.
 struct StopRules {
     std::uint64_t first_pass = 0;       ///< passes are taken from here on
     std::uint64_t passes = kMostPasses; ///< in the film, over all runs
@@ -20,19 +20,19 @@ enum class StopReason : std::uint8_t { passes, time, error, caller };
 
 /// How far a render is.
 struct RunProgress {
-    /// Of what was to do when this run began, 0 to 1, by the rule that ends it first; none: not
-    /// known before the error was looked at twice.
+    /// The share of this run's work that is done, 0 to 1, by the rule that ends it first; none:
+    /// unknown until the error was estimated twice.
     std::optional<double> done;
     std::uint64_t passes = 0;
     std::optional<ImageError> error; ///< when last looked at
 };
 
-/// What the caller hears and says while an image is made.
+/// The callbacks of a caller while an image is rendered.
 struct RunControl {
     std::function<void(const RunProgress&)> progress; ///< from any thread; may be empty
     const std::atomic<bool>* stop = nullptr; ///< true: finish the tiles under way and return
-    /// Keeps the state.  Called between passes, so often that little is lost but no time that
-    /// matters is spent; not at the end.  May be empty.
+    /// Saves the state.  Called between passes, often enough that little is lost and rarely enough
+    /// to cost little time; not at the end.  May be empty.
     std::function<void(const RenderState&)> save;
 };
 
@@ -42,13 +42,12 @@ struct RunResult {
     Image image;
 };
 
-/// A state without passes, for a new render.
+/// Makes a state without passes, for a new render.
 RenderState begin_state(const PassSource& source, std::vector<Setting> settings);
 
-/// Adds passes to the state, in order of their number, those it holds already left out, until a
-/// rule or the caller says stop.  The same state is reached by one run or by many.  The last look
-/// at the error, at whatever number of passes, is at the end of `checks`; the others are at those
-/// of next_look.
+/// Adds passes to the state in order of their number, skipping those it holds, until a rule or the
+/// caller stops it.  One run or many reach the same state.  The last estimate of the error, at
+/// whatever number of passes, is at the end of `checks`; the others are at the passes of next_look.
 RunResult run_passes(const PassSource& source, const StopRules& rules, const RunControl& control,
                      RenderState& state);
 

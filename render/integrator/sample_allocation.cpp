@@ -9,7 +9,8 @@ namespace hipmap {
 
 namespace {
 
-/// Of the mean; a pilot may miss what is rare and bright.
+/// The least and the most samples of a pixel, relative to the mean; a pilot may miss what is rare
+/// and bright.
 constexpr double kLeastSamplesShare = 0.25;
 constexpr double kMostSamplesShare = 8;
 
@@ -88,7 +89,7 @@ SampleAllocation allocate_samples(const Image& first, const Image& second, int w
     SampleAllocation out;
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
-            // Rounded by chance, so that the mean stays.
+            // Rounded at random, so that the mean stays.
             const double u = static_cast<double>(mix_bits(out.samples.size() + 1) >> 40) * 0x1p-24;
             const double most = std::min(65534.0, kMostSamplesShare * mean);
             const double least = std::max(1.0, kLeastSamplesShare * mean);

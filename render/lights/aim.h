@@ -18,7 +18,7 @@ struct TargetSphere {
 /// Target spheres that a scene has at most.
 inline constexpr std::size_t kMostTargets = 32;
 
-/// A ray towards some sphere.
+/// A ray aimed at one of the target spheres.
 struct AimedRay {
     glm::vec3 direction; ///< unit
     float weight = 0.0f; ///< 1 over its pdf per solid angle; 0: the ray is not to be sent
@@ -30,9 +30,9 @@ struct LightCone {
     float half_angle = 4.0f; ///< radians; at least pi: everywhere
 };
 
-/// Draws a direction from a point, uniformly from the union of the cones around the spheres.
-/// docs/light_transport.md (15).  Cost: linear in spheres, at most kMostTargets.  Spheres that the
-/// light's cone misses are left out.
+/// Draws a direction from a point, uniformly from the union of the cones around the spheres,
+/// docs/light_transport.md (15).  Spheres that the light's cone misses are left out.  Cost: linear
+/// in spheres, at most kMostTargets.
 AimedRay aim_from_point(const std::vector<TargetSphere>& targets, const glm::vec3& origin,
                         const LightCone& light, RandomSequence& random);
 
@@ -42,7 +42,7 @@ struct AimedPoint {
     float weight = 0.0f; ///< 1 over its pdf per area across the direction; 0: it is not to be used
 };
 
-/// Draws a point by which parallel light along `direction` (unit) passes into some sphere,
+/// Draws a point through which parallel light along `direction` (unit) enters some sphere,
 /// docs/light_transport.md (15).  There must be a sphere.  Cost: linear in spheres.
 AimedPoint aim_parallel(const std::vector<TargetSphere>& targets, const glm::vec3& direction,
                         RandomSequence& random);

@@ -19,7 +19,7 @@ inline std::optional<LightSample> sample_li(const ConstantEnvironment&, const Li
     return std::nullopt;
 }
 
-/// Finds it along every ray, with pdf 0.
+/// Returns the environment, which every ray meets, with pdf 0.
 std::optional<LightHit> intersect(const ConstantEnvironment& light, const Ray& ray);
 inline bool can_be_met(const ConstantEnvironment&)
 {
@@ -31,10 +31,11 @@ EmittedPath sample_emission(const ConstantEnvironment& light, const PathPlace& p
 EmittedPath sample_aimed_emission(const ConstantEnvironment& light, const PathPlace& path,
                                   const std::vector<TargetSphere>& targets, RandomSequence& random);
 
-/// The power of all light through the discs of the scene's sphere, docs/light_transport.md (7).
+/// Returns the power of all light through the discs of the scene's sphere, docs/light_transport.md
+/// (7).
 glm::dvec3 power(const ConstantEnvironment& light);
 
-/// Returns nothing: it is beyond the scene.
+/// Returns nothing: the environment lies outside the scene.
 inline std::optional<LightBounds> bounds(const ConstantEnvironment&)
 {
     return std::nullopt;

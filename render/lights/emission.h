@@ -7,34 +7,35 @@
 
 namespace hipmap {
 
-/// How the light paths of a pass are shared out: by power, each light with a floor share.
+/// Assigns the light paths of a pass to lights: by power, with a minimum share for each light.
 struct EmissionPlan {
     /// [lights + 1] LightSet::lights[i] owns paths [first_path[i], first_path[i + 1])
     std::vector<std::uint64_t> first_path;
     std::uint64_t paths = 0;
 };
 
-/// Which lights a plan has paths for.
+/// The lights that a plan has paths for.
 enum class Emitters : std::uint8_t { all, all_but_media };
 
-/// Every light that emits gets at least one path; none if nothing emits or `paths` is 0.
+/// Plans the light paths of a pass.  Every light that emits gets at least one path; there are none
+/// if nothing emits or `paths` is 0.
 EmissionPlan plan_emission(const LightSet& lights, std::uint64_t paths, Emitters emitters);
 
-/// Which light a path belongs to.
+/// The light that a path belongs to, and its place among the light's paths.
 struct LightShare {
     std::size_t light = 0; ///< place in LightSet::lights
     PathPlace path;
 };
 
-/// path: 0..plan.paths-1.
+/// Returns the light of a path.  path: 0..plan.paths-1.
 LightShare share_of(const EmissionPlan& plan, std::uint64_t path);
 
-/// The start of a light path, its power divided by the paths of its light.
+/// Returns the start of a light path, its power divided by the number of paths of its light.
 /// Source: docs/light_transport.md (5)-(7), (26).
 EmittedPath emit_path(const LightSet& lights, const LightShare& share, RandomSequence& random);
 
-/// The start of a light path that is aimed at the targets, with the same light in expectation as
-/// `emit_path` for what passes through them.  There must be a target.
+/// Returns the start of a light path aimed at the targets; for light that reaches them, its
+/// expectation equals that of `emit_path`.  There must be a target.
 EmittedPath emit_aimed_path(const LightSet& lights, const LightShare& share,
                             const std::vector<TargetSphere>& targets, RandomSequence& random);
 

@@ -29,7 +29,8 @@ inline bool can_be_met(const EmissiveMedia&)
     return false;
 }
 
-/// The power of the path is black where the line drawn meets no emissive medium.
+/// Starts a light path in an emissive medium.  Its power is black where the line drawn meets no
+/// such medium.
 EmittedPath sample_emission(const EmissiveMedia& light, const PathPlace& path,
                             RandomSequence& random);
 
@@ -40,10 +41,10 @@ inline EmittedPath sample_aimed_emission(const EmissiveMedia&, const PathPlace&,
     return {};
 }
 
-/// An estimate, by some lines through the media.
+/// Estimates the power of all emissive media, by some lines through them.
 glm::dvec3 power(const EmissiveMedia& light);
 
-/// Returns nothing: no light tree chooses it.
+/// Returns nothing: no light tree chooses emissive media.
 inline std::optional<LightBounds> bounds(const EmissiveMedia&)
 {
     return std::nullopt;

@@ -11,7 +11,7 @@
 
 namespace hipmap {
 
-/// What the surfaces of a scene emit.
+/// The radiance that the surfaces of a scene emit.
 struct SurfaceEmission {
     struct OfMaterial {
         Rgb radiance{0.0f};      ///< W/(m2 sr), factor of textures
@@ -21,22 +21,22 @@ struct SurfaceEmission {
     const TriangleMesh* mesh = nullptr; ///< borrowed
     std::vector<OfMaterial> materials;  ///< [M]
 
-    /// Radiance at a point of a face of a textured material, times the face's opacity there.
-    /// barycentric: as in RayHit.  Must be thread-safe.
+    /// Returns the radiance at a point of a face of a textured material, times the face's opacity
+    /// there. barycentric: as in RayHit.  Must be thread-safe.
     std::function<Rgb(FaceId face, const glm::vec2& barycentric)> at;
-    /// Radiance of a face of any material, on average over the face.
+    /// Returns the radiance of a face of any material, averaged over the face.
     std::function<Rgb(FaceId face)> mean;
 
     const OfMaterial& of_face(FaceId face) const { return materials[mesh->material_of_face[face]]; }
 };
 
-/// What a face emits to all sides, W / metres_per_unit^2, above zero.
+/// The power that a face emits to all sides, W / metres_per_unit^2, above zero.
 struct FacePower {
     FaceId face = kNone;
     glm::dvec3 power{0.0};
 };
 
-/// Emissive faces: those of an object, which are one light, or those of all objects, of which
+/// Emissive faces: those of an object, which form one light, or those of all objects, of which
 /// direct light samples one.  docs/light_transport.md (5).
 struct EmissiveMesh {
     static constexpr LightRole kRole = LightRole::surface;
@@ -53,11 +53,12 @@ struct EmissiveMesh {
     bool empty() const { return faces.empty(); }
 };
 
-/// Faces are selected by the largest channel of their power.  No faces: an empty mesh.  O(faces).
+/// Builds the sampler of emissive faces, which selects a face by the largest channel of its power.
+/// No faces: an empty mesh.  O(faces).
 EmissiveMesh make_emissive_mesh(const SurfaceEmission& emission, std::span<const FacePower> faces);
 
-/// Makes receivers select faces by their importance, if there are more than two.
-/// O(faces log faces).
+/// Builds a light tree, by which receivers select faces by importance, if there are more than two
+/// faces. O(faces log faces).
 void grow_tree(EmissiveMesh& light);
 
 /// A point of an emissive face.
@@ -67,13 +68,14 @@ struct EmissivePoint {
     float area_pdf = 0.0f;       ///< per square scene unit, over all faces of the mesh
 };
 
-/// Draws a point for a receiver: with a tree the face by its importance there; else by power and by
-/// the first of the two numbers that give the point on it, so that samples that are stratified are
-/// so over all faces.  Nothing: no face can light the receiver.  The mesh is not empty.
+/// Draws a point for a receiver.  With a tree, the face is drawn by its importance there; else by
+/// power, with the first of the two numbers that also give the point on it, so that stratified
+/// samples are stratified over all faces.  Nothing: no face can light the receiver.  The mesh must
+/// not be empty.
 std::optional<EmissivePoint> sample_point(const EmissiveMesh& light, const LightReceiver& at,
                                           RandomSequence& random);
 
-/// Radiance that a point emits towards `direction` (unit, away from it).
+/// Returns the radiance that a point emits towards `direction` (unit, away from it).
 inline Rgb radiance_towards(const EmissiveMesh& light, const EmissivePoint& point,
                             const glm::vec3& direction)
 {
@@ -85,8 +87,8 @@ inline Rgb radiance_towards(const EmissiveMesh& light, const EmissivePoint& poin
                : light.emission->at(point.surface.face, point.barycentric);
 }
 
-/// The pdf per solid angle of a point `distance` away along `direction` (unit), from that per area.
-/// 0: the direction lies in the plane of the face.
+/// Converts a pdf per area into one per solid angle, for a point `distance` away along `direction`
+/// (unit). 0: the direction lies in the plane of the face.
 inline float per_solid_angle(float area_pdf, const SurfacePoint& on_light,
                              const glm::vec3& direction, float distance)
 {
@@ -94,12 +96,13 @@ inline float per_solid_angle(float area_pdf, const SurfacePoint& on_light,
     return cosine > 0 ? area_pdf * distance * distance / cosine : 0;
 }
 
-/// The pdf per solid angle by which `sample_li` at the receiver draws a point of a face, `distance`
-/// away along `direction` (unit, from the receiver).  0: the face is not of the mesh.
+/// Returns the pdf per solid angle with which `sample_li` at the receiver draws a point of a face,
+/// `distance` away along `direction` (unit, from the receiver).  0: the face is not of the mesh.
 float pdf_li(const EmissiveMesh& light, const LightReceiver& at, const SurfacePoint& on_light,
              const glm::vec3& direction, float distance);
 
-/// Returns nothing where the point drawn emits nothing towards the receiver.
+/// Draws a point of the mesh and returns the light from it; nothing where the point emits nothing
+/// towards the receiver.
 std::optional<LightSample> sample_li(const EmissiveMesh& light, const LightReceiver& at,
                                      RandomSequence& random);
 
@@ -113,7 +116,7 @@ inline bool can_be_met(const EmissiveMesh&)
     return false;
 }
 
-/// Stratifies the paths over the faces: they walk through the running sum of powers.
+/// Starts a light path; stratifies the paths over the faces by the running sum of their powers.
 EmittedPath sample_emission(const EmissiveMesh& light, const PathPlace& path,
                             RandomSequence& random);
 EmittedPath sample_aimed_emission(const EmissiveMesh& light, const PathPlace& path,

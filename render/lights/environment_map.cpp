@@ -13,13 +13,13 @@ namespace {
 
 using std::numbers::pi;
 
-/// Of the upper edge of a row, counted from the top.
+/// Returns the cosine of the upper edge of a row, counted from the top.
 double edge_cosine(const EnvironmentMap& map, int row)
 {
     return std::cos(pi * row / map.radiance.height);
 }
 
-/// Of each pixel of a row.
+/// Returns the solid angle of each pixel of a row.
 double solid_angle(const EnvironmentMap& map, int row)
 {
     return 2 * pi / map.radiance.width * (edge_cosine(map, row) - edge_cosine(map, row + 1));

@@ -9,8 +9,8 @@
 
 namespace hipmap {
 
-/// An environment map by longitude and latitude, with what drawing a direction from it takes.
-/// Each pixel has one radiance all over, docs/light_transport.md (27).
+/// An environment map by longitude and latitude, with tables for drawing directions. Each pixel has
+/// constant radiance, docs/light_transport.md (27).
 struct EnvironmentMap {
     Image radiance;           ///< W/(m2 sr); empty: there is none
     float turn = 0.0f;        ///< radians that it is turned about +y, counter-clockwise from above
@@ -22,24 +22,25 @@ struct EnvironmentMap {
     bool empty() const { return radiance.pixels.empty(); }
 };
 
-/// strength: multiplies the image.  Radiance is finite and not below zero.  An image that is black
-/// all over, or without pixels, becomes an empty map.  O(pixels).
+/// Builds an environment map.  strength: multiplies the image.  Radiance must be finite and not
+/// below zero.  An image that is black all over, or without pixels, becomes an empty map.
+/// O(pixels).
 EnvironmentMap make_environment_map(const Image& image, float strength, float turn);
 
-/// A checksum of the pixels and the turn.
+/// Returns a checksum of the pixels and the turn.
 std::uint64_t checksum(const EnvironmentMap& map);
 
-/// What a map has in a direction.
+/// The radiance and the pdf of a map in a direction.
 struct MapPoint {
     Rgb radiance{0.0f}; ///< W/(m2 sr)
     float pdf = 0.0f;   ///< per solid angle, that `sample_direction` draws the direction
 };
 
-/// direction: unit, away from the scene.  The map is not empty.
+/// Looks up a direction.  direction: unit, away from the scene.  The map must not be empty.
 MapPoint at_direction(const EnvironmentMap& map, const glm::vec3& direction);
 
-/// Draws a direction with a pdf in proportion to the largest channel of its radiance.  The map is
-/// not empty.  u: [0, 1)^2.
+/// Draws a direction with a pdf in proportion to the largest channel of its radiance.  The map must
+/// not be empty.  u: [0, 1)^2.
 glm::vec3 sample_direction(const EnvironmentMap& map, const glm::vec2& u);
 
 } // namespace hipmap

@@ -17,7 +17,7 @@ struct ImageEnvironment {
 std::optional<LightSample> sample_li(const ImageEnvironment& light, const LightReceiver& at,
                                      RandomSequence& random);
 
-/// Finds it along every ray.
+/// Returns the environment, which every ray meets.
 std::optional<LightHit> intersect(const ImageEnvironment& light, const Ray& ray);
 inline bool can_be_met(const ImageEnvironment&)
 {
@@ -29,11 +29,12 @@ EmittedPath sample_emission(const ImageEnvironment& light, const PathPlace& path
 EmittedPath sample_aimed_emission(const ImageEnvironment& light, const PathPlace& path,
                                   const std::vector<TargetSphere>& targets, RandomSequence& random);
 
-/// The power of all light through the discs of the scene's sphere, docs/light_transport.md (27).
+/// Returns the power of all light through the discs of the scene's sphere, docs/light_transport.md
+/// (27).
 glm::dvec3 power(const ImageEnvironment& light);
 double path_power(const ImageEnvironment& light);
 
-/// Returns nothing: it is beyond the scene.
+/// Returns nothing: the environment lies outside the scene.
 inline std::optional<LightBounds> bounds(const ImageEnvironment&)
 {
     return std::nullopt;

@@ -6,7 +6,7 @@ namespace hipmap {
 
 namespace {
 
-/// Of kinds whose light paths all have one colour.
+/// Returns the path power of kinds whose light paths all have one colour.
 template <typename Kind>
 double path_power(const Kind& kind)
 {

@@ -15,13 +15,13 @@
 
 namespace hipmap {
 
-/// A light of any kind.  light_kind.h says what the functions do, the file of a kind what is
-/// special about it.
+/// A light of any kind.  light_kind.h describes the functions, the header of a kind its
+/// particulars.
 using Light = std::variant<PointLight, SpotLight, SphereLight, SunLight, PlanarLight, EmissiveMesh,
                            ConstantEnvironment, ImageEnvironment, EmissiveMedia>;
 
-/// Whether a kind has all functions of light_kind.h itself.  It is asked before those of `Light`
-/// are declared, to which every kind would convert.
+/// Says whether a kind of light has all functions of light_kind.h.  The check comes before the
+/// functions of `Light` are declared, to which every kind would convert.
 template <typename Kind>
 concept HasLightFunctions = requires(const Kind& kind, const LightReceiver& at,
                                      const PathPlace& path, RandomSequence& random)
@@ -56,8 +56,8 @@ EmittedPath sample_aimed_emission(const Light& light, const PathPlace& path,
 glm::dvec3 power(const Light& light);
 std::optional<LightBounds> bounds(const Light& light);
 
-/// Mean of the largest channel of the power of light paths, by which they are dealt out to lights;
-/// 0: the light emits nothing.
+/// Returns the mean of the largest channel of the power of light paths, by which paths are assigned
+/// to lights; 0: the light emits nothing.
 double path_power(const Light& light);
 
 } // namespace hipmap

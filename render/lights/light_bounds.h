@@ -6,13 +6,13 @@
 
 namespace hipmap {
 
-/// Where light is looked for.
+/// A point that receives light.
 struct LightReceiver {
     glm::vec3 position{0.0f}; ///< scene units
     glm::vec3 normal{0.0f};   ///< unit, on the side that light may come from; zero: from all sides
 };
 
-/// A bound of what some lights emit: from where, how much, and in which directions.
+/// Bounds of the light that some lights emit: from where, how much, and in which directions.
 struct LightBounds {
     Bounds<glm::vec3> box;
     glm::vec3 axis{0, 0, 1}; ///< unit; of a cone that holds the directions the lights face
@@ -22,21 +22,21 @@ struct LightBounds {
     double power = 0.0;      ///< in any unit that all have in common
 };
 
-/// Bounds of two groups of lights together.  O(1).
+/// Returns the bounds of two groups of lights together.  O(1).
 LightBounds together(const LightBounds& a, const LightBounds& b);
 
-/// An estimate of how much of the lights' power may arrive at a receiver, docs/light_transport.md
-/// (25): the probability to choose them is in proportion to it.  Zero only if no light can arrive,
-/// or if the receiver is in the very place of a light without size.
+/// Estimates how much of the lights' power may arrive at a receiver, docs/light_transport.md (25);
+/// lights are chosen with probabilities in proportion to it.  Zero only if no light can arrive, or
+/// if the receiver is at the position of a light without size.
 double importance(const LightBounds& lights, const LightReceiver& at);
 
-/// Whether a ray may run into what is in the box: into the sphere around it.  direction: unit.
+/// Returns whether a ray may meet the sphere around the box.  direction: unit.
 bool may_meet(const Bounds<glm::vec3>& box, const glm::vec3& origin, const glm::vec3& direction);
 
-/// What a group of lights costs a sampler that cannot tell them apart, up to a factor: power times
-/// the square of its size times the solid angle it emits into.  Source: Conty Estevez and Kulla
-/// 2018, section 4.4; by the diagonal instead of the area of the box, which is zero for lights in a
-/// row.
+/// Returns the cost, up to a factor, of a group of lights for a sampler that cannot tell them
+/// apart: power times the square of its size times the solid angle it emits into.  Source: Conty
+/// Estevez and Kulla 2018, section 4.4; the diagonal of the box replaces its area, which is zero
+/// for lights in a row.
 double spread_cost(const LightBounds& lights);
 
 } // namespace hipmap

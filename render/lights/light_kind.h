@@ -29,7 +29,7 @@ namespace hipmap {
 // To add a kind: write its file, add it to `Light` (light.h) and make it from the scene
 // (collect_lights.cpp).
 
-/// How light of a kind is found by paths from the eye.
+/// How paths from the eye find a kind of light.
 enum class LightRole : std::uint8_t {
     analytic,    ///< no faces: direct light samples it; rays from surfaces may run into it, the
                  ///<   eye does not see it
@@ -39,7 +39,7 @@ enum class LightRole : std::uint8_t {
     medium,      ///< rays gather it on their way; photons of it count as scattered in a medium
 };
 
-/// Light that arrives at a receiver from a direction drawn.
+/// Light that arrives at a receiver from a sampled direction.
 struct LightSample {
     glm::vec3 direction{0.0f}; ///< unit, towards the light
     bool is_far = false;       ///< it comes from beyond the scene
@@ -48,7 +48,7 @@ struct LightSample {
     float pdf = 0.0f;          ///< of the direction, per solid angle; 0: the light has no size
 };
 
-/// A light that a ray runs into.
+/// A light that a ray meets.
 struct LightHit {
     float distance = 0.0f; ///< infinite for a light beyond the scene
     Rgb radiance{0.0f};    ///< W/(m2 sr)
@@ -62,7 +62,7 @@ struct EmittedPath {
     bool from_medium = false;
 };
 
-/// Which of its light's paths a path is, for lights that stratify them.
+/// The place of a path among its light's paths, for lights that stratify them.
 struct PathPlace {
     std::uint64_t place = 0; ///< below `paths`
     std::uint64_t paths = 1;

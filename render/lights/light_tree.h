@@ -8,8 +8,8 @@
 
 namespace hipmap {
 
-/// Lights in a binary tree, each leaf one of them; a node comes before its children, the first
-/// child straight before what is below it.
+/// A binary tree of lights, with one light in each leaf; a node comes before its children, and its
+/// first child follows it directly.
 struct LightTree {
     struct Node {
         LightBounds bounds;
@@ -24,8 +24,8 @@ struct LightTree {
     bool empty() const { return nodes.empty(); }
 };
 
-/// Source: Conty Estevez and Kulla 2018, "Importance Sampling of Many Lights with Adaptive Tree
-/// Splitting", section 4.  O(n log n).  No lights: an empty tree.
+/// Builds a light tree.  O(n log n).  No lights: an empty tree.  Source: Conty Estevez and Kulla
+/// 2018, "Importance Sampling of Many Lights with Adaptive Tree Splitting", section 4.
 LightTree build_light_tree(const std::vector<LightBounds>& lights);
 
 struct ChosenLight {
@@ -33,16 +33,16 @@ struct ChosenLight {
     double probability = 0.0; ///< above zero
 };
 
-/// Chooses a light: goes down the tree, at each node by the importance of its children to the
-/// receiver.  u: [0, 1).  Nothing: no light can reach the receiver.  The tree is not empty.
+/// Chooses a light: descends the tree, at each node by the importance of its children to the
+/// receiver.  u: [0, 1).  Nothing: no light can reach the receiver.  The tree must not be empty.
 /// docs/light_transport.md (25).
 std::optional<ChosenLight> choose_light(const LightTree& tree, const LightReceiver& at, double u);
 
-/// The probability with which `choose_light` chooses the light.  The probabilities of all lights
-/// add up to one, or to zero if no light can reach the receiver.
+/// Returns the probability with which `choose_light` chooses the light.  The probabilities of all
+/// lights add up to one, or to zero if no light can reach the receiver.
 double probability_of(const LightTree& tree, const LightReceiver& at, std::uint32_t light);
 
-/// Calls visit(light) for every light whose box a ray may run into.  direction: unit.
+/// Calls visit(light) for every light whose box a ray may meet.  direction: unit.
 template <typename Visit>
 void over_lights_along(const LightTree& tree, const glm::vec3& origin, const glm::vec3& direction,
                        const Visit& visit)

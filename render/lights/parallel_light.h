@@ -4,21 +4,21 @@
 
 namespace hipmap {
 
-/// A sphere around all faces of a scene, into which light from beyond the scene is sent.
+/// A sphere around all faces of a scene, into which light from outside the scene is sent.
 struct SceneSphere {
     glm::vec3 centre{0.0f};
     float radius = 0.0f; ///< scene units; 0: there are no faces
 
-    /// Area of the disc through its centre, square scene units.
+    /// Returns the area of the disc through the centre, in square scene units.
     float disc_area() const;
 };
 
-/// A ray along `direction` (unit) through a point, drawn evenly, of the sphere's disc across it.
-/// It starts outside the sphere.
+/// Returns a ray along `direction` (unit) through a point drawn evenly from the disc of the sphere
+/// across it. The ray starts outside the sphere.
 Ray ray_into(const SceneSphere& scene, const glm::vec3& direction, const glm::vec2& u);
 
-/// A light path along `direction` (unit) that is aimed at the targets.
-/// irradiance: W/m2 across the direction, divided by the pdf of the direction if it was drawn.
+/// Returns a light path along `direction` (unit) that is aimed at the targets. irradiance: W/m2
+/// across the direction, divided by the pdf of the direction if it was drawn.
 EmittedPath aimed_path_along(const SceneSphere& scene, const glm::vec3& direction,
                              const Rgb& irradiance, const std::vector<TargetSphere>& targets,
                              RandomSequence& random);

@@ -20,14 +20,14 @@ struct PlanarLight {
     Rgb radiance{0.0f};            ///< W/(m2 sr)
 };
 
-/// Square scene units.
+/// Returns the area in square scene units.
 double area(const PlanarLight& light);
 
-/// Draws evenly from the area.  Returns nothing from behind, or from within its plane.
+/// Draws a point evenly from the area.  Returns nothing from behind, or in the light's plane.
 std::optional<LightSample> sample_li(const PlanarLight& light, const LightReceiver& at,
                                      RandomSequence& random);
 
-/// Returns nothing from behind.
+/// Returns where a ray meets the light; nothing from behind.
 std::optional<LightHit> intersect(const PlanarLight& light, const Ray& ray);
 inline bool can_be_met(const PlanarLight&)
 {

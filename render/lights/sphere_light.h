@@ -5,7 +5,7 @@
 
 namespace hipmap {
 
-/// A point or spot light with a radius: a sphere that emits evenly over what is seen of it,
+/// A point or spot light with a radius: a sphere of constant intensity over its visible disc,
 /// docs/light_transport.md (26).
 struct SphereLight {
     static constexpr LightRole kRole = LightRole::analytic;
@@ -16,11 +16,12 @@ struct SphereLight {
     std::optional<SpotCone> cone; ///< of a spot
 };
 
-/// Draws evenly from the cone that the sphere fills.  Returns nothing inside the sphere.
+/// Draws a direction evenly from the cone that the sphere fills.  Returns nothing inside the
+/// sphere.
 std::optional<LightSample> sample_li(const SphereLight& light, const LightReceiver& at,
                                      RandomSequence& random);
 
-/// Finds the near side of the sphere.  Returns nothing from inside.
+/// Returns the near side of the sphere; nothing from inside.
 std::optional<LightHit> intersect(const SphereLight& light, const Ray& ray);
 inline bool can_be_met(const SphereLight&)
 {

@@ -14,11 +14,11 @@ struct SunLight {
     SceneSphere scene;
 };
 
-/// Draws evenly from the disc.  A sun without a size draws no random number.
+/// Draws a direction evenly from the sun's disc.  A sun without a size draws no random number.
 std::optional<LightSample> sample_li(const SunLight& light, const LightReceiver& at,
                                      RandomSequence& random);
 
-/// Returns nothing for a sun without a size.
+/// Returns the sun if a ray meets its disc; nothing for a sun without a size.
 std::optional<LightHit> intersect(const SunLight& light, const Ray& ray);
 inline bool can_be_met(const SunLight& light)
 {
@@ -29,10 +29,10 @@ EmittedPath sample_emission(const SunLight& light, const PathPlace& path, Random
 EmittedPath sample_aimed_emission(const SunLight& light, const PathPlace& path,
                                   const std::vector<TargetSphere>& targets, RandomSequence& random);
 
-/// The power of all light through the discs of the scene's sphere.
+/// Returns the power of all light through the discs of the scene's sphere.
 glm::dvec3 power(const SunLight& light);
 
-/// Returns nothing: it is beyond the scene.
+/// Returns nothing: the sun lies outside the scene.
 inline std::optional<LightBounds> bounds(const SunLight&)
 {
     return std::nullopt;

@@ -7,12 +7,11 @@
 
 namespace hipmap {
 
-/// A material at a point, ready for shading: its lobes, the layers over them, and what it emits.
-/// docs/light_transport.md (1)-(4).  What depends on where and from where it is seen is in
-/// Interaction.
+/// A material at a point, ready for shading: its lobes, the layers over them, and its emission.
+/// docs/light_transport.md (1)-(4).  Interaction holds what depends on the position and the view.
 struct Bsdf {
-    /// A diffuse lobe, diffuse transmission, a reflection and its mirror's part, sheen, and a clear
-    /// coat or glass.
+    /// The most lobes of a surface: a diffuse lobe, diffuse transmission, a reflection and its
+    /// mirror's part, sheen, and a clear coat or glass.
     static constexpr std::size_t kMostLobes = 6;
 
     std::array<PlacedLobe, kMostLobes> all;
@@ -42,7 +41,7 @@ struct Bsdf {
 
     std::span<const PlacedLobe> lobes() const { return {all.data(), count}; }
 
-    /// The only lobe that is handled so; null: there are none or several.
+    /// Returns the only lobe that is handled so; null if there are none or several.
     const PlacedLobe* single(Lobes handled) const
     {
         const auto set = static_cast<std::size_t>(handled);
@@ -53,17 +52,17 @@ struct Bsdf {
 /// Adds a lobe; there must be room.
 void add(const PlacedLobe& lobe, Bsdf& bsdf);
 
-/// Whether an opaque surface or its clear coat reflects light that is handled so, diffuse lobe and
-/// sheen apart.
+/// Returns whether an opaque surface or its clear coat reflects light that is handled so; the
+/// diffuse lobe and sheen do not count.
 bool reflects(const Bsdf& bsdf, Lobes handled);
 
-/// Whether an opaque surface or its clear coat reflects some light in one direction alone.
+/// Returns whether an opaque surface or its clear coat reflects some light in one direction alone.
 inline bool has_mirror(const Bsdf& bsdf)
 {
     return reflects(bsdf, Lobes::specular);
 }
 
-/// Whether there is a reflection below a clear coat, of any width.
+/// Returns whether there is a reflection below a clear coat, of any width.
 bool has_reflection(const Bsdf& bsdf);
 
 } // namespace hipmap

@@ -26,10 +26,10 @@ struct Burley {
         const glm::vec3 in = Frame(view.normal).to_world(sample_cosine_hemisphere(random.next2()));
         return {in, reflectance * shape(view, in)};
     }
-    /// Without the shape, whose average over `in` is near 1.
+    /// Returns the reflectance without the shape, whose average over `in` is near 1.
     Rgb albedo(const LobeView&) const { return reflectance; }
 
-    /// Factor over Lambert's law for a pair of directions.
+    /// Returns the factor over Lambert's law for a pair of directions.
     float shape(const LobeView& view, const glm::vec3& in) const
     {
         const float cos2_half = 0.5f * (1 + glm::dot(in, view.out)); // of half the angle between

@@ -6,7 +6,7 @@
 
 namespace hipmap {
 
-/// Light that a thin surface scatters evenly to its other side
+/// Light that a thin surface scatters evenly to its transmitted side
 /// (KHR_materials_diffuse_transmission), docs/light_transport.md (32).
 struct DiffuseTransmission {
     static constexpr bool kFolds = false, kSeparable = true, kTransmits = true;

@@ -17,7 +17,7 @@ struct Facets {
         return alpha_along > 0 && view.has_tangent();
     }
 
-    /// D(h) G2 / (4 cos_in cos_out), docs/light_transport.md (16), (31).
+    /// Returns D(h) G2 / (4 cos_in cos_out), docs/light_transport.md (16), (31).
     float spread(const LobeView& view, const glm::vec3& in, const glm::vec3& half) const
     {
         if (is_anisotropic(view)) [[unlikely]]
@@ -26,8 +26,9 @@ struct Facets {
                ggx_visibility(glm::dot(view.normal, in), view.cosine, alpha);
     }
 
-    /// G2 / G1(out): what masking leaves of light that a facet drawn reflects or transmits.
-    /// cos_in: of `in` to the normal on the side that `in` is on, which may be the other one.
+    /// Returns G2 / G1(out): the share that masking leaves of light that a facet drawn reflects or
+    /// transmits. cos_in: of `in` to the normal on the side that `in` is on, which may be the
+    /// transmitted side.
     float shadowing(const LobeView& view, const glm::vec3& in, float cos_in) const
     {
         if (is_anisotropic(view)) [[unlikely]]
@@ -35,7 +36,7 @@ struct Facets {
         return ggx_shadowing(cos_in, view.cosine, alpha);
     }
 
-    /// Probability per solid angle of `half` that `sample` draws it.
+    /// Returns the pdf per solid angle with which `sample` draws `half`.
     float pdf(const LobeView& view, const glm::vec3& half) const
     {
         if (is_anisotropic(view)) [[unlikely]]
@@ -43,8 +44,8 @@ struct Facets {
         return ggx_facet_pdf(view.normal, view.out, half, alpha);
     }
 
-    /// Probability per solid angle that a facet drawn reflects `out` into the direction whose half
-    /// vector with it is `half`.
+    /// Returns the pdf per solid angle with which a facet drawn reflects `out` into the direction
+    /// whose half vector with it is `half`.
     float reflected_pdf(const LobeView& view, const glm::vec3& half) const
     {
         if (is_anisotropic(view)) [[unlikely]]
@@ -52,7 +53,7 @@ struct Facets {
         return ggx_reflected_pdf(view.normal, view.out, half, alpha);
     }
 
-    /// Normal of a facet, distributed as those visible from `out`.  u: [0, 1)^2.
+    /// Draws the normal of a facet, in proportion to what is visible from `out`.  u: [0, 1)^2.
     glm::vec3 sample(const LobeView& view, const glm::vec2& u) const
     {
         if (is_anisotropic(view)) [[unlikely]]

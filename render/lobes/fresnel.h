@@ -8,7 +8,7 @@
 
 namespace hipmap {
 
-/// (1 - cosine)^5, of a cosine clamped to [0, 1].
+/// Returns (1 - cosine)^5, of a cosine clamped to [0, 1].
 inline float grazing_weight(float cosine)
 {
     const float m = std::clamp(1 - cosine, 0.0f, 1.0f);
@@ -21,31 +21,32 @@ struct SchlickFresnel {
     Rgb f0{0.0f}, f90{0.0f};
 
     Rgb operator()(float cosine) const { return f0 + (f90 - f0) * grazing_weight(cosine); }
-    /// Its average over the cosine-weighted hemisphere, docs/light_transport.md (3).
+    /// Returns the average over the cosine-weighted hemisphere, docs/light_transport.md (3).
     Rgb average() const { return f0 + (f90 - f0) * (1.0f / 21); }
     bool is_zero() const { return is_black(f0) && is_black(f90); }
 };
 
-/// Reflectance of a smooth interface between dielectrics for unpolarised light; 1 at total
-/// reflection.  cosine: of incidence, [0, 1].  eta: index of refraction behind the interface over
-/// that before it.
+/// Returns the reflectance of a smooth interface between dielectrics for unpolarised light; 1 at
+/// total reflection.  cosine: of incidence, [0, 1].  eta: index of refraction behind the interface
+/// over that before it.
 float fresnel_dielectric(float cosine, float eta);
 
-/// That reflectance scaled by KHR_materials_specular's `scale`; 1 at total reflection all the same.
+/// Returns fresnel_dielectric scaled by KHR_materials_specular's `scale`; still 1 at total
+/// reflection.
 Rgb scaled_fresnel(float cosine, float eta, const Rgb& scale);
 
-/// Direction behind a smooth interface, away from it.
-/// direction: unit, away from the surface on the side that light comes from.  normal: unit, on the
-/// same side.  eta: as in `fresnel_dielectric`; there must be no total reflection.
+/// Returns the refracted direction behind a smooth interface, away from it. direction: unit, away
+/// from the surface on the side that light comes from.  normal: unit, on the same side.  eta: as in
+/// `fresnel_dielectric`; there must be no total reflection.
 glm::vec3 refract(const glm::vec3& direction, const glm::vec3& normal, float eta);
 
-/// Mirror image of `direction` in the plane across `normal`: on its other side.
+/// Returns the mirror image of `direction` in the plane across `normal`: on its other side.
 inline glm::vec3 mirrored(const glm::vec3& direction, const glm::vec3& normal)
 {
     return direction - 2 * glm::dot(direction, normal) * normal;
 }
 
-/// Mirror image of `direction` about `normal`; both unit and away from the surface.
+/// Returns the mirror image of `direction` about `normal`; both unit and away from the surface.
 glm::vec3 reflect(const glm::vec3& direction, const glm::vec3& normal);
 
 } // namespace hipmap

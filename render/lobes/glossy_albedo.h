@@ -4,8 +4,8 @@
 
 namespace hipmap {
 
-/// How much light GGX facets with Schlick's reflectance send back: what is to be multiplied with F0
-/// and with F90, docs/light_transport.md (18).
+/// The albedo of GGX facets with Schlick's reflectance, as factors of F0 and F90,
+/// docs/light_transport.md (18).
 struct GlossyAlbedo {
     float f0 = 0.0f;
     float f90 = 0.0f;
@@ -14,16 +14,18 @@ struct GlossyAlbedo {
     {
         return at_normal * f0 + at_grazing * f90;
     }
-    /// Of facets that absorb nothing: 1 but for light that would have to be reflected again.
+    /// Returns the albedo of facets that absorb nothing: 1 minus the light that would be reflected
+    /// again.
     float white() const { return f0 + f90; }
 };
 
-/// Share of light from one direction that is reflected over the whole hemisphere.
+/// Returns the share of light from one direction that is reflected over the whole hemisphere.
 /// cosine: to the normal, [0, 1].  alpha: [0, 1].  From a table that is made on the first call
 /// (some 10 ms), within 0.003 of the integral.  Thread-safe.
 GlossyAlbedo glossy_albedo(float cosine, float alpha);
 
-/// Its average over the cosine-weighted hemisphere, of the table exactly.
+/// Returns the average of the albedo over the cosine-weighted hemisphere, exactly that of the
+/// table.
 GlossyAlbedo average_glossy_albedo(float alpha);
 
 } // namespace hipmap

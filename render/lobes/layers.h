@@ -4,8 +4,8 @@
 
 namespace hipmap {
 
-/// Cosines of a direction to the shading normal, and to that of the clear coat, which may have a
-/// normal of its own.
+/// Cosines of a direction to the shading normal, and to the normal of the clear coat, which may
+/// differ.
 struct Incidence {
     float cosine, coat;
 
@@ -13,7 +13,7 @@ struct Incidence {
     Incidence(float to_surface, float to_coat) : cosine(to_surface), coat(to_coat) {}
 };
 
-/// Where a lobe lies, from the top: what is above it takes its part of the light.
+/// The depth of a lobe, from the top; each layer above attenuates its light.
 enum class Depth : std::uint8_t { clearcoat, sheen, reflection, diffuse };
 
 /// Layers that attenuate the light of lobes below them, docs/light_transport.md (2), (24), (28).
@@ -30,18 +30,18 @@ struct Layers {
                                   ///<   cosine-weighted hemisphere
 };
 
-/// Reflectance of a clear coat at normal and at grazing incidence.
+/// Returns the reflectance of a clear coat at normal and at grazing incidence.
 inline constexpr SchlickFresnel clearcoat_fresnel(float share)
 {
     return {Rgb(share * 0.04f), Rgb(share)};
 }
 
-/// Part of light along a direction that gets through what lies above a depth; the same into the
-/// surface and out of it.
+/// Returns the share of light along a direction that passes the layers above a depth; equal into
+/// the surface and out of it.
 Rgb transmitted_by(const Layers& layers, Depth depth, const Incidence& along);
 
-/// What layers leave of light along a direction on its way to a lobe and back out in any direction,
-/// averaged over those: the factor of the lobe's albedo.
+/// Returns the share of light along a direction that layers leave on its way to a lobe and back out
+/// in any direction, averaged over those: the factor of the lobe's albedo.
 inline Rgb transmitted_twice(const Layers& layers, Depth depth, const Incidence& along)
 {
     if (!layers.any)
@@ -50,7 +50,7 @@ inline Rgb transmitted_twice(const Layers& layers, Depth depth, const Incidence&
     return depth == Depth::diffuse ? once * layers.diffuse_average : once;
 }
 
-/// Albedo of a reflection of any width, 0 being smooth; and its cosine-weighted average.
+/// Returns the albedo of a reflection of any width (0: smooth) and its cosine-weighted average.
 Rgb reflection_albedo(const SchlickFresnel& fresnel, float cosine, float alpha);
 Rgb average_reflection_albedo(const SchlickFresnel& fresnel, float alpha);
 

@@ -30,8 +30,8 @@ using Lobe =
     std::variant<Lambert, Burley, DiffuseTransmission, Sheen, MicrofacetReflection, RoughDielectric,
                  SmoothMirror, SmoothDielectric, Phong, PhongMirror, Schlick, OrenNayar>;
 
-/// What integrators and photons do with the light of a lobe: gather it from photons, follow it
-/// along a direction drawn, or follow its one direction.
+/// How integrators and photons treat the light of a lobe: gathered from photons, followed along a
+/// drawn direction, or followed along its only direction.
 enum class Lobes : std::uint8_t { gathered, followed, specular };
 
 template <typename Kind>
@@ -48,7 +48,7 @@ constexpr bool transmits()
     return std::is_same_v<Kind, SmoothDielectric>;
 }
 
-/// f(in, out), per steradian; zero for a specular lobe.
+/// Returns f(in, out), per steradian; zero for a specular lobe.
 inline Rgb eval(const Lobe& lobe, const LobeView& view, const glm::vec3& in)
 {
     return std::visit(
@@ -61,7 +61,7 @@ inline Rgb eval(const Lobe& lobe, const LobeView& view, const glm::vec3& in)
         lobe);
 }
 
-/// Probability per steradian that `sample` draws `in`.
+/// Returns the pdf per steradian with which `sample` draws `in`.
 inline float pdf(const Lobe& lobe, const LobeView& view, const glm::vec3& in)
 {
     return std::visit(
@@ -139,7 +139,7 @@ inline bool is_separable(const Lobe& lobe)
         lobe);
 }
 
-/// The lobe may depend on the tangent.
+/// Returns whether the lobe may depend on the tangent.
 inline bool is_directed(const Lobe& lobe)
 {
     return std::visit(

@@ -7,7 +7,8 @@
 
 namespace hipmap {
 
-/// A surface as a lobe is seen on it.  Directions are unit and point away from the surface.
+/// A surface from the point of view of a lobe.  Directions are unit and point away from the
+/// surface.
 struct LobeView {
     glm::vec3 normal{0.0f};  ///< of the lobe, on the side of `out`
     glm::vec3 out{0.0f};     ///< where light goes to (or comes from: lobes are reciprocal)

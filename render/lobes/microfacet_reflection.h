@@ -15,7 +15,8 @@ struct MicrofacetReflection {
 
     Rgb eval(const LobeView& view, const glm::vec3& in) const;
     float pdf(const LobeView& view, const glm::vec3& in) const;
-    /// No weight exceeds the reflectance of the facet drawn where there is no multiple scattering.
+    /// Draws a direction.  No weight exceeds the reflectance of the facet drawn, except for
+    /// multiple scattering.
     LobeSample sample(const LobeView& view, RandomSequence& random) const;
     Rgb albedo(const LobeView& view) const;
     bool is_directed() const { return facets.alpha_along > 0; }

@@ -7,7 +7,7 @@ namespace hipmap {
 
 namespace {
 
-/// Of light along one direction, what facets that absorb nothing lose.
+/// Returns the share of light along one direction that facets which absorb nothing lose.
 float lost(float cosine, float alpha)
 {
     return 1 - glossy_albedo(cosine, alpha).white();

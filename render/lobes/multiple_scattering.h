@@ -8,13 +8,13 @@ namespace hipmap {
 // of its own (Kulla and Conty 2017), docs/light_transport.md (33).  Cosines: to the shading normal,
 // of directions above the surface.  alpha: width of the facets, above zero.
 
-/// Factor of the lobe of a metal.  color: its reflectance at normal incidence.
+/// Returns the factor of the lobe of a metal.  color: its reflectance at normal incidence.
 Rgb multiple_factor(const Rgb& color, float alpha);
 
-/// f(wi, wo), per steradian; reciprocal.
+/// Returns f(wi, wo), per steradian; reciprocal.
 Rgb multiple_scattering(const Rgb& factor, float cos_in, float cos_out, float alpha);
 
-/// Share of light along one direction that the lobe sends on.
+/// Returns the share of light along one direction that the lobe scatters.
 Rgb multiple_albedo(const Rgb& factor, float cosine, float alpha);
 
 } // namespace hipmap

@@ -13,20 +13,20 @@ struct Phong {
     Rgb eval(const LobeView& view, const glm::vec3& in) const;
     float pdf(const LobeView& view, const glm::vec3& in) const;
     LobeSample sample(const LobeView& view, RandomSequence& random) const;
-    /// About the share of light that the lobe sends on, for probabilities: exact for an exponent of
-    /// 0 and for a very large one, never 0 unless the cosine is.
+    /// Returns about the share of light that the lobe scatters, for probabilities: exact for an
+    /// exponent of 0 and for a very large one, never 0 unless the cosine is.
     Rgb albedo(const LobeView& view) const;
 };
 
-/// The same model with an exponent too large to be told from a mirror.
+/// A Phong lobe whose exponent is too large to be told from a mirror.
 struct PhongMirror {
     Rgb factor{0.0f};
 
     SpecularLobes specular(const LobeView& view) const { return {factor * view.cosine}; }
 };
 
-/// The roughness at which facets (16) spread light about as widely near the middle of the lobe;
-/// 1 for an exponent of 0.
+/// Returns the roughness at which facets (16) spread light about as widely near the middle of the
+/// lobe; 1 for an exponent of 0.
 float phong_roughness(float exponent);
 
 } // namespace hipmap

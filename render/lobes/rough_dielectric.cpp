@@ -6,7 +6,7 @@ namespace hipmap {
 
 namespace {
 
-/// Of light that meets a facet, what it reflects and transmits.
+/// The shares of light that a facet reflects and transmits.
 struct FacetShares {
     Rgb reflect, transmit;
 

@@ -15,9 +15,10 @@ struct RoughDielectric {
 
     Rgb eval(const LobeView& view, const glm::vec3& in) const;
     float pdf(const LobeView& view, const glm::vec3& in) const;
-    /// No weight exceeds the sum of what the facet drawn reflects and transmits.
+    /// Draws a direction.  No weight exceeds the sum of what the facet drawn reflects and
+    /// transmits.
     LobeSample sample(const LobeView& view, RandomSequence& random) const;
-    /// By the Fresnel reflectance at the shading normal, for probabilities.
+    /// Returns the albedo for probabilities, by the Fresnel reflectance at the shading normal.
     Rgb albedo(const LobeView& view) const;
     bool is_directed() const { return facets.alpha_along > 0; }
 };

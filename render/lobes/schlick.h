@@ -5,7 +5,7 @@
 
 namespace hipmap {
 
-/// How a layer of Schlick's model (1994) shares light out, its reflectance apart; sums to one.
+/// The shares of a layer of Schlick's model (1994), without its reflectance; they sum to one.
 /// docs/light_transport.md (36).
 struct SchlickShares {
     float even = 0.0f;   ///< a: as a diffuse surface
@@ -13,10 +13,10 @@ struct SchlickShares {
     float mirror = 0.0f; ///< c
 };
 
-/// roughness: his r, 0 to 1.
+/// Returns the shares.  roughness: Schlick's r, 0 to 1.
 SchlickShares schlick_shares(float roughness);
 
-/// Below it, light spreads as at it.
+/// The least isotropy: below it, light spreads as at it.
 inline constexpr float kLeastIsotropy = 0.01f;
 
 /// A layer of Schlick's model without its mirror's share and without the diffuse part that is the

@@ -12,7 +12,7 @@ struct Sheen {
     float alpha = 1.0f; ///< kLeastSheenAlpha (sheen_albedo.h) to 1
 
     Rgb eval(const LobeView& view, const glm::vec3& in) const;
-    /// Uniform over the hemisphere.
+    /// Returns the pdf of a direction that is uniform over the hemisphere.
     float pdf(const LobeView&, const glm::vec3&) const { return 1 / (2 * kPi); }
     LobeSample sample(const LobeView& view, RandomSequence& random) const;
     Rgb albedo(const LobeView& view) const;

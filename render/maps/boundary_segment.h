@@ -10,7 +10,7 @@ struct BoundarySegment {
     bool operator==(const BoundarySegment&) const = default;
 };
 
-/// Square distance to the nearest point of a segment, square scene units.
+/// Returns the square distance to the nearest point of a segment, square scene units.
 double distance2_to_segment(const glm::vec3& point, const BoundarySegment& segment);
 
 } // namespace hipmap

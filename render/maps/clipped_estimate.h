@@ -18,8 +18,8 @@ namespace clipped {
 
 using Slots = std::span<const std::uint32_t>;
 
-/// How far beyond the k-th photon to look once boundaries hide some of them: in a right-angled
-/// corner a quarter of the disc is left, so that twice the radius holds as many.
+/// The factor of the radius within which to search once boundaries hide some photons: in a
+/// right-angled corner a quarter of the disc is left, so that twice the radius holds as many.
 inline constexpr float kWiden = 2;
 
 inline float farthest(const FoundPhotons& found)
@@ -27,7 +27,8 @@ inline float farthest(const FoundPhotons& found)
     return std::sqrt(found.farthest2);
 }
 
-/// docs/photon_maps.md (2): the k-th photon gives the radius and is left out of the sum.
+/// Returns the slots that count, docs/photon_maps.md (2): the k-th photon gives the radius and is
+/// left out of the sum.
 inline Slots all_but_last(const FoundPhotons& found)
 {
     return found.slots.first(found.slots.size() - 1);
@@ -50,7 +51,7 @@ Rgb density(const Search& search, const PhotonQuery& query, const PhotonMap& map
     return per_area(search.power_scale(), sum, area);
 }
 
-/// Over an area measured in the plane of the query's face.
+/// Estimates the density over an area measured in the plane of the query's face.
 template <typename Search>
 Rgb projected_density(const Search& search, const PhotonQuery& query, const PhotonMap& map,
                       Slots slots, double area)
@@ -61,7 +62,7 @@ Rgb projected_density(const Search& search, const PhotonQuery& query, const Phot
     return per_area(search.power_scale(), sum, area);
 }
 
-/// Searches once more among the visible photons only.
+/// Estimates by a second search, among the visible photons only.
 template <typename Search>
 Rgb estimate_visible(const Search& search, PhotonQuery query, float radius)
 {
@@ -84,7 +85,7 @@ Rgb estimate_visible(const Search& search, PhotonQuery query, float radius)
                              scratch.disc.area(query.radius));
 }
 
-/// (2) and (3) where no boundary is near, from sums alone; nothing where one is.
+/// Estimates (2) and (3) where no boundary is near, from sums alone; returns nothing where one is.
 template <typename Search>
 std::optional<Rgb> estimate_from_sums(const Search& search, const PhotonQuery& query)
 {
@@ -108,7 +109,7 @@ std::optional<Rgb> estimate_from_sums(const Search& search, const PhotonQuery& q
 
 } // namespace clipped
 
-/// estimate_irradiance by any search: docs/photon_maps.md (2) to (4).
+/// Implements estimate_irradiance with any search: docs/photon_maps.md (2) to (4).
 template <typename Search>
 Rgb clipped_estimate(const Search& search, const PhotonQuery& query)
 {

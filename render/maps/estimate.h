@@ -6,7 +6,7 @@
 
 namespace hipmap {
 
-/// What the estimates of one thread need besides the maps.
+/// Scratch memory of the estimates of one thread.
 struct EstimateScratch {
     SearchScratch search;
     OutlineScratch outline;
@@ -15,8 +15,8 @@ struct EstimateScratch {
     bool near_boundary = false; ///< the last estimate was, so that the next may need a list
 };
 
-/// The surfaces that photons lie on and where their maps end.  Borrows mesh and partition.
-/// Read-only: any number of threads may use it.
+/// The surfaces that photons lie on, with the boundaries of their maps.  Borrows mesh and
+/// partition. Read-only: any number of threads may use it.
 struct MapSurfaces {
     const TriangleMesh& mesh;
     const Partition& partition;
@@ -26,12 +26,12 @@ struct MapSurfaces {
 
     MapSurfaces(const TriangleMesh& of_mesh, const Partition& of_partition);
 
-    /// Area of the map of a face, which must have one; square scene units.
+    /// Returns the area of the map of a face, which must have one; square scene units.
     float area_at(FaceId face) const { return map_area[partition.map_of_face[face]]; }
 };
 
-/// The radius within which k photons would lie were those of the query's map spread evenly over it,
-/// docs/photon_maps.md (5); infinite for an empty map or a face without one.
+/// Returns the radius within which k photons would lie if the photons of the query's map were
+/// spread evenly over it, docs/photon_maps.md (5); infinite for an empty map or a face without one.
 float even_radius(const PhotonMaps& maps, const MapSurfaces& surfaces, const PhotonQuery& query);
 
 /// Density of photon power at a point, W/m2 (power and area are both in scene units): the

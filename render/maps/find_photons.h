@@ -9,17 +9,17 @@
 
 namespace hipmap {
 
-/// Where photons are looked for.
+/// The point, the face and the side at which photons are searched.
 struct PhotonQuery {
     glm::vec3 position; ///< scene units
     glm::vec3 normal;   ///< geometric, unit, on the side that is looked at
     FaceId face = kNone;
     std::uint8_t side = 0;
     float radius = std::numeric_limits<float>::infinity(); ///< nothing farther counts
-    const GatheredLobes* lobes = nullptr; ///< that weigh each photon; none: all count alike
+    const GatheredLobes* lobes = nullptr; ///< lobes that weight each photon; null: all count alike
 };
 
-/// A query on the other side of the surface.
+/// Returns the query on the transmitted side of the surface.
 inline PhotonQuery transmitted_side(PhotonQuery query)
 {
     query.normal = -query.normal;
@@ -27,7 +27,7 @@ inline PhotonQuery transmitted_side(PhotonQuery query)
     return query;
 }
 
-/// What the searches of one thread did; sums are independent of the order of queries.
+/// Counts of the searches of one thread; sums are independent of the order of queries.
 struct SearchStatistics {
     std::uint64_t queries = 0;
     std::uint64_t photons_found = 0;
@@ -35,8 +35,8 @@ struct SearchStatistics {
     SearchStatistics& operator+=(const SearchStatistics& other);
 };
 
-/// Memory that one thread lends to its searches, so that none allocates.  Each kind of search
-/// remembers the last of its own kind.
+/// Scratch memory of one thread for its searches, so that none allocates.  Each kind of search
+/// remembers its own last search.
 struct SearchScratch {
     TreeScratch nearest;
     TreeScratch accepted; ///< of searches that turn photons down
@@ -51,26 +51,26 @@ struct FoundPhotons {
     float farthest2 = 0.0f;               ///< square distance of the last, square scene units
 };
 
-/// The powers of the photons that a search found, summed.
+/// The sum of the powers of the photons that a search found.
 struct FoundSum {
     const PhotonMap* map = nullptr;
     NearestSum nearest;
 };
 
-/// The map that a query reads; null if it holds no photon.
+/// Returns the map that a query reads; null if it holds no photon.
 const PhotonMap* map_of_query(const PhotonMaps& maps, const Partition& partition,
                               const PhotonQuery& query);
 
-/// The k nearest photons of the query's map, fewer if there are no more within the radius; of
+/// Finds the k nearest photons of the query's map, fewer if there are no more within the radius; of
 /// equally near ones those with the lower slot.  A face without a map has none.
 FoundPhotons find_photons(const PhotonMaps& maps, const Partition& partition,
                           const PhotonQuery& query, SearchScratch& scratch);
 
-/// The sum of what find_photons finds.
+/// Returns the sum of what find_photons finds.
 FoundSum sum_photons(const PhotonMaps& maps, const Partition& partition, const PhotonQuery& query,
                      SearchScratch& scratch);
 
-/// The k nearest photons of the query's map that `accept(map, slot)` lets through.
+/// Finds the k nearest photons of the query's map that `accept(map, slot)` lets through.
 template <typename Accept>
 FoundPhotons find_accepted(const PhotonMaps& maps, const Partition& partition,
                            const PhotonQuery& query, const Accept& accept, TreeScratch& scratch)

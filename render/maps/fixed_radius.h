@@ -7,14 +7,14 @@
 
 namespace hipmap {
 
-/// Density of photon power within three radii of a point.
+/// The density of photon power within three radii of a point.
 struct RadiusEstimates {
     std::array<Rgb, 3> irradiance{Rgb(0), Rgb(0), Rgb(0)}; ///< W/m2, by radius
     std::uint32_t photons = 0;                             ///< counted within the first radius
 };
 
-/// Radii that differ by the same factors from the first on, which is `seen` instead, so that what
-/// the estimates differ by still tells the bias of the first.  seen: at most radii[0].
+/// Returns three radii with the ratios of `radii` and `seen` as the first, so that the differences
+/// of their estimates still measure the bias of the first.  seen: at most radii[0].
 std::array<float, 3> narrowed(const std::array<float, 3>& radii, float seen);
 
 /// An estimate from the photons of one map within three radii.

@@ -4,17 +4,18 @@
 
 namespace hipmap {
 
-/// A photon where an estimate meets it.
+/// A photon as an estimate reads it.
 struct MetPhoton {
     const PhotonMap& map;
     std::uint32_t slot;
 };
 
-/// Its power in units of the maps' scale, weighed by the query's lobes, which it must name.
+/// Returns the photon's power in units of the maps' scale, weighted by the query's lobes, which it
+/// must name.
 glm::dvec3 power_in_lobes(const MetPhoton& photon, const PhotonQuery& query);
 
-/// What a photon adds to the sum of an estimate: its power, weighed by the query's lobes if it
-/// names any.
+/// Returns what a photon adds to the sum of an estimate: its power, weighted by the query's lobes
+/// if it names any.
 inline glm::dvec3 gathered_power(const MetPhoton& photon, const PhotonQuery& query)
 {
     if (query.lobes != nullptr)
@@ -22,21 +23,21 @@ inline glm::dvec3 gathered_power(const MetPhoton& photon, const PhotonQuery& que
     return photon.map.powers.of(photon.slot);
 }
 
-/// The gathered power times the cosine between the photon's face and the query's,
+/// Returns the gathered power times the cosine between the photon's face and the query's,
 /// docs/photon_maps.md (4).
 glm::dvec3 projected_power(const MetPhoton& photon, const PhotonQuery& query,
                            const MapSurfaces& surfaces);
 
-/// W/m2 from a sum in units of the scale.  Zero where the area is not above zero or the quotient
-/// not finite.
+/// Converts a sum in units of the scale into W/m2.  Zero where the area is not above zero or the
+/// quotient is not finite.
 Rgb per_area(const PowerScale& scale, const glm::dvec3& sum, double area);
 
-/// pi r^2, square scene units.
+/// Returns pi r^2, square scene units.
 double disc_area(float radius);
 
-/// Points scratch.disc past the boundaries of the query's map within the radius (> 0, finite);
-/// without any near, scratch.segments is left empty.  Returns the radius out to which the disc may
-/// be used: the given one, or less where the boundary is too dense for it; 0: none.
+/// Sets up scratch.disc with the boundaries of the query's map within the radius (> 0, finite);
+/// scratch.segments stays empty if none is near.  Returns the radius out to which the disc may be
+/// used: the given one, or less where the boundary is too dense for it; 0: none.
 float look_around(const MapSurfaces& surfaces, const PhotonQuery& query, float radius,
                   EstimateScratch& scratch);
 

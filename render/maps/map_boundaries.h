@@ -13,37 +13,37 @@
 
 namespace hipmap {
 
-/// Square distance to an axis-aligned box, square scene units; 0 within it.
+/// Returns the square distance to an axis-aligned box, square scene units; 0 within it.
 double distance2_to_box(const glm::vec3& point, const glm::vec3& low, const glm::vec3& high);
 
-/// Where the shared maps end: the edges across which no photon is gathered, by map.
+/// The boundaries of the shared maps, by map: the edges across which no photon is gathered.
 ///
 /// The boundary of a map is every unconnected, border and non-manifold edge of its faces.  An edge
-/// with the same map on both sides is one too, listed once if both faces know of each other: the
-/// surface is creased there, or something stands on it.  Edges of faces without area are not: such
-/// a face has no map, and what lies beyond it is not known.  Where a surface stands on another or
-/// cuts through it, the partition's contacts are boundaries too; its bridged edges are none.
+/// with the same map on both sides counts too, listed once if both faces know of each other: the
+/// surface is creased there, or something stands on it.  Edges of faces without area do not count:
+/// such a face has no map, and what lies behind it is not known.  Where a surface stands on another
+/// or cuts through it, the partition's contacts are boundaries too; its bridged edges are none.
 /// Chains that are straight within the rounding of their points are one segment each, so that
 /// subdividing a face adds none.
 ///
 /// Read-only once built: any number of threads may query it.
 class MapBoundaries {
   public:
-    /// partition: of this very mesh.  Copies what it needs of both.
-    /// Cost: O(n log n) for n segments in one map, linear in the number of maps.
+    /// Builds the boundaries.  partition: of this very mesh.  Copies what it needs of both. Cost:
+    /// O(n log n) for n segments in one map, linear in the number of maps.
     MapBoundaries(const TriangleMesh& mesh, const Partition& partition);
 
-    /// The whole boundary of a map; empty for a closed surface.
+    /// Returns the whole boundary of a map; empty for a closed surface.
     std::span<const BoundarySegment> of(MapId map) const;
 
-    /// Appends the segments of `map` that come within `radius` of `point` to `out`, in a fixed
-    /// order.  radius: scene units, >= 0, may be infinite.  False: there are more than `most`, and
-    /// `out` holds some of them.
-    /// Cost: a loop for a map of few segments, else logarithmic plus the segments found.
+    /// Appends the segments of `map` within `radius` of `point` to `out`, in a fixed order.
+    /// radius: scene units, >= 0, may be infinite.  Returns false if there are more than `most`;
+    /// `out` then holds some of them. Cost: a loop for a map of few segments, else logarithmic plus
+    /// the segments found.
     bool near(MapId map, const glm::vec3& point, float radius, std::vector<BoundarySegment>& out,
               std::size_t most = std::numeric_limits<std::size_t>::max()) const;
 
-    /// Node of a balanced tree in preorder: the left child follows its parent, and the children
+    /// A node of a balanced tree in preorder: the left child follows its parent, and the children
     /// halve the parent's range of segments.  A range of kLeafSize segments or fewer has none.
     struct Node {
         glm::vec3 low, high;
@@ -51,7 +51,7 @@ class MapBoundaries {
     };
     static constexpr std::uint32_t kLeafSize = 4;
 
-    /// Root of a map's tree: only for maps of more than kLeafSize segments.
+    /// Returns the root of a map's tree: only for maps of more than kLeafSize segments.
     std::uint32_t root(MapId map) const { return ranges_[map].node; }
     const Node& node(std::uint32_t index) const { return nodes_[index]; }
 

@@ -21,7 +21,7 @@ inline glm::vec2 fold_octahedron(const glm::vec2& p)
     return {std::copysign(1 - std::abs(p.y), p.x), std::copysign(1 - std::abs(p.x), p.y)};
 }
 
-/// direction: unit.  What is not a number becomes some direction.
+/// Packs a direction.  direction: unit.  A vector with a NaN becomes an arbitrary direction.
 inline PackedDirection pack_direction(const glm::vec3& direction)
 {
     constexpr float kLargest = 32767;

@@ -22,9 +22,9 @@ struct PhotonMap {
     std::vector<PackedDirection> directions; ///< [n] by slot; empty if nobody asks for them
     std::uint8_t side = 0;
 
-    /// Unit, towards where the photon came from.  Only if directions are kept.
+    /// Returns the unit direction from which the photon came.  Only if directions are kept.
     glm::vec3 direction(std::uint32_t slot) const { return unpack_direction(directions[slot]); }
-    /// Bytes of the arrays.
+    /// Returns the bytes of the arrays.
     std::size_t bytes() const
     {
         return tree.bytes() + powers.bytes() + faces.size() * sizeof(FaceId) +
@@ -43,39 +43,39 @@ struct PhotonMaps {
     std::vector<std::uint32_t> map_of; ///< by map_index: the place in `maps`; kNone: no photon.
                                        ///< Empty without photons
 
-    /// In map_of.
+    /// Returns the index into map_of.
     static std::size_t map_index(MapId map, std::uint8_t side)
     {
         return std::size_t{2} * map + side % 2u;
     }
-    /// In `maps`; kNone if there is no photon.
+    /// Returns the index into `maps`; kNone if there is no photon.
     std::uint32_t place(MapId map, std::uint8_t side) const
     {
         return map_of.empty() ? kNone : map_of[map_index(map, side)];
     }
-    /// Null if there is no photon.
+    /// Returns the map; null if there is no photon.
     const PhotonMap* map_at(MapId map, std::uint8_t side) const
     {
         const std::uint32_t found = place(map, side);
         return found == kNone ? nullptr : &maps[found];
     }
-    /// Bytes of the arrays.
+    /// Returns the bytes of the arrays.
     std::size_t bytes() const;
-    /// Photons of the largest map.
+    /// Returns the number of photons in the largest map.
     std::uint64_t largest_map() const;
 };
 
-/// sqrt(A k / (pi N)), docs/photon_maps.md (5); infinite without photons.
+/// Returns sqrt(A k / (pi N)), docs/photon_maps.md (5); infinite without photons.
 float filter_radius(double area, std::uint32_t neighbours, std::uint64_t photons);
 
-/// What a map keeps of photons beside their tree.
+/// The photon data that a map keeps besides the tree.
 struct PhotonPacking {
     PowerScale scale;
     bool directions = false;
 };
 
-/// The map of some photons of one side.  points: as build_wide_tree left them, at least one; they
-/// give the photons' numbers.  In parallel.
+/// Builds the map of some photons of one side.  points: as build_wide_tree left them, at least one;
+/// they give the photons' numbers.  In parallel.
 PhotonMap pack_photons(WideTree tree, std::span<const TreePoint> points,
                        const std::vector<Photon>& photons, const PhotonPacking& packing);
 

@@ -10,28 +10,28 @@
 
 namespace hipmap {
 
-/// Powers of the photons of a block, red, green and blue, in units of a PowerScale; of lanes
-/// without a photon zero.
+/// The powers of the photons of a block, red, green and blue, in units of a PowerScale; zero in
+/// lanes without a photon.
 struct alignas(32) PowerBlock {
     std::uint16_t power[3][kTreeWidth];
 };
 
-/// In units of a PowerScale; exact in any order.
+/// A sum of powers in units of a PowerScale; exact in any order.
 using PowerSum = glm::vec<3, std::uint64_t>;
 
-/// What a power of 1 stands for, W / metres_per_unit^2 by channel: a 65534th of the largest of a
+/// The unit of stored powers, W / metres_per_unit^2 by channel: a 65534th of the largest power of a
 /// set of photons.
 struct PowerScale {
     glm::dvec3 unit{0.0};
 };
 
-/// The scale for these photons; zero without any.  Powers that are not finite do not count.
+/// Returns the scale for these photons; zero without any.  Powers that are not finite do not count.
 PowerScale power_scale(std::span<const Photon> photons);
 
-/// A power in units of the scale, docs/photon_maps.md (9): rounded up or down at random so that its
-/// mean is the power itself: many photons of one pass have the very same power, and plain rounding
+/// Rounds a power to units of the scale, docs/photon_maps.md (9): up or down at random so that its
+/// mean is the power itself.  Many photons of one pass have the very same power, and plain rounding
 /// would be off for all of them alike.  number: of the photon in the order of (path, bounce), which
-/// alone decides. What is not a number or below zero becomes zero.
+/// alone decides. NaN and negative values become zero.
 std::array<std::uint16_t, 3> round_power(const Rgb& power, const PowerScale& scale,
                                          std::uint64_t number);
 
@@ -46,14 +46,15 @@ struct PhotonPowers {
         const std::uint32_t lane = slot % kTreeWidth;
         return {block.power[0][lane], block.power[1][lane], block.power[2][lane]};
     }
-    /// Bytes of the arrays.
+    /// Returns the bytes of the arrays.
     std::size_t bytes() const
     {
         return blocks.size() * sizeof(PowerBlock) + nodes.size() * sizeof(PowerSum);
     }
 };
 
-/// points: as build_wide_tree left them; they give the photons' numbers.  In parallel.
+/// Stores the powers of a tree's photons.  points: as build_wide_tree left them; they give the
+/// photons' numbers.  In parallel.
 PhotonPowers build_powers(const WideTree& tree, std::span<const TreePoint> points,
                           std::span<const Photon> photons, const PowerScale& scale);
 

@@ -7,13 +7,14 @@
 
 namespace hipmap {
 
-/// z of the cross product: above zero if v is counter-clockwise of u.
+/// Returns z of the cross product: above zero if v is counter-clockwise of u.
 inline double cross(const glm::dvec2& u, const glm::dvec2& v)
 {
     return u.x * v.y - u.y * v.x;
 }
 
-/// From 0 to 4, growing with the direction of p from +x counter-clockwise; opposites are 2 apart.
+/// Returns a key from 0 to 4 that grows with the direction of p from +x counter-clockwise; opposite
+/// directions are 2 apart.
 inline double direction_key(const glm::dvec2& p)
 {
     const double t = p.y / (std::abs(p.x) + std::abs(p.y));
@@ -22,7 +23,7 @@ inline double direction_key(const glm::dvec2& p)
     return p.y < 0 ? 4 + t : t;
 }
 
-/// Squared distance from the origin to the segment.
+/// Returns the squared distance from the origin to the segment.
 inline double distance2(const glm::dvec2& a, const glm::dvec2& b)
 {
     const glm::dvec2 along = b - a;

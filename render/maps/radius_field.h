@@ -7,9 +7,9 @@
 
 namespace hipmap {
 
-/// A radius at every point of the surfaces that follows the density of some photons, none of which
-/// has to be kept: where the k-th of them is, docs/photon_maps.md (10).  Read-only once built: any
-/// number of threads may use it.
+/// A radius at every point of the surfaces that follows the density of some photons: the distance
+/// to the k-th of them, docs/photon_maps.md (10).  The photons need not be kept.  Read-only once
+/// built: any number of threads may use it.
 struct RadiusField {
     /// The radii of one map.
     struct Map {
@@ -18,7 +18,7 @@ struct RadiusField {
         float even_radius = 0.0f;  ///< docs/photon_maps.md (5), of all its photons
         bool sparse = false;       ///< it has fewer than k photons
     };
-    /// What is asked for where a map has fewer than k photons.
+    /// The radius where a map has fewer than k photons.
     enum class Sparse : std::uint8_t {
         even,    ///< the even radius: an estimate over much of the map
         infinite ///< no estimate: the light is found in another way
@@ -28,24 +28,25 @@ struct RadiusField {
     Sparse sparse = Sparse::even;
 };
 
-/// Finds the k nearest photons of a map, fewer if there are no more within the radius; of one
+/// Finds the k nearest photons of a map, fewer if there are no more within the radius; for one
 /// thread.
 using NearestSearch = std::function<FoundSlots(const TreeQuery&)>;
 
-/// The radii of one map of a field, in parallel.  area: of its surface, square scene units.
-/// make_search: a search of `photons`, for one of the threads.
+/// Computes the radii of one map of a field, in parallel.  area: of its surface, square scene
+/// units. make_search: returns a search of `photons` for one thread.
 RadiusField::Map build_radius_map(const PhotonMap& photons, std::uint32_t neighbours, float area,
                                   const std::function<NearestSearch()>& make_search);
 
-/// In parallel.  Same maps, same field, at any thread count.  No photons: a field without maps.
-/// Cost: a search for every fourth photon.
+/// Builds a radius field, in parallel.  Same maps, same field, at any thread count.  No photons: a
+/// field without maps. Cost: a search for every fourth photon.
 RadiusField build_radius_field(const PhotonMaps& photons, const MapSurfaces& surfaces,
                                RadiusField::Sparse sparse = RadiusField::Sparse::even);
 
-/// The radius at a point, scene units: at most that within which k photons would lie were those of
-/// the map spread evenly over it; where the map has no photon, that of one photon.  Infinite where
-/// the map has fewer than k photons, if the field says so, and for a face without a map.  A
-/// function of the point alone.  Thread-safe.  query.radius and query.lobes do not count.
+/// Returns the radius at a point, scene units: at most the radius within which k photons would lie
+/// if the map's photons were spread evenly over it; where the map has no photon, that of one
+/// photon.  Infinite where the map has fewer than k photons, if the field says so, and for a face
+/// without a map.  A function of the point alone.  Thread-safe.  query.radius and query.lobes are
+/// not used.
 float radius_at(const RadiusField& field, const MapSurfaces& surfaces, const PhotonQuery& query);
 
 } // namespace hipmap

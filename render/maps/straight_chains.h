@@ -7,10 +7,10 @@
 
 namespace hipmap {
 
-/// The segments of one boundary with every straight chain of them as one segment, so that a
-/// boundary has as many segments however finely its faces are subdivided.  Two segments are joined
-/// where they alone meet, if no point of the chain is farther than twice `rounding` (scene units,
-/// >= 0) from the joined segment.  Cost: O(n log n).
+/// Joins every straight chain of segments into one segment, so that a boundary has as many segments
+/// however finely its faces are subdivided.  Two segments are joined where they alone meet, if no
+/// point of the chain is farther than twice `rounding` (scene units, >= 0) from the joined segment.
+/// Cost: O(n log n).
 std::vector<BoundarySegment> join_straight_chains(std::span<const BoundarySegment> segments,
                                                   float rounding);
 

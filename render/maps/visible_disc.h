@@ -13,23 +13,24 @@
 
 namespace hipmap {
 
-/// Where photons are gathered.
+/// The point and the radius of a disc in which photons are gathered.
 struct DiscQuery {
     std::array<glm::vec3, 3> face; ///< corners of the face the point lies on
     glm::vec3 point;               ///< on the face up to rounding, beyond its edges too
     float radius;                  ///< the largest that will be asked about; > 0, finite
 };
 
-/// The part of a disc around a point that can be seen from the point within the boundary of its
-/// map: docs/visible_area.md.  Everything is projected along the normal of the query's face into
-/// its plane; where the map is planar, that is exact.
+/// The part of a disc around a point that is visible from the point within the boundary of its map:
+/// docs/visible_area.md.  Everything is projected along the normal of the query's face into its
+/// plane; where the map is planar, that is exact.
 ///
-/// One object per thread, used again and again, keeps its memory.  Const functions are thread-safe.
+/// An object keeps its memory between queries and serves one thread.  Const functions are
+/// thread-safe.
 class VisibleDisc {
   public:
-    /// Looks around `query.point` past `boundary`: the segments of the map within the radius (more
-    /// do no harm), in any order.  A face without area sees everything.
-    /// Cost: nothing without segments, else O(n log n).
+    /// Computes what is visible from `query.point`.  boundary: at least the segments of the map
+    /// within the radius, in any order.  A face without area sees everything. Cost: nothing without
+    /// segments, else O(n log n).
     void look(const DiscQuery& query, std::span<const BoundarySegment> boundary)
     {
         walls_.clear();
@@ -37,16 +38,16 @@ class VisibleDisc {
             look_past(query, boundary);
     }
 
-    /// Nothing hides any of the disc.
+    /// Returns whether nothing hides any of the disc.
     bool whole() const { return walls_.empty(); }
 
-    /// Whether the straight segment from the query to `photon` crosses no boundary (A1).
+    /// Returns whether the straight segment from the query to `photon` crosses no boundary (A1).
     /// photon: within the radius.  Cost: logarithmic in the segments.
     bool sees(const glm::vec3& photon) const { return whole() || sees_past_walls(photon); }
 
-    /// Area of the visible part of the disc of radius r, square scene units (A4).
-    /// r: > 0, at most the query's radius.  Never more than pi r^2; never zero (A5).
-    /// Cost: linear in the segments.
+    /// Returns the area of the visible part of the disc of radius r, square scene units (A4). r: >
+    /// 0, at most the query's radius.  Never more than pi r^2; never zero (A5). Cost: linear in the
+    /// segments.
     double area(float r) const
     {
         return whole() ? std::numbers::pi * (double(r) * r) : area_within_walls(r);
@@ -63,7 +64,7 @@ class VisibleDisc {
         glm::dvec2 point;
         double key;
     };
-    /// A stretch of a wall that is nearest to the query.
+    /// The part of a wall that is nearest to the query.
     struct Piece {
         Mark from, to;
         std::uint32_t wall;

@@ -25,7 +25,8 @@ constexpr std::uint32_t kPhotonsEach = 4;
 /// No radius is smaller, over the widest: photons in one place have a density, too.
 constexpr float kNarrowest = 0x1p-20f;
 
-/// Of a subtree; it depends on the number of photons alone, so that every node's place is known.
+/// Returns the number of nodes of a subtree; it depends on the number of photons alone, so that
+/// every node's place is known.
 std::uint32_t nodes_of(std::uint32_t photons)
 {
     if (photons <= kLeaf)

@@ -8,24 +8,24 @@
 
 namespace hipmap {
 
-/// A radius at every point that follows the density of a pilot's photons, docs/media.md (9).
-/// Read-only once built: any number of threads may use it.
+/// A radius at every point in media that follows the density of a pilot's photons, docs/media.md
+/// (9). Read-only once built: any number of threads may use it.
 struct VolumeRadii {
     WideTree tree;             ///< of some of them
     std::vector<float> radius; ///< [n] by slot: where the k-th of all from there is
     float widest = 0.0f;       ///< where there are fewer
 };
 
-/// neighbours: k, at least 1.  widest: scene units, above zero.  In parallel; same photons, same
-/// radii.
+/// Computes the radii.  neighbours: k, at least 1.  widest: scene units, above zero.  In parallel;
+/// same photons, same radii.
 VolumeRadii find_volume_radii(const std::vector<VolumePhoton>& pilot, std::uint32_t neighbours,
                               float widest);
 
-/// Scene units, above zero.  Thread-safe.
+/// Returns the radius at a position, scene units, above zero.  Thread-safe.
 float volume_radius_at(const VolumeRadii& radii, const glm::vec3& position);
 
-/// Photons in media, each a disc that faces every ray, under a binary tree of boxes.
-/// Read-only once built: any number of threads may use it.
+/// Photons in media, each a disc that faces every ray, under a binary tree of boxes. Read-only once
+/// built: any number of threads may use it.
 struct VolumeMap {
     struct Node {
         glm::vec3 low{0.0f}, high{0.0f}; ///< of the discs below
@@ -40,12 +40,12 @@ struct VolumeMap {
     std::vector<Node> nodes;           ///< the root first; empty: no photon
 };
 
-/// shrink: of the radii, over the first.  rays: of the faces at which media end.  O(n log n).  Same
-/// photons in the same order, same map.
+/// Builds a volume map.  shrink: of the radii, relative to the first pass.  rays: of the faces at
+/// which media end.  O(n log n).  Same photons in the same order, same map.
 VolumeMap build_volume_map(const std::vector<VolumePhoton>& photons, const VolumeRadii& first,
                            float shrink, const EmbreeScene& rays);
 
-/// Radii that are taken at once, over those of the map: the first is 1, none is larger.
+/// Radii evaluated together, relative to those of the map: the first is 1, none is larger.
 using BeamScales = std::array<float, 3>;
 
 /// A part of a ray in one medium.  Borrows what it names.
@@ -55,9 +55,9 @@ struct Beam {
     const OpticalDepth& optical_depth;
 };
 
-/// Radiance that photons in the medium of a beam scatter back along it, less what is lost on the
-/// way to its near end, by each of the scales, docs/media.md (8).  Thread-safe; the sum is formed
-/// in the same order for the same map and beam.
+/// Returns the radiance that photons in the medium of a beam scatter back along it, attenuated on
+/// the way to its near end, for each of the scales, docs/media.md (8).  Thread-safe; the sum is
+/// formed in the same order for the same map and beam.
 std::array<Rgb, 3> beam_radiance(const VolumeMap& map, const Beam& beam, const BeamScales& scales);
 
 } // namespace hipmap

@@ -44,8 +44,8 @@ struct BoxDistances2 {
     FloatVec nearest, farthest;
 };
 
-/// Rounding is monotonic, so no photon of a box is nearer or farther than that.  Of a child that is
-/// not there both are infinite.
+/// Computes the distances to the boxes of a node's children.  Rounding is monotonic, so no photon
+/// of a box is nearer or farther.  For a missing child both are infinite.
 HWY_INLINE BoxDistances2 box_distances2(const BoxNode& node, std::size_t lane,
                                         const PointVec& point)
 {
@@ -65,7 +65,7 @@ HWY_INLINE BoxDistances2 box_distances2(const BoxNode& node, std::size_t lane,
 }
 
 /// Writes the distances of the photons of the first `count` blocks into rows, and those between the
-/// bounds once more into the band; returns how many are in the ball.
+/// bounds also into the band; returns how many are in the ball.
 HWY_INLINE std::size_t measure(const WideTree& tree, const PointVec& point, const Bounds2& bounds,
                                std::size_t count, TreeScratch& scratch)
 {

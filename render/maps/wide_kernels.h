@@ -9,12 +9,12 @@ namespace hipmap::tree_search {
 /// the k-th of all, and returns their number.  query.from has more than k photons.
 std::size_t collect_near(const WideTree& tree, const TreeQuery& query, TreeScratch& scratch);
 
-/// As collect, but puts blocks that are wholly nearer than bounds.low2 into scratch.whole instead;
-/// their photons count.
+/// Collects as `collect` does, but puts blocks that are wholly nearer than bounds.low2 into
+/// scratch.whole instead; their photons count.
 std::size_t collect_shell(const WideTree& tree, const TreeQuery& query, const Bounds2& bounds,
                           TreeScratch& scratch);
 
-/// Photons of some blocks in ascending order.
+/// Returns the number of photons in some blocks, which are in ascending order.
 inline std::size_t photons_in(const WideTree& tree, std::span<const std::uint32_t> blocks)
 {
     const std::size_t slots = kTreeWidth * blocks.size();
@@ -22,19 +22,20 @@ inline std::size_t photons_in(const WideTree& tree, std::span<const std::uint32_
     return has_last ? slots - (kTreeWidth * tree.blocks.size() - tree.size) : slots;
 }
 
-/// Powers of the photons in scratch.whole, and of those collected nearer than `farthest2`, and how
-/// many they are.
+/// Powers and number of the photons in scratch.whole and of those collected nearer than
+/// `farthest2`.
 struct NearerSum {
     PowerSum power;
     std::size_t nearer;
 };
 NearerSum sum_nearer(const PhotonPowers& powers, float farthest2, const TreeScratch& scratch);
 
-/// The k-th of the collected photons, or the farthest if no more than k are inside.
+/// Returns the square distance of the k-th collected photon, or of the farthest if no more than k
+/// are inside.
 float kth_of_collected(std::size_t k, const Bounds2& bounds, std::size_t inside,
                        TreeScratch& scratch);
 
-/// Sorts the `count` slots as far as the k-th into the query's order.
+/// Sorts the `count` equally far slots into the query's order and returns them.
 std::span<std::uint32_t> ties_in_order(const TreeQuery& query, std::size_t count,
                                        TreeScratch& scratch);
 
@@ -42,14 +43,14 @@ std::span<std::uint32_t> ties_in_order(const TreeQuery& query, std::size_t count
 void remember(const WideTree& tree, const TreeQuery& query, std::size_t found, float farthest2,
               TreeScratch& scratch);
 
-/// The k-th smallest of the collected distances up to bounds.high2, of which there are `inside` >=
-/// k.
+/// Returns the k-th smallest of the collected distances up to bounds.high2, of which there are
+/// `inside` >= k.
 float kth_distance2(std::size_t k, const Bounds2& bounds, std::size_t inside, TreeScratch& scratch);
 
-/// The greatest collected distance up to radius2; zero if there is none.
+/// Returns the greatest collected distance up to radius2; zero if there is none.
 float greatest_distance2(float radius2, const TreeScratch& scratch);
 
-/// Puts the collected slots nearer than `farthest2` into scratch.found, and those as far into
+/// Puts the collected slots nearer than `farthest2` into scratch.found, and those equally far into
 /// scratch.ties.
 struct Emitted {
     std::size_t nearer, as_far;

@@ -12,7 +12,7 @@ namespace tree_search {
 
 namespace {
 
-/// Of the last radius: after a step farther than this the last search bounds the next one badly.
+/// The step, relative to the last radius, after which the last search bounds the next one badly.
 constexpr float kNear = 0.5f;
 
 /// The k-th photon is looked for within so many mean changes of the radius; the mean forgets at

@@ -9,7 +9,7 @@
 
 namespace hipmap {
 
-/// What is looked for in a tree.
+/// A search of a tree.
 struct TreeQuery {
     glm::vec3 point;                                        ///< scene units, finite
     std::size_t photons;                                    ///< k, the most wanted, >= 1
@@ -19,8 +19,8 @@ struct TreeQuery {
                                           ///< first in it count as nearer; none: by slot
 };
 
-/// Memory that one thread lends to its searches: it grows, and is then reused.  It remembers the
-/// last search, which makes a near one faster but never changes what is found.
+/// Scratch memory of one thread for its searches; it grows and is reused.  It remembers the last
+/// search, which makes a near one faster but never changes what is found.
 struct TreeScratch {
     struct alignas(64) Row {
         float distance2[kTreeWidth];
@@ -51,7 +51,7 @@ struct TreeScratch {
     float kept_radius = 0.0f; ///< all leaf nodes so near are kept
 };
 
-/// What a search found; valid until its scratch is used again.
+/// The slots that a search found; valid until its scratch is used again.
 struct FoundSlots {
     std::span<std::uint32_t> slots; ///< by slot, save that the farthest comes last
     float farthest2 = 0.0f;         ///< square distance of the last
@@ -65,38 +65,39 @@ struct AcceptAll {
 /// The steps of find_nearest.
 namespace tree_search {
 
-/// Comparisons with such a point say nothing.
+/// Returns whether comparisons with the point are meaningless.
 inline bool is_nowhere(const glm::vec3& point)
 {
     return std::isnan(point.x + point.y + point.z);
 }
 
-/// How many photons a search can look at.
+/// Returns how many photons a search can look at.
 inline std::uint64_t most_photons(const WideTree& tree, const TreeQuery& query)
 {
     return query.from.level == 0 ? tree.size : photons_below(tree, query.from);
 }
 
-/// Square of the distance beyond which no photon of the tree counts.
+/// Returns the square of the distance from which on no photon of the tree counts.
 float limit2(const WideTree& tree, const TreeQuery& query);
 
-/// Squares of two distances between which the k-th photon is likely to be: by the last searches or
-/// by some photons near the point.
+/// Squares of two distances between which the k-th photon is likely to be, from the last searches
+/// or from some photons near the point.
 struct Bounds2 {
     float low2, high2;
     float surely2; ///< and of one that it does not exceed, by what was found
 };
 Bounds2 bounds2(const WideTree& tree, const TreeQuery& query, float most2, TreeScratch& scratch);
 
-/// The next bounds after some within which only `inside` of the k photons were; at most `most2`.
+/// Returns the next bounds after some within which only `inside` of the k photons were; at most
+/// `most2`.
 Bounds2 wider(const TreeQuery& query, const Bounds2& bounds, std::size_t inside, float most2);
 
-/// Fills blocks and rows with the photons within bounds.high2 and returns their number; puts
-/// those not nearer than bounds.low2 into the band.
+/// Fills blocks and rows with the photons within bounds.high2 and returns their number; puts those
+/// not nearer than bounds.low2 into the band.
 std::size_t collect(const WideTree& tree, const TreeQuery& query, const Bounds2& bounds,
                     TreeScratch& scratch);
 
-/// Puts collected photons that `accept` turns down infinitely far; returns how many are left.
+/// Moves collected photons that `accept` rejects infinitely far away; returns how many are left.
 template <typename Accept>
 std::size_t drop_rejected(float radius2, const Accept& accept, TreeScratch& scratch)
 {
@@ -115,14 +116,14 @@ std::size_t drop_rejected(float radius2, const Accept& accept, TreeScratch& scra
     return left;
 }
 
-/// The k nearest of the `inside` collected photons, or all if there are fewer.
+/// Returns the k nearest of the `inside` collected photons, or all if there are fewer.
 FoundSlots select(const WideTree& tree, const TreeQuery& query, const Bounds2& bounds,
                   std::size_t inside, TreeScratch& scratch);
 
 } // namespace tree_search
 
-/// The k nearest photons that `accept(slot)` lets through, fewer if there are no more within the
-/// radius; of equally near ones those first in the order.  Exact, whatever the scratch
+/// Finds the k nearest photons that `accept(slot)` lets through, fewer if there are no more within
+/// the radius; of equally near ones those first in the order.  Exact, whatever the scratch
 /// remembers, and in the same order on every processor.  Thread-safe with a scratch for each
 /// thread. Cost: O(k + log n) typically; nothing is allocated once the scratch has grown.
 template <typename Accept = AcceptAll>
@@ -150,16 +151,16 @@ struct NearPhoton {
     float distance2;
 };
 
-/// A photon near the point, and mostly the nearest: the nearest of the block that one comes to by
-/// the nearest box on each level.  A function of tree and point alone, the same on every processor.
-/// The tree is not empty; the point is finite.  Thread-safe.  Cost: a node on each level, no more.
+/// Returns a photon near the point, mostly the nearest: the nearest of the block reached by the
+/// nearest box on each level.  A function of tree and point alone, the same on every processor. The
+/// tree must not be empty; the point must be finite.  Thread-safe.  Cost: one node on each level.
 NearPhoton near_photon(const WideTree& tree, const glm::vec3& point);
 
-/// Kernels that this processor can run, best first: "AVX3", "AVX2", "SSE4", ...
+/// Lists the kernels that this processor can run, best first: "AVX3", "AVX2", "SSE4", ...
 std::vector<const char*> simd_targets();
 
-/// Makes all threads use one of the above; for tests and measurements.  False: there is no such
-/// one.
+/// Makes all threads use one of simd_targets(); for tests and measurements.  Returns false if there
+/// is no such target.
 bool use_simd_target(const char* name);
 
 } // namespace hipmap

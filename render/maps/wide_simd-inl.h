@@ -23,7 +23,7 @@ using Words = hn::RebindToUnsigned<Floats>;
 using FloatVec = hn::Vec<Floats>;
 using Mask = hn::Mask<Floats>;
 
-/// For each mask of 8 bits, the places of those that are set.
+/// Lists, for each mask of 8 bits, the places of the set bits.
 constexpr auto set_bits()
 {
     std::array<std::array<std::uint8_t, 8>, 256> places{};
@@ -34,8 +34,8 @@ constexpr auto set_bits()
     return places;
 }
 
-/// The lanes in the mask, moved to the front.  In place of Highway's own for 4 and 8 lanes, whose
-/// table GCC copies to the stack at every call.
+/// Moves the lanes in the mask to the front.  Replaces Highway's own for 4 and 8 lanes, whose table
+/// GCC copies to the stack at every call.
 template <class V>
 HWY_INLINE V squeeze(V v, Mask mask)
 {
@@ -65,7 +65,8 @@ HWY_INLINE std::size_t write_lanes(std::uint32_t first, Mask mask, std::uint32_t
     return hn::CountTrue(Floats(), mask);
 }
 
-/// The same of values.
+/// Writes the values of the lanes in the mask, and returns how many; up to a whole vector is
+/// written.
 HWY_INLINE std::size_t write_values(FloatVec values, Mask mask, float* out)
 {
     hn::StoreU(squeeze(values, mask), Floats(), out);

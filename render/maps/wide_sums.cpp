@@ -290,7 +290,7 @@ NearerSum sum_nearer(const PhotonPowers& powers, float farthest2, const TreeScra
 
 namespace {
 
-/// Of the first `count` photons that are exactly as far.
+/// Sums the first `count` photons that are exactly as far.
 PowerSum sum_ties(const PhotonPowers& powers, const TreeQuery& query, float farthest2,
                   std::size_t count, TreeScratch& scratch)
 {

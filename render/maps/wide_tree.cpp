@@ -22,7 +22,7 @@ using Box = Bounds<glm::vec3>;
 /// Below this a range is ordered by one thread.
 constexpr std::size_t kParallelSize = 1 << 14;
 
-/// Of the box of some 256 of the points.
+/// Returns the widest axis of the box of some 256 of the points.
 int widest_axis(std::span<const TreePoint> points)
 {
     Box box;
@@ -104,7 +104,7 @@ void sort_few(std::span<TreePoint> points)
         points[static_cast<std::size_t>(ranks[i])] = copy[i];
 }
 
-/// As std::nth_element: the lowest `count` come first.
+/// Moves the lowest `count` points to the front, as std::nth_element does.
 template <int axis>
 void split(std::span<TreePoint> points, std::size_t count)
 {
@@ -222,7 +222,7 @@ void lay_out_levels(WideTree& tree)
     tree.nodes.resize(begin);
 }
 
-/// That a full node of the level holds.
+/// Returns the number of slots that a full node of the level holds.
 std::uint64_t slots_of_node(const WideTree& tree, std::uint32_t level)
 {
     return std::uint64_t{1} << 4 * (tree.levels - level + 1);

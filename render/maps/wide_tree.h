@@ -10,10 +10,10 @@
 
 namespace hipmap {
 
-/// Photons of a block, and children of a node.
+/// The number of photons of a block, and of children of a node.
 inline constexpr std::uint32_t kTreeWidth = 16;
 
-/// What a tree is built from.
+/// A point from which a tree is built.
 struct TreePoint {
     glm::vec3 position;   ///< scene units
     std::uint32_t photon; ///< the caller's number
@@ -24,7 +24,7 @@ struct alignas(64) PhotonBlock {
     float position[3][kTreeWidth];
 };
 
-/// The boxes of a node's children; of a child that is not there, low is +inf and high is -inf.
+/// The boxes of a node's children; a missing child has low +inf and high -inf.
 struct alignas(64) BoxNode {
     float low[3][kTreeWidth];
     float high[3][kTreeWidth];
@@ -32,8 +32,8 @@ struct alignas(64) BoxNode {
 
 /// A tree of boxes, 16 children to a node, over blocks of 16 photons, docs/photon_maps.md.  It has
 /// no pointers: child j of node i of a level is node (or block) 16 i + j of the next.  A photon's
-/// slot is its place in the order of the blocks.  About 13.6 bytes a photon.
-/// Read-only once built: any number of threads may search.
+/// slot is its place in the order of the blocks.  About 13.6 bytes a photon. Read-only once built:
+/// any number of threads may search.
 struct WideTree {
     std::uint64_t number = 0;                  ///< that no other tree has, save its copies
     std::uint64_t size = 0;                    ///< photons
@@ -49,7 +49,7 @@ struct WideTree {
         const std::uint32_t lane = slot % kTreeWidth;
         return {block.position[0][lane], block.position[1][lane], block.position[2][lane]};
     }
-    /// Bytes of the arrays.
+    /// Returns the bytes of the arrays.
     std::size_t bytes() const
     {
         return blocks.size() * sizeof(PhotonBlock) + nodes.size() * sizeof(BoxNode);
@@ -63,26 +63,27 @@ struct TreeNode {
     bool operator==(const TreeNode&) const = default;
 };
 
-/// Slot of the first photon of a node.
+/// Returns the slot of the first photon of a node.
 std::uint64_t first_slot(const WideTree& tree, const TreeNode& node);
 
-/// How many photons a node holds.
+/// Returns how many photons a node holds.
 std::uint64_t photons_below(const WideTree& tree, const TreeNode& node);
 
-/// The lowest node that holds the slots from `low` to `high`, which are photons of the tree.
+/// Returns the lowest node that holds the slots from `low` to `high`, which are photons of the
+/// tree.
 TreeNode lowest_node(const WideTree& tree, std::uint64_t low, std::uint64_t high);
 
-/// Orders `points` by slot and builds their tree, in parallel.  O(n log n).
-/// Same points in the same order, same tree, at any thread count.  Positions must be finite and
-/// below 1e18, points fewer than 2^32.  None: a tree that finds nothing.
+/// Sorts `points` by slot and builds their tree, in parallel.  O(n log n). Same points in the same
+/// order, same tree, at any thread count.  Positions must be finite and below 1e18, points fewer
+/// than 2^32.  No points: a tree that finds nothing.
 WideTree build_wide_tree(std::span<TreePoint> points);
 
-/// Every n-th photon by slot, n >= 1: slots lie in the order of the tree, so that they are spread
-/// as all photons are.  `photon` is the slot.
+/// Returns every n-th photon by slot, n >= 1.  Slots lie in the order of the tree, so that the
+/// result is spread as all photons are.  `photon` is the slot.
 std::vector<TreePoint> every_nth_photon(const WideTree& tree, std::uint32_t n);
 
-/// The blocks alone, in the order of the points: for positions by slot where the search is
-/// another's.
+/// Builds the blocks alone, in the order of the points: for positions by slot where another
+/// structure is searched.
 WideTree build_blocks(std::span<const TreePoint> points);
 
 } // namespace hipmap

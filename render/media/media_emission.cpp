@@ -45,7 +45,7 @@ void add_part(const MediaSet& media, const MediumStack& inside, Ray ray,
     parts.push_back({optical_depth_along(media.density(inside.current()), ray), &medium});
 }
 
-/// Of the whole line through all faces.
+/// Returns the emissive parts of the whole line through all faces.
 std::vector<EmissivePart> emissive_parts(const MediaSet& media, Ray ray)
 {
     std::vector<EmissivePart> out;

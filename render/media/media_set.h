@@ -45,8 +45,9 @@ struct MediaSet {
     }
 };
 
-/// Nothing if no medium scatters, emits or is around, every material has a surface and dielectrics
-/// lie side by side: then glass that absorbs is all there may be.
+/// Collects the media of a scene.  Returns nothing if no medium scatters, emits or surrounds the
+/// scene, every material has a surface and dielectrics do not overlap: then the only medium may be
+/// glass that absorbs.
 std::optional<MediaSet> collect_media(const Scene& scene, const Partition& partition,
                                       const EmbreeScene& rays);
 
@@ -55,64 +56,66 @@ inline bool has_surface(const MediaSet& media, FaceId face)
     return media.has_surface[media.mesh.material_of_face[face]] != 0;
 }
 
-/// Updates `inside` for a ray that passes through a face.  front: from its front to its back.
+/// Updates `inside` for a ray that crosses a face.  front: from its front to its back.
 void cross(const MediaSet& media, FaceId face, bool front, MediumStack& inside);
 
-/// The dielectric by whose index light travels there; kNone: there is none, the index is 1.
+/// Returns the dielectric whose index of refraction applies in `inside`; kNone: there is none, the
+/// index is 1.
 MaterialId dielectric_at(const MediaSet& media, const MediumStack& inside);
 
-/// Whether a ray in `inside` meets a surface at a face: not where there is none, and not where a
-/// dielectric begins or ends within one of a higher priority, docs/media.md (12).
+/// Returns whether a ray in `inside` meets a surface at a face.  It does not where the material has
+/// no surface, nor where a dielectric begins or ends within one of a higher priority, docs/media.md
+/// (12).
 bool is_surface(const MediaSet& media, FaceId face, bool front, const MediumStack& inside);
 
-/// What a point is in, by the faces met on the way out.  Cost: some rays where it lies in the box
-/// of faces that have an inside, else none.
+/// Returns the media around a point, from the faces met on the way out.  Cost: some rays where it
+/// lies in the box of faces that have an inside, else none.
 MediumStack medium_stack_at(const MediaSet& media, const glm::vec3& point);
 
-/// Light that starts in a emissive medium.
+/// A light path that starts in an emissive medium.
 struct MediaEmission {
     Ray ray;
     Rgb power{0.0f}; ///< W / metres_per_unit^2; black: the line drawn meets no such medium
 };
 
-/// Draws a line through the media, a point on it where they emit, and a way along it,
-/// docs/media.md (10).  The mean of the power is what they send out.  Cost: a ray for each face on
-/// the line.
+/// Draws a line through the media, a point on it where they emit, and a direction along it,
+/// docs/media.md (10).  The mean of the power is the power that they emit.  Cost: a ray for each
+/// face on the line.
 MediaEmission sample_media_emission(const MediaSet& media, RandomSequence& random);
 
-/// The mean of the power of some of those paths, always the same.
+/// Returns the mean power of a fixed set of these paths.
 Rgb mean_media_emission(const MediaSet& media);
 
 /// A part of a ray that lies in one medium.
 struct MediumSegment {
     MaterialId inside = kNone; ///< kNone: around
-    Ray ray;                   ///< of which it is the part from near to far, which is finite
+    Ray ray;                   ///< the segment is its part from near to far, which is finite
     float before = 0.0f;       ///< from the start of the walk to the ray's origin
 };
 
-/// What is left of light over a segment, docs/media.md (3).
+/// Returns the transmittance of a segment, docs/media.md (3).
 inline Rgb left_along(const MediaSet& media, const MediumSegment& segment)
 {
     return transmitted(media.medium(segment.inside).extinction(),
                        total_optical_depth(media.density(segment.inside), segment.ray));
 }
 
-/// Where a walk has ended.
+/// The end of a walk through media.
 struct WalkEnd {
     std::optional<RayHit> hit; ///< its distance is from the start of the walk
     bool stopped = false;      ///< by the visitor
 };
 
-/// Boundaries without a surface that a ray crosses at most; the next one counts as opaque.
+/// The most boundaries without a surface that a ray crosses; the next one counts as opaque.
 inline constexpr int kMostBoundaries = 256;
 
-/// The part of a ray that lies in the sphere of the surrounding medium; none: near >= far.
+/// Returns the part of a ray in the sphere of the surrounding medium; none: near >= far.
 Ray within_sphere(const MediaSet& media, const Ray& ray);
 
 /// Follows a ray from boundary to boundary to the first face with a surface, or to its far end, and
-/// calls `visit(segment)` for each segment of it that holds a medium; false stops the walk.
-/// inside: what the ray starts in; at the end what it ends in, before the face.
-/// all_faces: those too that would let the ray pass.
+/// calls `visit(segment)` for each segment of it that holds a medium; false stops the walk. inside:
+/// the media at the start; at the end, those before the face. all_faces: stop also at faces that
+/// would let the ray pass.
 template <bool all_faces = false, typename Visit>
 WalkEnd walk(const MediaSet& media, Ray ray, MediumStack& inside, const Visit& visit)
 {
@@ -148,7 +151,7 @@ WalkEnd walk(const MediaSet& media, Ray ray, MediumStack& inside, const Visit& v
     return {};
 }
 
-/// What a ray between two points lets through: nothing if a face with a surface is between.
+/// Returns the transmittance between two points: black if a face with a surface is between.
 Rgb let_through(const MediaSet& media, const Ray& ray, MediumStack inside);
 
 } // namespace hipmap

@@ -9,19 +9,19 @@
 
 namespace hipmap {
 
-/// Which insides a point is in, by their materials: of those of the highest priority the last one
-/// entered is what is there.  Insides nested deeper than kMost are passed over.
+/// The media that a point is in, by their materials: of those with the highest priority, the last
+/// one entered fills the point.  Media nested deeper than kMost are ignored.
 struct MediumStack {
     static constexpr std::size_t kMost = kMattOnly ? 1 : 8;
     std::array<MaterialId, kMost> entered; ///< [count] by priority, then as entered; no more is
                                            ///<     set, as most rays enter nothing
     std::size_t count = 0;
 
-    /// priorities: [M].
+    /// Enters a medium.  priorities: [M].
     void enter(MaterialId material, const std::vector<float>& priorities);
-    /// The last one of the material; nothing if there is none.
+    /// Leaves the last medium of the material; does nothing if there is none.
     void leave(MaterialId material);
-    /// kNone: in none.
+    /// Returns the material of the medium that fills the point; kNone: none.
     MaterialId current() const { return count > 0 ? entered[count - 1] : kNone; }
 };
 

@@ -15,21 +15,23 @@ struct PlacedDensity {
     glm::vec3 cells_per_unit{0.0f};    ///< zero along axes of which the box has no length
 };
 
-/// Of the insides of all materials, each in the box of the closed meshes that wear it, and last of
-/// what is around, in the box of all faces.  [M + 1].
+/// Places the densities: one for the inside of each material, in the box of the closed meshes that
+/// have it, and last that of the surrounding medium, in the box of all faces.  [M + 1].
 std::vector<PlacedDensity> place_densities(const Scene& scene, const Partition& partition);
 
-/// Integral of the density over the part of a ray from near to far, which is finite: the length
-/// where the density is 1.  Scene units.  Cost: linear in the cells that it crosses.
+/// Returns the integral of the density over the part of a ray from near to far, which must be
+/// finite; where the density is 1 this is the length.  Scene units.  Cost: linear in the cells that
+/// it crosses.
 float total_optical_depth(const PlacedDensity& density, const Ray& part);
 
-/// That integral as a function of the distance along the ray.
+/// The integral of the density along a ray, as a function of distance: the optical depth for an
+/// extinction of 1.
 struct OpticalDepth {
-    /// Within one cell of the grid.
+    /// The part of the integral within one cell of the grid.
     struct Piece {
         glm::uvec3 cell;
         double near = 0, far = 0;   ///< along the ray
-        double before = 0, own = 0; ///< of the optical_depth
+        double before = 0, own = 0; ///< optical depth before the piece and in it
     };
     const PlacedDensity* density = nullptr;
     Ray part;
@@ -37,13 +39,15 @@ struct OpticalDepth {
     float total = 0;
 };
 
-/// Borrows the density.
+/// Computes the optical depth along a part of a ray.  Borrows the density.
 OpticalDepth optical_depth_along(const PlacedDensity& density, const Ray& part);
 
-/// From the near end to this distance along the ray.  Cost: logarithmic in the pieces.
+/// Returns the optical depth from the near end to this distance along the ray.  Cost: logarithmic
+/// in the pieces.
 float optical_depth_to(const OpticalDepth& optical_depth, float distance);
 
-/// The distance along the ray at which the optical_depth is so large; beyond all of it the far end.
+/// Returns the distance along the ray at which the optical depth reaches `size`; the far end if it
+/// never does.
 float distance_at(const OpticalDepth& optical_depth, float size);
 
 } // namespace hipmap

@@ -7,10 +7,11 @@
 
 namespace hipmap {
 
-/// A path from the eye, or a branch of one, on its way.  Integrators add what their policy needs.
+/// The state of a path from the eye, or of a branch of one.  Integrators add what their policy
+/// needs.
 struct PathState {
     Ray ray;
-    Rgb throughput{1.0f}; ///< what it brings back of light that arrives along the ray
+    Rgb throughput{1.0f}; ///< share of the light along the ray that it brings back
     Rgb absorption{0.0f}; ///< of what the ray travels in, where there are no media
     float index2 = 1.0f;  ///< square of the index of refraction around the ray
     RaySource source;
@@ -22,31 +23,32 @@ struct PathState {
 
 PathState path_from_eye(const RenderScene& scene, const Ray& ray);
 
-/// By which one path of several is picked, or ended by chance: the largest channel of its
-/// throughput; radiance scales with the square of the index, docs/light_transport.md (4).
+/// Returns the importance by which one path of several is picked, or ended at random: the largest
+/// channel of its throughput times the square of the index of refraction, with which radiance
+/// scales, docs/light_transport.md (4).
 inline float importance(const PathState& path)
 {
     return path.index2 * max_channel(path.throughput);
 }
 
-/// False: Russian roulette has ended it.
+/// Plays Russian roulette; returns false if it has ended the path.
 bool survives(PathState& path, RandomSequence& random);
 
-/// Where a ray has come.
+/// The result of following a ray.
 struct Reached {
     std::optional<RayHit> hit; ///< none: it has left the scene, or a medium has scattered it
     bool scattered = false;    ///< by a medium
 };
 
-/// Where there are no media: adds the lights on the way to a hit to `light`, if the path sees
-/// lights, and takes what glass absorbs from the throughput.
+/// Follows a ray in a scene without media: adds the lights on the way to a hit to `light`, if the
+/// path sees lights, and multiplies the throughput by what glass leaves.
 void cross_air(const RenderScene& scene, const std::optional<RayHit>& hit, bool sees_lights,
                PathState& path, Rgb& light);
 
-/// Brings the path to the next surface.  Adds to `light` what its throughput leaves of the lights
-/// on the way and of the environment behind, if it sees lights: each counts as `hit_weight` has it.
-/// through_media: () -> Reached, asked where the scene has media: takes from the throughput
-/// what they hold back, and keeps `inside`.  Thread-safe.
+/// Brings the path to the next surface.  Adds to `light` the lights on the way and the environment,
+/// times the throughput and weighted by `hit_weight`, if the path sees lights. through_media: () ->
+/// Reached, called where the scene has media: multiplies the throughput by their transmittance, and
+/// keeps `inside`.  Thread-safe.
 template <typename Through>
 inline Reached reach(const RenderScene& scene, PathState& path, bool sees_lights, Rgb& light,
                      const Through& through_media)
@@ -67,7 +69,7 @@ inline Reached reach(const RenderScene& scene, PathState& path, bool sees_lights
     return out;
 }
 
-/// The surface reached.  The interaction borrows path.inside.  Thread-safe.
+/// Returns the surface reached.  The interaction borrows path.inside.  Thread-safe.
 inline Interaction meet(const RenderScene& scene, const RayHit& hit, RandomSequence& random,
                         PathState& path)
 {
@@ -77,8 +79,8 @@ inline Interaction meet(const RenderScene& scene, const RayHit& hit, RandomSeque
     return at;
 }
 
-/// What the throughput leaves of the emission of a surface that the path has met `distance` away,
-/// counted as `hit_weight` has it.
+/// Returns the emission of a surface that the path has met `distance` away, times the throughput
+/// and weighted by `hit_weight`.
 inline Rgb met_emission(const RenderScene& scene, const Interaction& at, float distance,
                         const PathState& path)
 {
@@ -86,8 +88,8 @@ inline Rgb met_emission(const RenderScene& scene, const Interaction& at, float d
            hit_weight(scene, at.point, path.ray.direction, distance, path.source);
 }
 
-/// Sends the path on by the mirror of a surface, or through its clear glass, which was picked among
-/// others with `probability`.
+/// Sends the path on by the mirror of a surface, or through its clear glass.  probability: with
+/// which this way was picked among others.
 void go_by_mirror(const RenderScene& scene, const Interaction& at, const SpecularLobes& lobes,
                   float probability, PathState& path);
 void go_through(const RenderScene& scene, const Interaction& at, const SpecularLobes& lobes,
@@ -98,8 +100,8 @@ struct PickedLobes {
     float probability = 1.0f;
 };
 
-/// The same in a direction drawn from lobes.  Where they send nothing the throughput becomes zero.
-/// True: it goes through the surface.
+/// Sends the path on in a direction drawn from lobes.  The throughput becomes zero where they send
+/// nothing. Returns whether the path goes through the surface.
 bool go_by_lobes(const RenderScene& scene, const Interaction& at, const PickedLobes& picked,
                  RandomSequence& random, PathState& path);
 

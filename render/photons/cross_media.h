@@ -6,7 +6,7 @@
 
 namespace hipmap {
 
-/// A light path under way.
+/// The state of a light path.
 struct LightPath {
     Ray ray;
     Rgb power{0.0f};
@@ -37,7 +37,7 @@ inline bool wants_class(LightPathClass path, const Wanted& wanted)
     return false;
 }
 
-/// Whether nothing more of a path is wanted.
+/// Returns whether no further photon of a path is wanted.
 inline bool is_done(const LightPath& path, const Wanted& wanted)
 {
     if (!wanted.after_specular && path.behind == LightPathClass::caustic)
@@ -49,9 +49,9 @@ inline bool is_done(const LightPath& path, const Wanted& wanted)
     return !wanted.indirect && path.diffuse > (bounces ? 1 : 0);
 }
 
-/// Brings the path to the next surface, whatever that lets pass, through the media of a scene, and
-/// keeps the photons that are wanted of it on the way; none: it has ended, or left the scene.
-/// docs/media.md (7).
+/// Brings the path through the media of a scene to the next surface, even one that lets it pass,
+/// and keeps the wanted photons on the way.  Returns nothing if the path has ended, or left the
+/// scene. docs/media.md (7).
 std::optional<RayHit> cross_media(const MediaSet& media, const Wanted& wanted,
                                   RandomSequence& random, LightPath& path, TracedPhotons& out);
 

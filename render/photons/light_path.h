@@ -4,7 +4,7 @@
 
 namespace hipmap {
 
-/// Which classes of photon are kept of a path.
+/// The classes of photon that are kept of a path.
 struct Wanted {
     bool direct = false;
     bool caustic = false;
@@ -15,8 +15,8 @@ struct Wanted {
     bool volume = false;        ///< in media
 };
 
-/// Follows a light path through the scene to its end, and adds the photons that are wanted of it,
-/// and where its power went, to `out`.  docs/light_transport.md (9), (10).
+/// Traces a light path through the scene to its end, and adds the wanted photons, and where its
+/// power went, to `out`.  docs/light_transport.md (9), (10).
 void trace_light_path(const RenderScene& scene, const Wanted& wanted, const EmittedPath& start,
                       RandomSequence& random, TracedPhotons& out);
 

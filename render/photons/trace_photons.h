@@ -23,7 +23,7 @@ struct PhotonOptions {
     bool media = false; ///< keep photons in media, and those that come from there to surfaces
 };
 
-/// No photon.
+/// Marks the absence of a photon.
 inline constexpr std::uint64_t kNoPhoton = ~std::uint64_t{0};
 
 /// A photon whose light came by a diffuse bounce, straight or through specular surfaces.
@@ -34,9 +34,8 @@ struct BouncedPhoton {
     bool from_caustic;  ///< it is one of the caustic photons, else of the global ones
 };
 
-/// Where the power of the light paths that were not aimed went, W / metres_per_unit^2.  Light that
-/// is left out counts as absorbed.
-/// emitted = absorbed + escaped in expectation.
+/// The power of the light paths that were not aimed, by where it went, W / metres_per_unit^2.
+/// Light that is left out counts as absorbed. emitted = absorbed + escaped in expectation.
 struct PowerBalance {
     glm::dvec3 emitted{0.0};
     glm::dvec3 absorbed{0.0};

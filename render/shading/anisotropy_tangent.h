@@ -7,10 +7,10 @@
 
 namespace hipmap {
 
-/// The direction on the surface along which a material's reflections are anisotropic
+/// Returns the direction on the surface along which a material's anisotropic reflections are widest
 /// (KHR_materials_anisotropy): that of its texture if it has one, else the tangent, turned by its
-/// rotation.  Unit, across the shading normal; none where the mesh has no tangents and no texture
-/// could lie.  Thread-safe.  Cost: a texture read.
+/// rotation.  Unit, across the shading normal; none where the mesh has neither tangents nor texture
+/// coordinates.  Thread-safe.  Cost: a texture read.
 std::optional<glm::vec3> anisotropy_tangent(const Scene& scene, const SurfacePoint& point,
                                             const glm::vec2& barycentric);
 

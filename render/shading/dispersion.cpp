@@ -32,7 +32,8 @@ glm::dvec3 response(double w)
     return glm::max(rgb, glm::dvec3(0));
 }
 
-/// Of the bins: running probability at their ends, and what light drawn from them weighs.
+/// The spectrum by bins: running probability at their ends, and the weight of light drawn from
+/// them.
 struct Spectrum {
     std::array<float, kBins> cumulative;
     std::array<Rgb, kBins> weight;

@@ -19,9 +19,9 @@ class GatheredLobes {
             look_through_layers();
     }
 
-    /// f(wi, wo), per steradian, relative to the cosine of `in` to the shading normal, with what is
-    /// folded, docs/light_transport.md (19).  Of light from the other side, what is transmitted
-    /// diffusely.  in: unit, away from the surface.
+    /// Returns f(wi, wo), per steradian, relative to the cosine of `in` to the shading normal, with
+    /// folded light, docs/light_transport.md (19).  For light from the other side, returns the
+    /// diffuse transmission.  in: unit, away from the surface.
     Rgb operator()(const glm::vec3& in) const
     {
         const float cosine = glm::dot(view_.normal, in);
@@ -30,11 +30,12 @@ class GatheredLobes {
         return bsdf_.is_diffuse ? eval(bsdf_.all[0].lobe, view_, in) : of_all(in, cosine);
     }
 
-    /// Factor of f that depends on no photon: enough where all gathered lobes of the scene are
-    /// separable, and photons carry the factor of `in`, docs/photon_maps.md (1).
+    /// Returns the factor of f that depends on no photon: enough where all gathered lobes of the
+    /// scene are separable, and photons carry the factor of `in`, docs/photon_maps.md (1).
     const Rgb& base() const { return base_; }
 
-    /// That factor for light from the other side, docs/light_transport.md (32).
+    /// Returns the factor of f for light from the other side that depends on no photon,
+    /// docs/light_transport.md (32).
     const Rgb& behind() const { return behind_; }
 
   private:
@@ -42,7 +43,7 @@ class GatheredLobes {
     Rgb of_all(const glm::vec3& in, float cosine) const;
     Rgb reflected(const PlacedLobe& lobe, const glm::vec3& in, float cosine) const;
 
-    /// Light from the other side.  cosine: of `in` to the shading normal's opposite.
+    /// Returns f for light from the other side.  cosine: of `in` to the shading normal's opposite.
     Rgb transmitted(const glm::vec3& in, float cosine) const;
 
     const Interaction& at_;

@@ -9,7 +9,7 @@
 
 namespace hipmap {
 
-/// What a point of a medium has instead of a surface: no lobes.
+/// The surface of a point in a medium: it has no lobes.
 inline const Bsdf kNoSurface;
 
 /// A ray that has met a surface, or a medium that scatters it.  Both normals lie on the side that
@@ -28,40 +28,40 @@ struct Interaction {
     float opacity = 1.0f;     ///< share of the light that the face stops there
     std::uint8_t side = 0;    ///< 0 or 1: of the connected surface, the same for all its faces
     const PhaseFunction* phase = nullptr; ///< of a medium; null: at a surface.  Borrowed
-    const MediumStack* inside = nullptr;  ///< what the ray came through; null: there are no media
+    const MediumStack* inside = nullptr;  ///< the media of the ray; null: the scene has none
     const Bsdf* worn = &kNoSurface;       ///< of the material by its factors.  Borrowed
     std::optional<Bsdf> own;              ///< instead of that, where textures change it
 
     const Bsdf& bsdf() const { return own ? *own : *worn; }
-    /// Cosines of `back`.
+    /// Returns the cosines of `back`.
     Incidence seen() const
     {
         return has_coat_normal() ? Incidence(cosine, glm::dot(back, coat_normal))
                                  : Incidence(cosine);
     }
-    /// A surface whose diffuse lobe, which may be black, is all there is to it.
+    /// Returns whether the surface has only a diffuse lobe, which may be black.
     bool is_diffuse() const { return kMattOnly || bsdf().is_diffuse; }
-    /// Photons are gathered here, or light of a medium.
+    /// Returns whether photons are gathered here, at a surface or in a medium.
     bool gathers() const { return phase != nullptr || bsdf().gathers; }
     bool follows() const { return bsdf().follows; }
     bool has_coat_normal() const { return coat_normal != glm::vec3(0); }
     bool in_media() const { return !kMattOnly && inside != nullptr; }
 };
 
-/// Cost: constant.  Thread-safe.
+/// Computes the interaction at a hit.  Cost: constant.  Thread-safe.
 Interaction interact(const RenderScene& scene, const Ray& ray, const RayHit& hit);
 
-/// A point of a medium.  back: as in Interaction.  Borrows the other two.
+/// Makes an interaction at a point of a medium.  back: as in Interaction.  Borrows the other two.
 Interaction scattering_point(const glm::vec3& position, const glm::vec3& back,
                              const PhaseFunction& phase, const MediumStack& inside);
 
-/// What a ray that leaves the point is in: something else on the other side of a surface.  Nothing
-/// where there are no media.
+/// Returns the media of a ray that leaves the point; they differ on the two sides of a surface.
+/// Nothing where there are no media.
 MediumStack medium_stack_towards(const RenderScene& scene, const Interaction& at,
                                  const glm::vec3& direction);
 
-/// What reaches the point of light along a shadow ray from there: 0 or 1, and with media in the way
-/// what they leave of it.
+/// Returns the transmittance along a shadow ray from the point: 0 or 1, or less than 1 with media
+/// in the way.
 Rgb unoccluded_in_media(const RenderScene& scene, const Interaction& at, const Ray& shadow);
 inline Rgb unoccluded(const RenderScene& scene, const Interaction& at, const Ray& shadow)
 {
@@ -69,28 +69,28 @@ inline Rgb unoccluded(const RenderScene& scene, const Interaction& at, const Ray
                          : Rgb(scene.rays.occluded(shadow) ? 0.0f : 1.0f);
 }
 
-/// The first surface that a ray from the point meets; `left` is multiplied with what media on the
-/// way leave of light.
+/// Returns the first surface that a ray from the point meets; multiplies `left` by the
+/// transmittance of media on the way.
 std::optional<RayHit> first_surface(const RenderScene& scene, const Interaction& at, const Ray& ray,
                                     Rgb& left);
 
 /// The ray reflected by a mirror.
 Ray mirror_ray(const Interaction& at);
 
-/// Cosines of a unit direction away from the surface.  cosine: its own to the shading normal.
+/// Returns the cosines of a unit direction away from the surface.  cosine: to the shading normal.
 inline Incidence incidence(const Interaction& at, const glm::vec3& direction, float cosine)
 {
     return at.has_coat_normal() ? Incidence(cosine, glm::dot(direction, at.coat_normal))
                                 : Incidence(cosine);
 }
 
-/// Index of refraction on the other side over that on the side of `back`.
+/// Returns the index of refraction on the transmitted side over that on the side of `back`.
 inline float eta_behind(const Interaction& at)
 {
     return at.solid && !at.front ? 1 / at.ior : at.ior;
 }
 
-/// The surface as a lobe at a depth is seen from `back`.
+/// Returns the surface as a lobe at a depth is seen from `back`.
 inline LobeView view_of(const Interaction& at, Depth depth)
 {
     LobeView out{at.shading_normal, at.back, at.cosine, at.tangent, eta_behind(at), at.solid};
@@ -101,29 +101,29 @@ inline LobeView view_of(const Interaction& at, Depth depth)
     return out;
 }
 
-/// The ray that goes on through the surface; eta as in SpecularLobes.
+/// Returns the ray that crosses the surface; eta as in SpecularLobes.
 Ray transmitted_ray(const Interaction& at, float eta);
 
-/// Absorption per scene unit beyond the surface, for a ray that was transmitted there; none where
-/// the scene's media have it.
+/// Returns the absorption per scene unit behind the surface, for a ray that was transmitted there;
+/// none where the scene's media have it.
 Rgb absorption_behind(const Interaction& at);
 
-/// What is left after `distance` in an absorbing inside (Beer-Lambert), docs/light_transport.md
-/// (8).
+/// Returns the transmittance of `distance` in an absorbing inside (Beer-Lambert),
+/// docs/light_transport.md (8).
 inline Rgb transmittance(const Rgb& absorption, float distance)
 {
     return is_black(absorption) ? Rgb(1) : glm::exp(-absorption * distance);
 }
 
-/// Takes that from what a ray carries.
+/// Multiplies a throughput by the transmittance of `distance`.
 inline void absorb(const Rgb& absorption, float distance, Rgb& throughput)
 {
     if (!kMattOnly && !is_black(absorption))
         throughput *= glm::exp(-absorption * distance);
 }
 
-/// Veach's correction for particles at a surface with a shading normal, docs/light_transport.md
-/// (9). towards: where the particle goes on, unit.
+/// Returns Veach's correction for particles at a surface with a shading normal,
+/// docs/light_transport.md (9). towards: the direction in which the particle continues, unit.
 float particle_correction(const Interaction& at, const glm::vec3& towards);
 
 } // namespace hipmap

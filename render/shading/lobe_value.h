@@ -4,16 +4,17 @@
 
 namespace hipmap {
 
-/// Cosines of a direction on either side; those on the other side count as if on this one.
+/// Returns the cosines of a direction on either side, with absolute values for the transmitted
+/// side.
 inline Incidence incidence_on_side(const Interaction& at, const glm::vec3& in)
 {
     const float cosine = glm::dot(in, at.shading_normal);
     return cosine < 0 ? incidence(at, -in, -cosine) : incidence(at, in, cosine);
 }
 
-/// f |cos| of a lobe for light from `in`, through the layers above it on the way in alone, and
-/// without what is folded.  The cosine is to the lobe's own normal.  in: on the side from which the
-/// lobe takes light, by that normal.
+/// Returns f |cos| of a lobe for light from `in`, attenuated by the layers above it on the way in
+/// alone, and without folded light.  The cosine is to the lobe's own normal.  in: on the side from
+/// which the lobe takes light, by that normal.
 inline Rgb value_of(const Interaction& at, const PlacedLobe& lobe, const LobeView& view,
                     const glm::vec3& in)
 {
@@ -23,7 +24,8 @@ inline Rgb value_of(const Interaction& at, const PlacedLobe& lobe, const LobeVie
                       : value;
 }
 
-/// About the share of light from `back` that a lobe scatters, through the layers above it.
+/// Returns about the share of light from `back` that a lobe scatters, attenuated by the layers
+/// above it.
 inline Rgb albedo_of(const Interaction& at, const PlacedLobe& lobe)
 {
     const Rgb alone = albedo(lobe.lobe, view_of(at, lobe.depth));

@@ -16,16 +16,17 @@ inline constexpr float kMirrorRoughness = 0.02f;
 /// from photons.  Rough glass is always followed.  For photons, eye paths and path tracer alike.
 inline constexpr float kFollowedRoughness = 0.3f;
 
-/// Rough glass of exactly the index of its surroundings would be no surface at all.
+/// The least index ratio of rough glass: with exactly the index of its surroundings it would have
+/// no surface.
 inline constexpr float kLeastRoughIndex = 1.001f;
 
-/// GGX width of facets; 0: a mirror.
+/// Returns the GGX width of facets; 0: a mirror.
 inline float alpha_of(float roughness)
 {
     return roughness > kMirrorRoughness ? roughness * roughness : 0;
 }
 
-/// What becomes of an opaque reflection.
+/// Returns how an opaque reflection of this roughness is handled.
 inline Lobes handled_at(float roughness)
 {
     if (alpha_of(roughness) == 0)
@@ -33,10 +34,10 @@ inline Lobes handled_at(float roughness)
     return roughness <= kFollowedRoughness ? Lobes::followed : Lobes::gathered;
 }
 
-/// The lobes and layers of a material at a point.  A material without a boundary has none.
+/// Makes the lobes and layers of a material at a point.  A material without a boundary has none.
 Bsdf make_bsdf(const Material& material, const MaterialPoint& at, DiffuseModel model);
 
-/// [M] of each material of the scene, by its factors alone.
+/// Makes the lobes and layers of each material of the scene, [M], from its factors alone.
 std::vector<Bsdf> make_bsdfs(const std::vector<Material>& materials, DiffuseModel model);
 
 } // namespace hipmap

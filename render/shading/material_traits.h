@@ -4,12 +4,12 @@
 
 namespace hipmap {
 
-/// Whether any point of the material can have a specular lobe: one that makes caustics.  bsdf: by
-/// its factors.
+/// Returns whether any point of the material can have a specular lobe, which makes caustics.  bsdf:
+/// by its factors.
 bool may_be_specular(const Material& material, const Bsdf& bsdf);
 
-/// Whether any point of the material may gather by a lobe that is not separable, so that photons
-/// must keep the direction they came from.
+/// Returns whether any point of the material may gather by a lobe that is not separable, so that
+/// photons must keep the direction they came from.
 bool may_gather_by_direction(const Material& material, const Bsdf& bsdf, DiffuseModel model);
 
 } // namespace hipmap

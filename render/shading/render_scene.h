@@ -12,7 +12,7 @@
 
 namespace hipmap {
 
-/// A scene with all that rendering derives from it.  Borrows scene and partition, which must
+/// A scene with everything that rendering derives from it.  Borrows scene and partition, which must
 /// outlive it.  Read-only: any number of threads may use it.
 struct RenderScene {
     const Scene& scene;
@@ -36,16 +36,16 @@ struct RenderScene {
     bool directional = false; ///< photons are weighed by the direction they came from: some surface
                               ///<   gathers by a lobe that is not separable
 
-    /// map: the environment map that the scene names, or an empty one.
+    /// Builds the scene.  map: the environment map that the scene names, or an empty one.
     RenderScene(const Scene& from_scene, const Partition& from_partition, EnvironmentMap map = {});
     RenderScene(RenderScene&&) = delete; // media borrow the rays, lights the rest
 
     const TriangleMesh& mesh() const { return scene.mesh; }
     bool has_media() const { return !kMattOnly && media.has_value(); }
-    /// Dielectrics lie in one another.
+    /// Returns whether the scene has nested dielectrics.
     bool has_nested() const { return has_media() && media->nested; }
     bool is_clear() const { return kMattOnly || clear; }
-    /// The same at all points.
+    /// Returns whether the material is the same at all points.
     bool is_plain(MaterialId material) const
     {
         return kMattOnly || all_plain || plain[material] != 0;
@@ -53,16 +53,16 @@ struct RenderScene {
     bool is_lit_by_faces() const { return kMattOnly || lit_by_faces; }
 };
 
-/// Radiance that a point of a face emits from the sides that emit.
+/// Returns the radiance that a point of a face emits, from the sides that emit.
 Rgb emission_at(const RenderScene& scene, FaceId face, const glm::vec2& barycentric);
 
-/// Whether the side of a face that `direction` leaves (unit, away from the face) may emit.
+/// Returns whether the side of a face that `direction` leaves (unit, away from the face) may emit.
 inline bool emits_towards(const Bsdf& bsdf, const SurfacePoint& point, const glm::vec3& direction)
 {
     return bsdf.emits_behind || glm::dot(direction, point.geometric_normal) > 0;
 }
 
-/// Radiance that a face emits towards `direction` (unit, away from the face).
+/// Returns the radiance that a face emits towards `direction` (unit, away from the face).
 inline Rgb emitted_radiance(const Bsdf& bsdf, const SurfacePoint& point, const glm::vec3& direction)
 {
     return emits_towards(bsdf, point, direction) ? bsdf.emission : Rgb(0);

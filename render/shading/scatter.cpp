@@ -114,7 +114,7 @@ ScatterSample sample_in_medium(const Interaction& at, Lobes lobes, RandomSequenc
     return out;
 }
 
-/// Of a direction drawn from a lobe, below its layers.
+/// Draws a direction from a lobe below its layers.
 LobeSample sample_below(const Interaction& at, const PlacedLobe& lobe, RandomSequence& random)
 {
     LobeSample out = sample(lobe.lobe, view_of(at, lobe.depth), random);

@@ -9,14 +9,14 @@ namespace hipmap {
 // medium, which is a gathered lobe.  Each of the sets `gathered` and `followed` has a pdf of
 // its own; with the specular lobes they are all that there is.
 
-/// What lobes do with light from a direction.
+/// The value and the pdf of lobes for light from a direction.
 struct Scattered {
     Rgb value{0.0f};  ///< f(wi, wo) |cos wi|, per steradian; of radiance, from wi to at.back
     float pdf = 0.0f; ///< probability per steradian that `sample_scatter` draws wi
 };
 
-/// in: unit, away from the surface, on either side.  Zero where the lobes send nothing.
-/// Thread-safe. docs/light_transport.md (16), (17).
+/// Evaluates lobes.  in: unit, away from the surface, on either side.  Zero where the lobes send
+/// nothing. Thread-safe. docs/light_transport.md (16), (17).
 Scattered scattered(const Interaction& at, const glm::vec3& in, Lobes lobes);
 
 /// A direction drawn from lobes.
@@ -31,19 +31,19 @@ struct ScatterSample : LobeSample {
 /// exact.  Thread-safe.
 ScatterSample sample_scatter(const Interaction& at, Lobes lobes, RandomSequence& random);
 
-/// A direction drawn from one lobe of the surface for a particle.  Its weight stays bounded: by
-/// what a facet drawn reflects and transmits, or by the albedo of a diffuse lobe.
+/// Draws a direction from one lobe of the surface for a particle.  Its weight stays bounded: by
+/// what the facet drawn reflects and transmits, or by the albedo of a diffuse lobe.
 LobeSample sample_lobe(const Interaction& at, const PlacedLobe& lobe, RandomSequence& random);
 
-/// About the share of light that the lobes scatter, for probabilities: zero only if they scatter
-/// none.
+/// Returns about the share of light that the lobes scatter, for probabilities: zero only if they
+/// scatter none.
 Rgb scattered_share(const Interaction& at, Lobes lobes);
 
-/// Shares of light from (or to) `back` that smooth lobes reflect and transmit.  Zero where all
-/// lobes are spread.
+/// Returns the shares of light from (or to) `back` that smooth lobes reflect and transmit.  Zero
+/// where all lobes are spread.
 SpecularLobes specular_lobes(const Interaction& at);
 
-/// The ray along a direction drawn.
+/// Returns the ray along a drawn direction.
 Ray scattered_ray(const Interaction& at, const LobeSample& sample);
 
 } // namespace hipmap

@@ -8,10 +8,9 @@
 
 namespace hipmap {
 
-/// Spheres that together hold every face with a specular lobe: where light must go first if it is
-/// to make a caustic (Jensen 1996, projection maps).  Empty: the scene has no such face.
-/// At most kMostTargets, however many faces there are.  bsdfs: of the materials.  Cost: linear in
-/// faces.
+/// Returns spheres that together hold every face with a specular lobe, at which light is aimed to
+/// make caustics (Jensen 1996, projection maps).  Empty: the scene has no such face. At most
+/// kMostTargets, however many faces there are.  bsdfs: of the materials.  Cost: linear in faces.
 std::vector<TargetSphere> find_specular_targets(const Scene& scene, const std::vector<Bsdf>& bsdfs);
 
 } // namespace hipmap

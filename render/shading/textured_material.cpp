@@ -26,7 +26,7 @@ glm::vec4 vertex_colour(const Scene& scene, FaceId face, const glm::vec2& baryce
     return interpolate(scene.mesh.attributes.colours, scene.mesh.corners[face], barycentric);
 }
 
-/// As many points as the face covers pixels of its texture, 16 to 4096.
+/// Returns the number of pixels of its texture that a face covers, clamped to 16 to 4096.
 std::size_t points_on(const Scene& scene, FaceId face, TextureUse use)
 {
     constexpr double kFewest = 16, kMost = 4096;

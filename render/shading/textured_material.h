@@ -25,7 +25,7 @@ struct MaterialPoint {
     Rgb diffuse_transmission_color{1.0f};
 };
 
-/// A vertex attribute between the corners of a face.
+/// Interpolates a vertex attribute between the corners of a face.
 template <typename Value>
 Value interpolate(const std::vector<Value>& values, const glm::uvec3& corners,
                   const glm::vec2& barycentric)
@@ -34,34 +34,36 @@ Value interpolate(const std::vector<Value>& values, const glm::uvec3& corners,
            values[corners.y] * barycentric.x + values[corners.z] * barycentric.y;
 }
 
-/// A texture at a point of a face that has its coordinates: linear, 0 to 1.
+/// Samples a texture at a point of a face that has its coordinates: linear, 0 to 1.
 glm::vec4 read_slot(const Scene& scene, const TextureSlot& slot, FaceId face,
                     const glm::vec2& barycentric);
 
-/// The material's factors alone.
+/// Returns the material's factors alone.
 MaterialPoint material_factors(const Material& material);
 
-/// Whether textures of the kind are rendered.
+/// Returns whether textures of this use are rendered.
 bool is_rendered(TextureUse use);
 
-/// Whether textures make a material differ from point to point in what a MaterialPoint holds.
+/// Returns whether textures make a material differ from point to point in what a MaterialPoint
+/// holds.
 bool varies(const Material& material);
 
-/// Whether textures tilt the normal of a material or that of the clear coat that it has.
+/// Returns whether textures tilt the normal of a material or that of its clear coat.
 bool tilts(const Material& material);
 
-/// [M] 1: it varies by textures, or colours of vertices of some face that wears it.  O(F + M).
+/// Returns [M] 1 for materials that vary by textures, or by vertex colours of some face.  O(F + M).
 std::vector<std::uint8_t> varying_materials(const Scene& scene);
 
-/// The factors times textures and the vertices' colours at a point of a face.
-/// barycentric: weights of the second and third corner.  Thread-safe.  Cost: some texture reads.
+/// Returns the factors times textures and the vertices' colours at a point of a face. barycentric:
+/// weights of the second and third corner.  Thread-safe.  Cost: some texture reads.
 MaterialPoint material_at(const Scene& scene, FaceId face, const glm::vec2& barycentric);
 
-/// Radiance that a face emits, averaged over it: of as many points as its part of the texture has
-/// pixels, 16 to 4096.  Black only if all of them are.
+/// Returns the radiance that a face emits, averaged over it: over as many points as its part of the
+/// texture has pixels, 16 to 4096.  Black only if all of them are.
 Rgb mean_emission(const Scene& scene, FaceId face);
 
-/// Alpha there: the factor times the base colour's texture and the vertices' alpha, 0 to 1.
+/// Returns alpha at a point: the factor times the base colour's texture and the vertices' alpha, 0
+/// to 1.
 float alpha_at(const Scene& scene, FaceId face, const glm::vec2& barycentric);
 
 } // namespace hipmap

@@ -30,7 +30,7 @@ inline double out_of_ball(double reflectance, double passed)
     return reflectance + once / (1 - reflectance * passed);
 }
 
-/// The same for a ball of radius 1 and a ray that passes its middle at `offset`, below 1.
+/// Returns what leaves a ball of radius 1 along a ray that passes its middle at `offset`, below 1.
 /// absorption: per radius.
 inline double out_of_ball_at(double offset, double eta, double absorption)
 {

@@ -42,7 +42,8 @@ inline Rgb particle_weights(const Interaction& at, Lobes lobes, RandomSequence& 
     return sum;
 }
 
-/// The same with its shading normal tilted, so that much of what it reflects lies behind the face.
+/// Returns lit_surface with its shading normal tilted, so that much of what it reflects lies behind
+/// the face.
 inline Interaction tilted_surface(const Material& material, const glm::vec3& back)
 {
     Interaction at = lit_surface(material, back);

@@ -35,7 +35,7 @@ inline Scene make_scene(TriangleMesh mesh)
     return scene;
 }
 
-/// The same faces with three vertices of their own each.
+/// Returns the faces of a mesh with three vertices of their own each.
 inline TriangleMesh split_all(const TriangleMesh& mesh)
 {
     std::vector<glm::vec3> positions;

@@ -17,7 +17,7 @@ constexpr int kSize = 32;   ///< pixels a side
 constexpr int kBlocks = 4;  ///< a side, whose means are compared
 constexpr int kImages = 12; ///< of a scene, by different seeds
 
-/// The bundled scene with a mirror, coloured glass and a emissive mesh, or with a light instead.
+/// The bundled scene with a mirror, coloured glass and an emissive mesh, or with a light instead.
 tiny::GltfFile cornell(bool light)
 {
     tiny::GltfFile file =
