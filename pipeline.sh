@@ -39,7 +39,7 @@ name=${name%.*}
 out=${2:-out/$name}
 frames=${3:-}
 [[ $frames =~ ^([0-9]+(:[0-9]+)?)?$ ]] ||
-    fail_usage "$frames: no range of frames; write FIRST:LAST, as 1:24"
+    fail_usage "$frames: not a range of frames; write FIRST:LAST, such as 1:24"
 
 "$root/.ci/setup.sh" release preprocess render
 

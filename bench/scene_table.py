@@ -56,7 +56,7 @@ def judge(legal, code, errors):
         return "crashed"
     if code == 2 and (len(errors) != 1 or not errors[0].startswith("error: ")):
         return "not one line of error"
-    if legal is True and code == 2 and "no faces, so nothing to do" not in errors[0]:
+    if legal is True and code == 2 and "the scene has no faces" not in errors[0]:
         return "legal, but refused"
     if legal is False and code == 0:
         return "illegal, but accepted"

@@ -24,7 +24,7 @@ struct Arguments {
 void add_arguments(CLI::App& app, Arguments& arguments)
 {
     app.add_option("VDB", arguments.vdb, "OpenVDB file to read")->required()->type_name("FILE.vdb");
-    app.add_option("-o,--output", arguments.output, "Grid of densities to write")
+    app.add_option("-o,--output", arguments.output, "Density grid to write")
         ->required()
         ->type_name("FILE.vol");
     app.add_option("--grid", arguments.grid,
@@ -53,9 +53,9 @@ int convert(const Arguments& arguments)
     report.line("grid '" + grid.name + "': " + std::to_string(n.x) + " x " + std::to_string(n.y) +
                 " x " + std::to_string(n.z) + " values, y up");
     report.line("box: " + written(grid.low) + " to " + written(grid.high) +
-                "; the mesh of the medium is to fill it");
+                "; the mesh of the medium should fill this box");
     if (grid.negative > 0)
-        report.warn(std::to_string(grid.negative) + " values are below 0, and count as 0");
+        report.warn(std::to_string(grid.negative) + " values below 0 were set to 0");
     write_density(arguments.output, grid.density, grid.low, grid.high);
     report.line("wrote " + arguments.output.string());
     return kExitDone;
@@ -70,7 +70,7 @@ int main(int argc, char** argv)
     return hipmap::run_tool([&] {
         hipmap::Arguments arguments;
         CLI::App app(
-            "Turns a grid of an OpenVDB file into a .vol that a medium's density may name.",
+            "Converts a grid of an OpenVDB file into a .vol file for the density of a medium.",
             "vdb_to_vol");
         app.set_version_flag("--version", "vdb_to_vol " HIPMAP_VERSION);
         hipmap::add_arguments(app, arguments);

@@ -47,7 +47,7 @@ FloatGrid::Ptr read_grid(const std::filesystem::path& path, std::string& name)
         if (grid->isType<FloatGrid>())
             return openvdb::gridPtrCast<FloatGrid>(grid);
         fail(path, "grid " + quote_name(name) + " is of " + grid->valueType() +
-                       "; one of floats is needed");
+                       "; a grid of floats is needed");
     } catch (const openvdb::Exception& error) {
         fail(path, "OpenVDB cannot read it (" + std::string(error.what()) + "); write it again");
     }
@@ -61,7 +61,7 @@ struct Placement {
 Placement placement_of(const FloatGrid& grid, const std::filesystem::path& path)
 {
     if (!grid.transform().isLinear())
-        fail(path, "its voxels are not all alike; resample it without perspective");
+        fail(path, "its voxels differ in size; resample it without perspective");
     const openvdb::math::Mat4d m = grid.transform().baseMap()->getAffineMap()->getMat4();
     Placement out;
     for (int row = 0; row < 3; ++row)
@@ -110,7 +110,7 @@ VdbGrid read_vdb(const std::filesystem::path& path, const std::string& name, UpA
     const FloatGrid::Ptr grid = read_grid(path, out.name);
     const openvdb::CoordBBox box = grid->evalActiveVoxelBoundingBox();
     if (box.empty())
-        fail(path, "grid " + quote_name(out.name) + " has no active voxel: there is no smoke");
+        fail(path, "grid " + quote_name(out.name) + " has no active voxels, so there is no smoke");
     const Placement placed = placement_of(*grid, path);
     for (int axis = 0; axis < 3; ++axis) {
         const std::int64_t nodes = std::int64_t{box.max()[axis]} - box.min()[axis] + 1;

@@ -22,12 +22,12 @@ void print_summary(const PartitionSummary& summary, double angle_deg, Report& re
         report.warn(sentence);
 }
 
-/// Makes the partition of a scene, by that of the frame before, if there was one.
+/// Makes the partition of a scene, reusing the previous frame's if there is one.
 void make_partition(const PreprocessArguments& arguments, const Scene& scene,
                     std::optional<PreviousFrame>& frame, Report& report)
 {
     if (frame && frame->result.partition.scene == fingerprint(scene)) {
-        report.line("no face has moved since the frame before: its partition serves");
+        report.line("frame unchanged: reusing the previous partition");
         frame->result.summary.passes.clear();
         return;
     }
@@ -51,11 +51,11 @@ std::vector<LegendedPicture> paint_pictures(const PreprocessArguments& arguments
         arguments.images, scene, result.partition, size.width, size.height);
     for (const LegendedPicture& picture : pictures)
         report.line("wrote " + picture.path.string());
-    result.summary.passes.push_back({"paint pictures", painting.seconds()});
+    result.summary.passes.push_back({"paint images", painting.seconds()});
     return pictures;
 }
 
-/// frame: the one before, if there was one; becomes this one.
+/// frame: the previous frame, if there is one; becomes this one.
 int preprocess(const PreprocessArguments& arguments, SceneSource& source,
                std::optional<PreviousFrame>& frame)
 {

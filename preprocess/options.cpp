@@ -29,7 +29,7 @@ std::vector<OptionRow> partition_rows(PreprocessArguments& arguments)
             {.name = "weld",
              .section = kPartitionSection,
              .field = number_field(arguments.weld_metres, {0, kMostWeld}, "M"),
-             .help = "Merge vertices no farther apart than this, in metres; 0: only those at the "
+             .help = "Merge vertices within this distance, in metres; 0: only vertices at the "
                      "same position"}};
 }
 
@@ -102,7 +102,7 @@ void check_outputs(const PreprocessArguments& arguments)
             continue;
         for (const std::filesystem::path& other : used)
             if (same_file(path, other))
-                throw InputError(path.string() + ": would be written over " + other.string() +
+                throw InputError(path.string() + ": would overwrite " + other.string() +
                                  "; name another file");
         used.push_back(path);
         check_writable(path);

@@ -52,17 +52,17 @@ std::vector<std::string> describe(const PartitionSummary& summary, double angle_
                     " degrees or more), " + std::to_string(summary.edges[2]) + " border, " +
                     std::to_string(summary.edges[3]) + " non-manifold");
     if (summary.edges_in_band > 0)
-        lines.push_back("edges: " + std::to_string(summary.edges_in_band) + " of them at " +
-                        angle.str() + " degrees but for rounding, taken as unconnected");
+        lines.push_back("edges: " + std::to_string(summary.edges_in_band) + " at " + angle.str() +
+                        " degrees up to rounding, counted as unconnected");
     lines.push_back(counted(summary.maps.size(), "shared map") +
                     (summary.maps.empty() ? "" : "; " + describe_largest(summary)));
     if (summary.bridged_edges > 0)
         lines.push_back("seams: " + counted(summary.bridged_edges, "edge") +
-                        " beyond which a surface goes on without sharing vertices; " +
-                        counted(summary.joined_maps, "map") + " joined to others there");
+                        " across which a surface continues without shared vertices; " +
+                        counted(summary.joined_maps, "map") + " joined there");
     if (summary.contacts > 0)
         lines.push_back("contacts: " + counted(summary.contacts, "piece") +
-                        " of boundary where one surface stands on another or cuts through it");
+                        " of boundary where one surface stands on another or intersects it");
     lines.push_back("local maps: " + counted(summary.candidates, "candidate") + " among " +
                     counted(summary.faces, "face"));
     if (summary.groups > 0)
@@ -80,20 +80,20 @@ std::vector<std::string> describe_defects(const PartitionSummary& summary)
                         " without area: kept, but without a map");
     if (defects.flipped_faces > 0)
         lines.push_back(counted(defects.flipped_faces, "face") +
-                        " wound against the rest of their surface: taken as turned");
+                        " with reversed winding: treated as flipped");
     if (defects.non_manifold_edges > 0)
         lines.push_back(counted(defects.non_manifold_edges, "edge") +
                         " of three or more faces: no photons are shared across them");
     if (defects.cut_edges > 0)
         lines.push_back(counted(defects.cut_edges, "edge") +
-                        " of surfaces with one side (like a Moebius strip): cut open there");
+                        " of one-sided surfaces (such as a Moebius strip): cut open there");
     if (defects.refused_faces > 0)
         lines.push_back(counted(defects.refused_faces, "face") +
-                        " that no half-edge mesh can hold: kept, without neighbours");
+                        " rejected by the half-edge mesh: kept, without neighbours");
     if (summary.given_up > 0)
         lines.push_back(
-            counted(summary.given_up, "time") +
-            " a face or edge met too many faces to look at all: boundaries may be missing there");
+            counted(summary.given_up, "place") +
+            " where too many faces touch a face or edge: boundaries may be missing there");
     return lines;
 }
 

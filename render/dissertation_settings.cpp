@@ -29,7 +29,7 @@ OptionRow irradiance_row(GatheredIrradiance& irradiance)
             .section = kDissertationSection,
             .field = choice_field<GatheredIrradiance>(irradiance, kIrradiances),
             .help = "Irradiance at the end of a final-gather ray: estimated there, or precomputed "
-                    "at a quarter of the photons (Christensen), which is off by some percent of "
+                    "at a quarter of the photons (Christensen), with an error of some percent of "
                     "indirect light and no faster",
             .changes = Changes::passes,
             .only_with = {{"precomputed", "integrator", {"progressive"}}}};

@@ -17,10 +17,9 @@ EnvironmentMap load_sky(const Scene& scene, double turn_deg)
         const Rgb& pixel = map.pixels[i];
         const auto width = static_cast<std::size_t>(map.width);
         if (!(std::min({pixel.x, pixel.y, pixel.z}) >= 0))
-            throw InputError(
-                scene.environment_map_file + ": pixel (" + std::to_string(i % width) + ", " +
-                std::to_string(i / width) +
-                ") is below zero; a sky has no such radiance, write the picture again");
+            throw InputError(scene.environment_map_file + ": pixel (" + std::to_string(i % width) +
+                             ", " + std::to_string(i / width) +
+                             ") is below zero, which radiance cannot be; write the image again");
     }
     const double whole_turn_deg = scene.environment_turn_deg + turn_deg;
     return make_environment_map(map, scene.environment_strength,

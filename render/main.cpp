@@ -26,7 +26,7 @@ void print_preparation(const PreparedFrame& frame, Report& report)
     if (frame.arguments.frames.asked())
         report.line("frame " + std::to_string(frame.arguments.frames.first));
     print_audit(report, frame.loaded.audit);
-    report.line("effects: " + list_effects(frame.effects) + " (--explain says why)");
+    report.line("effects: " + list_effects(frame.effects) + " (--explain gives reasons)");
 }
 
 void write_results(const PreparedFrame& frame, const RenderedFrame& rendered, Report& report)
@@ -58,7 +58,7 @@ int render(const RenderArguments& request, SceneSource& source, PreviousFrame* p
     if (rendered.result.reason == StopReason::caller) {
         report.line("stopped by a signal after " +
                     std::to_string(count(rendered.state.film.passes)) +
-                    " passes; the image holds what was done");
+                    " passes; the image holds these passes");
         return kExitStopped;
     }
     return kExitDone;
@@ -73,8 +73,8 @@ int render_frames(const RenderArguments& arguments)
     const std::vector<std::filesystem::path>& images = arguments.files.images;
     if (arguments.frames.last > arguments.frames.first && !arguments.files.exposure_ev &&
         std::any_of(images.begin(), images.end(), is_exposed))
-        Report().line("assumed: each frame is exposed by itself, so brightness may jump "
-                      "(--exposure EV holds it)");
+        Report().line("assumed: each frame gets its own exposure, so brightness may jump; "
+                      "--exposure EV fixes it");
     SceneSource source(arguments.scene, arguments.scene_options);
     PreviousFrame previous;
     const bool further = arguments.frames.last > arguments.frames.first;
@@ -93,7 +93,7 @@ int render_main(int argc, char** argv)
 {
     hipmap::RenderArguments arguments;
     CLI::App app("Renders a scene with photon maps split along its partition.  `render merge` "
-                 "adds up what several runs kept by --state; see render merge --help.",
+                 "combines the states that several runs kept by --state; see render merge --help.",
                  "render");
     app.set_version_flag("--version", "render " HIPMAP_VERSION);
     hipmap::add_arguments(app, arguments);
@@ -108,7 +108,7 @@ int render_main(int argc, char** argv)
 int merge_main(int argc, char** argv)
 {
     hipmap::MergeArguments arguments;
-    CLI::App app("Adds up the passes of states of one render, and writes their image.",
+    CLI::App app("Combines the passes of several states of one render and writes their image.",
                  "render merge");
     hipmap::add_arguments(app, arguments);
     if (const std::optional<int> code = hipmap::parse_arguments(app, argc, argv))

@@ -15,7 +15,7 @@ RenderState read_states(const std::vector<std::filesystem::path>& paths)
     for (std::size_t i = 1; i < paths.size(); ++i)
         merge_state(state, read_state(paths[i]), paths[i]);
     if (count(state.film.passes) == 0)
-        throw InputError(paths[0].string() + ": holds no pass yet; render some first");
+        throw InputError(paths[0].string() + ": has no passes yet; render some first");
     look_at_error(state);
     return state;
 }
@@ -28,12 +28,12 @@ int merge_states(const MergeArguments& arguments)
     const OutputFiles& files = arguments.files;
     check_outputs(files);
     const RenderState state = read_states(arguments.states);
-    report.line(std::to_string(count(state.film.passes)) + " passes of " +
+    report.line(std::to_string(count(state.film.passes)) + " passes from " +
                 std::to_string(arguments.states.size()) +
                 (arguments.states.size() == 1 ? " state" : " states"));
     if (!state.checks.empty()) {
         report.line(describe_error(state.checks.back()));
-        report.line(describe_price(state, 0));
+        report.line(describe_cost(state, 0));
     }
     if (!files.state.empty()) {
         write_state(files.state, state);

@@ -37,10 +37,9 @@ void complete_arguments(RenderArguments& arguments)
     for (const std::filesystem::path& image : arguments.files.images)
         image_format(image); // refuses an unknown suffix
     if (arguments.files.images.empty() && !arguments.quote && !arguments.explain)
-        throw InputError(
-            "--output is required; give an image to write with -o, --quote or --explain");
+        throw InputError("--output is missing; give an image with -o, or use --quote or --explain");
     if (arguments.quote && !arguments.files.state.empty())
-        throw InputError("--quote keeps no passes; leave out --state");
+        throw InputError("--quote keeps no passes; remove --state");
     if (!may_end(arguments.stops))
         arguments.stops.passes = kDefaultPasses;
     if (arguments.quote)

@@ -64,7 +64,7 @@ std::optional<LegendedPicture> write_error_image(const std::filesystem::path& pa
                                                  Report& report)
 {
     if (checks.empty()) {
-        report.warn(path.string() + ": not written; the error is known from two passes on");
+        report.warn(path.string() + ": not written; an error image needs two passes or more");
         return std::nullopt;
     }
     const std::vector<double> errors = relative_errors(film);
@@ -126,44 +126,55 @@ std::string percent(double share)
     return text.str();
 }
 
+std::string brief_time(double seconds)
+{
+    std::ostringstream text;
+    if (seconds < 9.95)
+        text << std::setprecision(2) << seconds << " s";
+    else if (seconds < 99.5)
+        text << std::lround(seconds) << " s";
+    else if (seconds < 99.5 * 60)
+        text << std::lround(seconds / 60) << " min";
+    else
+        text << std::fixed << std::setprecision(seconds < 36'000 ? 1 : 0) << seconds / 3600 << " h";
+    return text.str();
+}
+
 std::string describe_error(const ErrorCheck& check)
 {
     const ImageError& error = check.error;
     std::string text = "accuracy: error " + percent(error.error);
     if (std::isfinite(error.high))
-        text += " (95 %: " + percent(error.low) + " to " + percent(error.high) + ")";
+        text += " (95 % confidence: " + percent(error.low) + " to " + percent(error.high) + ")";
     if (error.bias == BiasKnowledge::unknown)
-        text += " by noise only; the bias of estimates from the k nearest photons is not known";
+        text += " of noise alone; the bias of estimates from the k nearest photons is unknown";
     if (error.bias == BiasKnowledge::from_radii)
         text += "; noise " + percent(std::sqrt(error.noise2)) + ", bias " +
                 percent(std::sqrt(std::max(error.bias2, 0.0)));
     return text;
 }
 
-std::string describe_price(const RenderState& state, double target)
+std::string describe_cost(const RenderState& state, double target)
 {
     const ErrorCheck& last = state.checks.back();
     const ErrorLaw law = error_law(state.checks, state.radius_decay);
     const bool of_target = target > 0 && target / 2 < last.error.error;
-    const Price half = price_of(state.checks, law, (of_target ? target : last.error.error) / 2, 0);
-    const double before = error_after(law, static_cast<double>(last.passes) / 2);
-    std::string text = "price: " + percent(last.error.error) + " took " +
-                       std::to_string(last.passes) + " passes and " + format_seconds(last.seconds);
+    const ErrorCost half =
+        error_cost(state.checks, law, (of_target ? target : last.error.error) / 2, 0);
+    std::string text = "cost: " + percent(last.error.error) + " in " + std::to_string(last.passes) +
+                       " passes, " + brief_time(last.seconds);
     if (!std::isfinite(half.passes) || last.error.error == 0)
         return text;
-    text += of_target ? "; half the error asked for, " + percent(half.error) + ","
-                      : "; half that error";
-    text += " takes " + whole(half.passes) + " and " + format_seconds(half.seconds) +
-            ", half the time gave " + percent(before);
-    return text;
+    return text + "; " + percent(half.error) + " would take about " + whole(half.passes) +
+           " passes, " + brief_time(half.seconds);
 }
 
-std::vector<Price> price_list(const RenderState& state, double target)
+std::vector<ErrorCost> error_costs(const RenderState& state, double target)
 {
     const std::vector<ErrorCheck>& checks = state.checks;
-    std::vector<Price> prices;
+    std::vector<ErrorCost> costs;
     if (checks.empty() || !(checks.back().error.error > 0))
-        return prices;
+        return costs;
     std::vector<double> errors = {0.2, 0.1, 0.05, 0.02, 0.01, 0.005, checks.back().error.error / 2};
     if (target > 0)
         errors.insert(errors.end(), {target, target / 2});
@@ -171,8 +182,8 @@ std::vector<Price> price_list(const RenderState& state, double target)
     errors.erase(std::unique(errors.begin(), errors.end()), errors.end());
     const ErrorLaw law = error_law(checks, state.radius_decay);
     for (const double error : errors)
-        prices.push_back(price_of(checks, law, error, state.photons_per_pass));
-    return prices;
+        costs.push_back(error_cost(checks, law, error, state.photons_per_pass));
+    return costs;
 }
 
 std::uint64_t peak_memory()

@@ -18,8 +18,8 @@ void choose_reflections(const RenderArguments& arguments, LoadedScene& loaded)
         loaded.scene.diffuse_model = *arguments.diffuse;
     else if (loaded.scene.diffuse_model == DiffuseModel::burley)
         loaded.audit.assumed.push_back(
-            "matt surfaces reflect as in the Blender that wrote the file (Burley's diffuse; "
-            "--diffuse lambert is glTF's own)");
+            "diffuse surfaces use Burley's model, as the Blender that wrote the file does; "
+            "--diffuse lambert uses glTF's model");
     for (Material& material : loaded.scene.materials)
         material.energy_compensation = arguments.energy_compensation;
 }
@@ -33,11 +33,11 @@ void choose_environment_map(const RenderArguments& arguments, LoadedScene& loade
         loaded.scene.environment_turn_deg = 0;
     }
     if (!loaded.scene.environment_map_file.empty())
-        loaded.audit.found.push_back("a picture of the sky, " + loaded.scene.environment_map_file);
+        loaded.audit.found.push_back("environment map " + loaded.scene.environment_map_file);
 }
 
-/// As many as a pass has samples: then photons cost a small part of it wherever rays cost more, and
-/// are about as dense as what looks at them.  Within bounds: few are of no use, and maps of many
+/// Returns as many photons as a pass has samples, within bounds: photons then cost a small part of
+/// a pass and are about as dense as the rays that read them.  Few are of no use, and maps of many
 /// would fill the memory.
 std::uint64_t default_photons(const PictureSize& size, int samples)
 {

@@ -2,6 +2,7 @@
 
 #include "render/outputs.h"
 
+#include <iomanip>
 #include <sstream>
 
 namespace hipmap {
@@ -14,7 +15,7 @@ void print_photons(const RenderStatistics& statistics, Report& report)
     line << "photons: " << statistics.emitted << " light paths";
     if (statistics.aimed > 0)
         line << " and " << statistics.aimed << " aimed at specular surfaces";
-    line << " left " << statistics.global.stored << " global and " << statistics.caustic.stored
+    line << " stored " << statistics.global.stored << " global and " << statistics.caustic.stored
          << " caustic photons";
     if (statistics.volume_photons > 0)
         line << ", and " << statistics.volume_photons << " in media";
@@ -43,11 +44,11 @@ void warn_of_dropped(const RenderStatistics& statistics, const Film& film, Repor
 {
     if (film.saturated > 0)
         report.warn(std::to_string(film.saturated) +
-                    " values were too large for the film and count as the largest it takes");
+                    " pixel values exceeded the range of the film and were clamped");
     const std::uint64_t dropped = statistics.dropped_photons + statistics.dropped_samples;
     if (dropped > 0)
         report.warn(std::to_string(dropped) +
-                    " photons or samples were not finite and were left out");
+                    " photons or samples were not finite and were dropped");
 }
 
 } // namespace
@@ -67,18 +68,18 @@ void print_error(const RenderArguments& arguments, const RenderState& state, Rep
     if (state.checks.empty())
         return;
     report.line(describe_error(state.checks.back()));
-    report.line(describe_price(state, arguments.stops.error));
+    report.line(describe_cost(state, arguments.stops.error));
     if (!arguments.quote)
         return;
-    for (const Price& price : price_list(state, arguments.stops.error)) {
+    for (const ErrorCost& cost : error_costs(state, arguments.stops.error)) {
         std::ostringstream line;
-        line << "an error of " << percent(price.error) << " takes " << price.passes << " passes, "
-             << format_seconds(price.seconds);
+        line << "cost of " << percent(cost.error) << " error: " << cost.passes << " passes, "
+             << brief_time(cost.seconds);
         if (arguments.render.integrator != Integrator::path)
-            line << ", " << price.photons << " light paths";
+            line << ", " << std::fixed << std::setprecision(0) << cost.photons << " light paths";
         report.line(line.str());
     }
-    report.line("memory, for any of them: " + std::to_string(peak_memory() >> 20) + " MiB");
+    report.line("memory at any of these errors: " + std::to_string(peak_memory() >> 20) + " MiB");
 }
 
 } // namespace hipmap

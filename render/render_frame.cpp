@@ -14,7 +14,7 @@ RenderState begin_or_resume(const PreparedFrame& frame, const PassSource& source
     if (!frame.found)
         return state;
     merge_state(state, *frame.found, frame.arguments.files.state);
-    report.line("going on with " + std::to_string(count(state.film.passes)) + " passes of " +
+    report.line("resuming with " + std::to_string(count(state.film.passes)) + " passes from " +
                 frame.arguments.files.state.string());
     return state;
 }
@@ -27,7 +27,7 @@ std::string describe_stops(const StopRules& stops)
     if (std::isfinite(stops.seconds))
         text += ", " + format_seconds(stops.seconds);
     if (stops.error > 0)
-        text += ", to an error of " + percent(stops.error);
+        text += ", until the error is " + percent(stops.error);
     return text;
 }
 
@@ -88,8 +88,8 @@ RenderedFrame render_passes(PreparedFrame& frame, SceneSource& source, PreviousF
     out.state = begin_or_resume(frame, passes, report);
     out.result = render_with_progress(frame.arguments, passes, stop, out.state, report);
     if (cache != nullptr && cache->served > 0)
-        report.line("photons of " + std::to_string(cache->served) +
-                    " passes are those of the frame before: only the camera has moved");
+        report.line("only the camera moved: reused the photon maps of " +
+                    std::to_string(cache->served) + " passes");
     return out;
 }
 
@@ -101,7 +101,7 @@ RenderedFrame render_frame(PreparedFrame& frame, SceneSource& source, PreviousFr
     if (previous == nullptr)
         return render_passes(frame, source, previous, stop, report);
     if (previous->rendered && previous->settings == frame.settings && !frame.found) {
-        report.line("nothing has moved since the frame before: its image serves");
+        report.line("frame unchanged: reusing the previous image");
         if (!frame.arguments.files.state.empty())
             write_state(frame.arguments.files.state, previous->rendered->state);
         RenderedFrame out = *previous->rendered;

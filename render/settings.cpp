@@ -57,7 +57,7 @@ void parse_error_image(const std::string& text, std::filesystem::path& error_ima
 {
     error_image = text;
     if (image_format(error_image) != ImageFormat::png)
-        throw InputError(text + ": the picture of the error is .png; -o FILE.exr holds the error "
+        throw InputError(text + ": the error image must be .png; -o FILE.exr holds the error "
                                 "by pixel in numbers");
 }
 
@@ -137,7 +137,7 @@ std::vector<OptionRow> method_rows(RenderArguments& arguments)
             {.name = "alpha",
              .section = kMethodSection,
              .field = number_field(render.alpha, {0.01, 0.99}, "A"),
-             .help = "How slowly the radii of --integrator progressive shrink: less leaves less "
+             .help = "Decay of the radii of --integrator progressive; a smaller value gives less "
                      "bias and more noise",
              .changes = Changes::passes,
              .only_with = {{"", "integrator", {"progressive"}}}},
@@ -166,7 +166,7 @@ std::vector<OptionRow> image_rows(RenderArguments& arguments)
             {.name = "samples",
              .section = kImageSection,
              .field = number_field(render.samples, {1, kMostSamples}),
-             .help = "Samples of each pixel in a pass, on average: pixels where they help get more",
+             .help = "Mean samples of each pixel in a pass; noisy pixels get more",
              .changes = Changes::passes},
             {.name = "filter",
              .section = kImageSection,
@@ -192,7 +192,8 @@ std::vector<OptionRow> effect_rows(RenderArguments& arguments)
                                                   : SettingValue(text_of(arguments.effects));
              },
              "LIST"),
-         .help = "Effects to leave out, as -caustics,-textures; +NAME takes back an earlier -NAME",
+         .help =
+             "Effects to leave out, such as -caustics,-textures; +NAME cancels an earlier -NAME",
          .changes = Changes::scene},
         {.name = "diffuse",
          .section = kEffectsSection,
@@ -205,8 +206,8 @@ std::vector<OptionRow> effect_rows(RenderArguments& arguments)
          .section = kEffectsSection,
          .field = flag_field(arguments.energy_compensation),
          .help =
-             "Give rough metal back the light that its microfacets scatter more than once, "
-             "which glTF's own reflection loses (60 % at roughness 1); rough glass still loses it",
+             "Multiple scattering of rough metal: adds the light that its microfacets scatter "
+             "more than once, which glTF's model loses (60 % at roughness 1); not for rough glass",
          .changes = Changes::scene}};
 }
 
@@ -217,31 +218,31 @@ std::vector<OptionRow> end_rows(RenderArguments& arguments)
         {.name = "passes",
          .section = kEndSection,
          .field = number_or_none_field(stops.passes, StopRules().passes, {1, kMostPassesAsked}),
-         .help = "End after so many independent passes, whose images are averaged",
+         .help = "End after this many independent passes, whose images are averaged",
          .unset = std::to_string(kDefaultPasses) + ", unless --time or --error is given"},
         {.name = "time",
          .section = kEndSection,
          .field = number_or_none_field(stops.seconds, StopRules().seconds, {0, kMostSeconds}, "S"),
-         .help = "End after so many seconds of rendering"},
+         .help = "End after this many seconds of rendering"},
         {.name = "error",
          .section = kEndSection,
          .field = parsed_field(
              [&](const std::string& text) { stops.error = parse_error(text); },
              [&] { return stops.error > 0 ? SettingValue(stops.error) : SettingValue(); }, "E%"),
-         .help = "End when the estimated error (root mean square, relative) is so small, as "
+         .help = "End when the estimated error (root mean square, relative) is at most this, "
                  "5%"},
         {.name = "quote",
          .section = kEndSection,
          .field = flag_field(arguments.quote),
-         .help = "Only render a few passes and print what smaller errors would cost"},
+         .help = "Render a few passes and print what smaller errors would cost"},
         {.name = "state",
          .section = kEndSection,
          .field = file_field(arguments.files.state),
-         .help = "Keep the passes in this file, and resume with those it holds"},
+         .help = "Keep the passes in this file, and resume from it if it exists"},
         {.name = "first-pass",
          .section = kEndSection,
          .field = number_field(stops.first_pass, {0, kMostFirstPass}),
-         .help = "Number of the first pass, for passes to be merged with others"}};
+         .help = "Number of the first pass, for runs to be merged with others"}};
 }
 
 std::vector<OptionRow> speed_rows(RenderArguments& arguments)
@@ -258,7 +259,7 @@ OptionRow shutter_row(RenderArguments& arguments)
     return {.name = "shutter",
             .section = kAnimationSection,
             .field = number_field(arguments.shutter, {0, kLongestShutter}, "FRAMES"),
-            .help = "Motion blur: for how many frames the shutter is open, half of them before the "
+            .help = "Motion blur: shutter time in frames, half of it before the "
                     "frame's moment; Blender's is 0.5",
             .changes = Changes::scene,
             .needs = "frames"};

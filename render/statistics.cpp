@@ -143,14 +143,14 @@ Json check_json(const ErrorCheck& check)
 Json error_json(const RenderState& state, double target)
 {
     static const char* const kBias[] = {"none", "unknown", "from radii"};
-    Json checks = Json::array(), prices = Json::array();
+    Json checks = Json::array(), costs = Json::array();
     for (const ErrorCheck& check : state.checks)
         checks.push_back(check_json(check));
-    for (const Price& price : price_list(state, target))
-        prices.push_back({{"error", price.error},
-                          {"passes", price.passes},
-                          {"seconds", price.seconds},
-                          {"photons", price.photons}});
+    for (const ErrorCost& cost : error_costs(state, target))
+        costs.push_back({{"error", cost.error},
+                         {"passes", cost.passes},
+                         {"seconds", cost.seconds},
+                         {"photons", cost.photons}});
     const ErrorLaw law = error_law(state.checks, state.radius_decay);
     return {{"bias", kBias[static_cast<int>(state.film.bias)]},
             {"checks", checks},
@@ -160,7 +160,7 @@ Json error_json(const RenderState& state, double target)
               {"photon_power", law.photon_power},
               {"by_bias", law.by_bias},
               {"bias_power", law.bias_power}}},
-            {"prices", prices},
+            {"prices", costs},
             {"memory", peak_memory()}};
 }
 

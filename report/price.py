@@ -40,7 +40,7 @@ def sentences_of(error, last):
         yield (f"Noise {percent(last['noise'])}, bias {percent(math.sqrt(max(last['bias2'], 0)))}: "
                "both vanish with more passes.")
     elif error.get("bias") == "unknown":
-        yield "By noise alone: the bias of estimates from the k nearest photons is not known."
+        yield "By noise alone: the bias of estimates from the k nearest photons is unknown."
     half = [entry for entry in error.get("prices", [])
             if math.isclose(entry["error"], last["error"] / 2, rel_tol=1e-6)]
     if half and half[0]["seconds"] is not None:

@@ -40,7 +40,7 @@ int parse_pixels(const std::string& digits, const std::string& text)
         value = std::stoi(digits);
     if (value < 1 || value > kMostPixelsAcross)
         throw CLI::ValidationError("--size", "'" + text +
-                                                 "' is not a picture size; write WIDTHxHEIGHT or "
+                                                 "' is not an image size; write WIDTHxHEIGHT or "
                                                  "WIDTH in pixels, 1 to 65536");
     return value;
 }
@@ -77,10 +77,10 @@ int run_tool(const std::function<int()>& body)
         print_error(problem.what());
         return kExitInput;
     } catch (const std::bad_alloc&) {
-        print_error("out of memory; a smaller picture or fewer photons need less");
+        print_error("out of memory; use a smaller image or fewer photons");
         return kExitDefect;
     } catch (const std::exception& problem) {
-        print_error(std::string("a defect in hipmap: ") + problem.what());
+        print_error(std::string("internal error, please report it: ") + problem.what());
         return kExitDefect;
     }
 }

@@ -14,7 +14,7 @@ int parse_frame(const std::string& digits, const std::string& text)
     const bool number = !digits.empty() && digits.size() <= 6 &&
                         digits.find_first_not_of("0123456789") == std::string::npos;
     if (!number)
-        throw CLI::ValidationError("--frames", "'" + text + "' is no range of frames; write " +
+        throw CLI::ValidationError("--frames", "'" + text + "' is not a range of frames; write " +
                                                    "FIRST:LAST or one number, 0 to " +
                                                    std::to_string(kMostFrame));
     return std::stoi(digits);

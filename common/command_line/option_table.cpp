@@ -8,7 +8,7 @@ namespace hipmap {
 
 namespace {
 
-/// As in the table, but short: 0.666667.
+/// Formats a value as the table does, but short: 0.666667.
 struct ShortText {
     template <typename Value>
     std::string operator()(const Value& value) const
@@ -98,7 +98,7 @@ void check_combinations(const std::vector<OptionRow>& rows, const std::vector<Op
                 continue;
             throw InputError("--" + row.name + " " + value + " needs --" + rule.option + " " +
                              alternatives(rule.values) + ", not " + other +
-                             "; change that, or leave out --" + row.name);
+                             "; change it, or remove --" + row.name);
         }
 }
 

@@ -15,7 +15,7 @@ void parse_environment(const std::string& text, SceneOptions& options, SkyOption
     double radiance = 0;
     const bool is_number = CLI::detail::lexical_cast(text, radiance);
     if (is_number && !(radiance >= 0 && radiance <= kMostRadiance))
-        throw CLI::ValidationError("--environment", text + " is no radiance from 0 to 1e12");
+        throw CLI::ValidationError("--environment", text + " is not a radiance from 0 to 1e12");
     sky.map_file = is_number ? "" : text;
     // With an environment map, the loader must not take the scene for one without light.
     options.environment = Rgb(is_number ? static_cast<float>(radiance) : 1.0f);
@@ -35,7 +35,7 @@ OptionRow environment_row(SceneOptions& options, SkyOptions& sky)
             .field = parsed_field(
                 [&](const std::string& text) { parse_environment(text, options, sky); },
                 [&] { return environment_of(options, sky); }, "RADIANCE|FILE"),
-            .help = "Radiance of a uniform sky, W/(m2 sr), or an environment map by longitude and "
+            .help = "Radiance of a uniform sky, W/(m2 sr), or an environment map in longitude and "
                     "latitude, .hdr, .exr or .pfm",
             .unset = "none; 1 if the scene has no light at all",
             .changes = Changes::scene};
@@ -61,7 +61,7 @@ std::vector<OptionRow> scene_rows(SceneOptions& options, SkyOptions& sky)
             {.name = "environment-turn",
              .section = kSceneSection,
              .field = number_field(sky.turn_deg, {-360, 360}, "DEG"),
-             .help = "Degrees by which the environment map is turned, counter-clockwise from above",
+             .help = "Rotation of the environment map in degrees, counter-clockwise from above",
              .changes = Changes::scene},
             {.name = "exclude",
              .section = kSceneSection,

@@ -30,7 +30,7 @@ constexpr std::int64_t kMaxPixels = std::int64_t(1) << 28; // a header may promi
 
 [[noreturn]] void fail(const std::filesystem::path& path, const std::string& what)
 {
-    throw InputError(path.string() + ": " + what + "; write the picture again");
+    throw InputError(path.string() + ": " + what + "; write the image again");
 }
 
 bool plausible_size(std::int64_t width, std::int64_t height)
@@ -83,7 +83,7 @@ Image read_pfm(const std::filesystem::path& path, const std::vector<std::byte>& 
         fail(path, "the header of this PFM file is damaged");
     if (static_cast<std::int64_t>(text.size()) != channels * 4 * *width * *height)
         fail(path, "the PFM file has " + std::to_string(text.size()) +
-                       " bytes of pixels and its header says otherwise");
+                       " bytes of pixels, which does not match its header");
 
     Image image(*width, *height);
     const char* at = text.data();
@@ -151,7 +151,7 @@ Image read_any(const std::filesystem::path& path)
     case ImageFormat::ppm:
         break;
     }
-    throw InputError(path.string() + ": 8-bit pictures hold no radiance; give .exr, .pfm or .hdr");
+    throw InputError(path.string() + ": 8-bit images hold no radiance; use .exr, .pfm or .hdr");
 }
 
 } // namespace

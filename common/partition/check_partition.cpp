@@ -39,7 +39,7 @@ std::string defect_of_faces(const Partition& p)
         if (!(p.reach[face] >= 0))
             return place() + " has no valid reach";
         if (!(p.self_distance[face] >= 0) || p.kept_edges[face] > 7)
-            return place() + " has no valid clearance";
+            return place() + " has no valid self-distance";
         if (map == kNone && p.candidate[face])
             return place() + " has no map but asks for a local one";
     }
@@ -100,7 +100,7 @@ std::string defect_of_boundaries(const Partition& p)
         if (edge >= p.edge_class.size() || (i > 0 && edge <= p.bridged_edges[i - 1]) ||
             (p.edge_class[edge] != EdgeClass::border &&
              p.edge_class[edge] != EdgeClass::non_manifold))
-            return "bridged edge " + std::to_string(i) + " is none";
+            return "bridged edge " + std::to_string(i) + " is not valid";
     }
     const auto finite = [](const glm::vec3& v) {
         return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);

@@ -205,7 +205,7 @@ void check_partition_of(const Partition& partition, const Scene& scene,
     if (mine == theirs && partition.scene == fingerprint(scene))
         return;
     const std::string faces =
-        mine == theirs ? "as many faces, but not the same"
+        mine == theirs ? "the same number of faces, but different ones"
                        : std::to_string(mine) + " faces, the scene has " + std::to_string(theirs);
     throw InputError(path.string() + ": made for another scene (" + faces +
                      "); run preprocess on this scene again");

@@ -29,21 +29,21 @@ void choose_camera(LoadedScene& loaded, const SceneOptions& options,
                 path, "--camera " + quote_name(options.camera),
                 names.empty()
                     ? "the file has no cameras; export as glTF with Include > Cameras ticked"
-                    : "no such camera; there are " + list_names(names));
+                    : "no such camera; choose one of " + list_names(names));
         scene.camera = static_cast<std::size_t>(at - names.begin());
     }
     if (names.empty()) {
         scene.cameras.push_back(framing_camera(scene.mesh));
-        loaded.audit.assumed.push_back("no camera in the file: one that frames everything, from " +
-                                       scene.cameras[0].name +
-                                       "; export as glTF with Include > Cameras ticked");
+        loaded.audit.assumed.push_back(
+            "no camera in the file: using one that frames everything, from " +
+            scene.cameras[0].name + "; export as glTF with Include > Cameras ticked");
     } else if (names.size() == 1) {
         loaded.audit.found.push_back("camera " + quote_name(names[0]));
     } else {
         loaded.audit.found.push_back(
-            counted(names.size(), "camera") + ": " + list_names(names) + "; taking " +
+            counted(names.size(), "camera") + ": " + list_names(names) + "; using " +
             quote_name(names[scene.camera]) +
-            (options.camera.empty() ? " (--camera NAME takes another)" : ""));
+            (options.camera.empty() ? " (--camera NAME selects another)" : ""));
     }
 }
 
@@ -82,21 +82,21 @@ bool note_lights(const Scene& scene, const std::vector<std::size_t>& faces, Scen
     for (std::size_t i = 0; i < scene.materials.size(); ++i) {
         if (is_black(scene.materials[i].emission) || faces[i] == 0)
             continue;
-        audit.found.push_back("glowing material " + quote_name(scene.materials[i].name) + " on " +
+        audit.found.push_back("emissive material " + quote_name(scene.materials[i].name) + " on " +
                               counted(faces[i], "face"));
         has_light = true;
     }
     for (std::size_t i = 0; i < scene.materials.size(); ++i)
         if (!is_black(scene.materials[i].medium_emission) && faces[i] > 0) {
-            audit.found.push_back("glowing medium in " + quote_name(scene.materials[i].name));
+            audit.found.push_back("emissive medium in " + quote_name(scene.materials[i].name));
             has_light = true;
         }
     if (scene.around.emits()) {
-        audit.found.push_back("a glowing medium around the scene");
+        audit.found.push_back("emissive medium around the scene");
         has_light = true;
     }
     if (!dark.empty())
-        audit.warnings.push_back("no power in light " + list_names(dark) + ": it lights nothing");
+        audit.warnings.push_back("light without power: " + list_names(dark));
     return has_light;
 }
 
@@ -111,21 +111,21 @@ void choose_sky(LoadedScene& loaded, bool has_light, const SceneOptions& options
     if (options.environment) {
         loaded.scene.environment = *options.environment;
         if (!has_light && is_black(*options.environment))
-            loaded.audit.warnings.push_back("nothing shines and the sky is dark: the picture will "
-                                            "be black; see --environment");
+            loaded.audit.warnings.push_back("the scene has no light and the sky is dark: the image "
+                                            "will be black; see --environment");
         return;
     }
     if (!is_black(loaded.scene.environment)) {
-        loaded.audit.found.push_back("a sky of the scene's own (world_color)");
+        loaded.audit.found.push_back("sky colour of the scene (world_color)");
         return;
     }
     if (has_light)
         return;
     loaded.scene.environment = Rgb(kSkyRadiance);
     loaded.audit.assumed.push_back(
-        "no light in the file: a uniform grey sky of radiance 1 (--environment changes it); export "
-        "as glTF with Include > Punctual Lights ticked; area lights and the world are never "
-        "exported, meshes with an Emission material are");
+        "no light in the file: using a uniform grey sky of radiance 1 (--environment changes it); "
+        "export as glTF with Include > Punctual Lights ticked; Blender exports meshes with an "
+        "Emission material, but neither area lights nor the world");
 }
 
 void note_materials(const Scene& scene, const std::vector<std::size_t>& faces, SceneAudit& audit)

@@ -53,11 +53,11 @@ DecodedTexture decode_texture(std::span<const unsigned char> bytes, std::uint64_
         return {{},
                 "is too large (" + std::to_string(width) + " x " + std::to_string(height) + ")"};
     if (pixels / kMostPixelsPerByte > bytes.size() || (jpeg && !has_jpeg_end(bytes)))
-        return {{}, "is cut short"};
+        return {{}, "is truncated"};
     const std::unique_ptr<stbi_uc, void (*)(void*)> rgba(
         stbi_load_from_memory(bytes.data(), size, &width, &height, &channels, 4), stbi_image_free);
     if (!rgba)
-        return {{}, "is damaged or cut short"};
+        return {{}, "is damaged or truncated"};
     DecodedTexture texture;
     texture.image.width = width;
     texture.image.height = height;

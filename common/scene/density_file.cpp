@@ -34,7 +34,7 @@ std::uint32_t number_at(const std::vector<std::byte>& bytes, std::size_t at)
 void check_header(const std::filesystem::path& path, const std::vector<std::byte>& bytes)
 {
     if (bytes.size() < kHeader || std::memcmp(bytes.data(), kStart, sizeof kStart) != 0)
-        fail(path, "not a grid of densities; write a .vol as Mitsuba 0.6 has it, version 3");
+        fail(path, "not a density grid; write a .vol file of Mitsuba 0.6, version 3");
     if (number_at(bytes, 4) != kFloats || number_at(bytes, 20) != 1)
         fail(path, "bytes 4 to 23: not 32-bit floats of one channel; write encoding 1, 1 channel");
 }
@@ -67,7 +67,7 @@ std::shared_ptr<const DensityGrid> read_density(const std::filesystem::path& pat
     for (std::size_t i = 0; i < count; ++i)
         if (!(grid->values[i] >= 0) || !std::isfinite(grid->values[i]))
             fail(path, "value " + std::to_string(i) +
-                           ": is negative or not finite; densities are 0 or more");
+                           " is negative or not finite; densities must be 0 or more");
     return grid;
 }
 

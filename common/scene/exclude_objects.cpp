@@ -57,7 +57,7 @@ std::vector<bool> find_excluded(const RawScene& scene, std::span<const std::stri
                 found = excluded[i] = true;
         if (!found)
             throw scene_error(scene.path, "--exclude " + quote_name(name),
-                              "no such object; there are " +
+                              "no such object; choose one of " +
                                   list_names(similar_names(scene, name)));
     }
     return excluded;

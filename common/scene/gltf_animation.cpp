@@ -58,7 +58,7 @@ class ChannelReader {
         out.values = read_values(sampler["output"], part, place);
         const std::size_t each = out.interpolation == Interpolation::cubic ? 3 : 1;
         if (out.times.empty() || out.values.size() != each * out.times.size())
-            fail(place, "has another number of values than of times");
+            fail(place, "has a different number of values and times");
         return out;
     }
 
@@ -79,12 +79,12 @@ class ChannelReader {
     {
         const GltfAccessor accessor(model_, index, document_.path);
         if (accessor.type() != TINYGLTF_TYPE_SCALAR)
-            fail(place, "has times that are no numbers");
+            fail(place, "has times that are not numbers");
         std::vector<double> times;
         for (std::size_t i = 0; i < accessor.size(); ++i) {
             times.push_back(accessor.scalar(i));
             if (!std::isfinite(times.back()) || (i > 0 && times[i] < times[i - 1]))
-                fail(place, "has times that fall or are not finite");
+                fail(place, "has times that decrease or are not finite");
         }
         return times;
     }
@@ -94,7 +94,7 @@ class ChannelReader {
         const GltfAccessor accessor(model_, index, document_.path);
         const bool turns = part == NodePart::rotation;
         if (accessor.type() != (turns ? TINYGLTF_TYPE_VEC4 : TINYGLTF_TYPE_VEC3))
-            fail(place, "has values of another shape than what it drives");
+            fail(place, "has values of the wrong type for its target");
         std::vector<glm::dvec4> values;
         for (std::size_t i = 0; i < accessor.size(); ++i) {
             values.push_back(turns ? accessor.vec4(i) : glm::dvec4(accessor.vec3(i), 0.0));
@@ -148,7 +148,7 @@ void note(GltfAnimation& animation, SceneAudit& audit, const std::vector<std::st
 {
     if (!second.empty())
         audit.assumed.push_back("animation " + list_names(second) +
-                                " moves what another one moves: the first in the file does");
+                                " moves the same nodes as an earlier one and is ignored for them");
     for (const std::string& path : unread)
         audit.warnings.push_back("not read yet: animation of " + quote_name(clean_name(path)));
     for (const AnimationChannel& channel : animation.channels) {

@@ -37,9 +37,9 @@ std::string_view glb_json(const GltfDocument& document)
         return scene_error(document.path, "GLB container", what);
     };
     if (bytes.size() < kGlbHeader)
-        throw fail("the file is cut short; export it again");
+        throw fail("the file is truncated; export it again");
     if (std::memcmp(bytes.data(), "glTF", 4) != 0)
-        throw fail("does not begin with 'glTF'; this is no .glb file");
+        throw fail("does not begin with 'glTF', so it is not a .glb file; export it again");
     if (little_endian_at(bytes, 4) != 2)
         throw fail("not version 2; export as glTF 2.0");
     if (little_endian_at(bytes, 8) > bytes.size())

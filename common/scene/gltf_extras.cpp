@@ -70,7 +70,7 @@ void read_medium(HipmapExtras& extras, const std::filesystem::path& scene, const
         medium.phase = {phase_named(phase.value_or("henyey-greenstein"), extras),
                         static_cast<float>(g.value_or(0.0))};
     if (medium.phase.kind == PhaseKind::isotropic && medium.phase.g != 0)
-        extras.fail("g", "has no meaning for the phase \"isotropic\"");
+        extras.fail("g", "does not apply to the phase \"isotropic\"");
     if (const std::optional<std::string> density = extras.text("density"))
         medium.density = read_density(file_beside(scene, place, *density));
     extras.finish("");
@@ -108,7 +108,7 @@ void read_empty_extras(const GltfDocument& document, const PlacedNode& at, RawSc
     if (!power && !width && !height)
         return;
     if (!power || !width || !(*width > 0) || !(height.value_or(*width) > 0))
-        extras.fail("area_power", "and 'area_width' (in metres, above 0) go together");
+        extras.fail("area_power", "and 'area_width' (in metres, above 0) are needed together");
     if (shape != "rectangle" && shape != "disc")
         extras.fail("area_shape", "must be \"rectangle\" or \"disc\"");
 
@@ -121,7 +121,7 @@ void read_empty_extras(const GltfDocument& document, const PlacedNode& at, RawSc
     const double rectangle = 4 * glm::length(glm::cross(light.half_right, light.half_up));
     const double area = light.is_disc ? rectangle * std::numbers::pi / 4 : rectangle;
     if (!(area > 0))
-        extras.fail("area_width", "is made 0 by the scale of its object");
+        extras.fail("area_width", "becomes 0 by the scale of its object");
     const glm::dvec3 across = glm::cross(light.half_right, light.half_up);
     const double side = glm::dot(across, glm::dvec3(at.to_world[2])) > 0 ? -1 : 1;
     light.direction = side * glm::normalize(across);
@@ -148,7 +148,7 @@ void read_world_extras(const GltfDocument& document, RawScene& scene)
         scene.world_strength = strength;
     }
     if (turn && !map_file)
-        extras.fail("world_turn_deg", "has no meaning without 'world_hdri'");
+        extras.fail("world_turn_deg", "needs 'world_hdri'");
     scene.world_turn_deg = turn.value_or(0.0);
     if (std::optional<HipmapExtras> keys = extras.object("medium"))
         read_medium(*keys, scene.path, "scene, custom property 'hipmap'", scene.around);

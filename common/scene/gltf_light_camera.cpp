@@ -95,7 +95,7 @@ bool add_gltf_light(const tinygltf::Model& model, std::size_t index, const std::
         out.kind = LightKind::directional;
     } else {
         scene.audit.warnings.push_back(place + " is of the unknown kind " + quote_name(light.type) +
-                                       " and is left out");
+                                       " and is skipped");
         return false;
     }
     const glm::dvec3 colour = light.color.size() == 3
@@ -122,7 +122,7 @@ bool add_gltf_camera(const tinygltf::Model& model, std::size_t index, const std:
     out.name = name;
     if (!read_projection(model.cameras[index], out, scene, place)) {
         scene.audit.warnings.push_back(place + " is of the unknown kind " +
-                                       quote_name(model.cameras[index].type) + " and is left out");
+                                       quote_name(model.cameras[index].type) + " and is skipped");
         return false;
     }
     const std::optional<glm::dvec3> forward = look_direction(to_world);

@@ -137,11 +137,12 @@ void note_materials(const std::vector<std::string>& unlit, const std::vector<std
 {
     if (!unlit.empty())
         audit.assumed.push_back("unlit (KHR_materials_unlit): " + list_names(unlit) +
-                                " glow in their base colour and reflect nothing");
+                                " emit their base colour and reflect nothing");
     if (!lost.empty())
-        audit.warnings.push_back("white metal: " + list_names(lost) +
-                                 " looks like a lost node material; only the Principled BSDF is "
-                                 "exported from Blender (not Diffuse, Glass, Glossy BSDF)");
+        audit.warnings.push_back(
+            "white metal: " + list_names(lost) +
+            " looks like a node material lost in export; only the Principled BSDF is "
+            "exported from Blender (not Diffuse, Glass, Glossy BSDF)");
 }
 
 } // namespace
@@ -179,7 +180,7 @@ void read_gltf_materials(const GltfDocument& document, const tinygltf::Model& mo
         if (!read.clamped.empty())
             scene.audit.warnings.push_back("material " + quote_name(name) + ": " +
                                            list_names(read.clamped) +
-                                           " is beyond 0 to 1 and was clamped");
+                                           " is outside 0 to 1 and was clamped");
         scene.materials.push_back(std::move(out));
     }
     note_materials(unlit, lost, scene.audit);

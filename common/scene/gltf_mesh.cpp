@@ -78,7 +78,7 @@ std::vector<GltfPrimitive> GltfMeshReader::read(std::size_t index)
         if (!is_surface(primitive.mode))
             continue;
         if (!primitive.attributes.contains("POSITION")) {
-            scene_.audit.warnings.push_back(place + " has no positions and is left out");
+            scene_.audit.warnings.push_back(place + " has no positions and is skipped");
             continue;
         }
         primitives.push_back(read_primitive(primitive, place));

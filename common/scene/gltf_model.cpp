@@ -51,7 +51,7 @@ void check_plain_views(const GltfDocument& document, const tinygltf::Model& mode
         const tinygltf::BufferView& view = model.bufferViews[i];
         if (model.buffers[static_cast<std::size_t>(view.buffer)].data.empty())
             throw scene_error(document.path, "bufferViews[" + std::to_string(i) + "]",
-                              "lies in a fallback buffer that is not in the file; export it "
+                              "lies in a fallback buffer that the file lacks; export it "
                               "again");
     }
 }

@@ -128,7 +128,7 @@ class MeshPlacer {
         append_attributes({}, scene_.positions.size(), {}, scene_.attributes);
         if (!without_material_.empty())
             scene_.audit.assumed.push_back("no material on " + list_names(without_material_) +
-                                           ": white rough metal, as glTF has it; give them a "
+                                           ": using white rough metal, glTF's default; give them a "
                                            "material with a Principled BSDF");
     }
 
@@ -207,7 +207,7 @@ class MeshPlacer {
         if (bytes > physical_memory())
             throw scene_error(scene_.path, "",
                               "its faces and instances need " + short_number(bytes / 1e9) +
-                                  " GB of memory, more than there is; export fewer");
+                                  " GB of memory, more than is available; export fewer");
     }
 
     const tinygltf::Model& model_;

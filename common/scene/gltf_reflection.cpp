@@ -26,12 +26,11 @@ void read_phong(HipmapExtras& extras, Material& material)
     const std::optional<glm::dvec3> specular = extras.positive_triple("specular");
     if (material.reflection_model != ReflectionModel::phong) {
         if (exponent || specular)
-            extras.fail(exponent ? "exponent" : "specular",
-                        R"(has no meaning without "reflection": "phong")");
+            extras.fail(exponent ? "exponent" : "specular", R"(needs "reflection": "phong")");
         return;
     }
     if (!exponent || !specular)
-        extras.fail("reflection", R"("phong" needs "exponent" and "specular" beside it)");
+        extras.fail("reflection", R"("phong" needs "exponent" and "specular" too)");
     if (std::max({specular->x, specular->y, specular->z}) > 1)
         extras.fail("specular", "must be three numbers from 0 to 1");
     material.phong_exponent =
@@ -43,7 +42,7 @@ void read_schlick(HipmapExtras& extras, Material& material)
 {
     const std::optional<double> isotropy = extras.positive("isotropy");
     if (isotropy && material.reflection_model != ReflectionModel::schlick)
-        extras.fail("isotropy", R"(has no meaning without "reflection": "schlick")");
+        extras.fail("isotropy", R"(needs "reflection": "schlick")");
     if (isotropy && !(*isotropy > 0 && *isotropy <= 1))
         extras.fail("isotropy", "must be above 0, and 1 at most");
     material.isotropy = static_cast<float>(isotropy.value_or(1.0));
@@ -115,13 +114,13 @@ void read_reflection(HipmapExtras& extras, const json& from, Material& material,
     if (!name)
         return;
     if (!material.boundary)
-        extras.fail("reflection", R"(has no meaning beside "boundary": false)");
+        extras.fail("reflection", R"(does not apply with "boundary": false)");
     take_away_layers(material);
     const std::vector<std::string> unused = unused_keys(from, material.reflection_model);
     if (!unused.empty())
         audit.assumed.push_back("material " + quote_name(material.name) + " reflects by " +
                                 (*name == "phong" ? "Phong's" : "Schlick's") +
-                                " model: not used are its " + list_names(unused));
+                                " model, which ignores its " + list_names(unused));
 }
 
 } // namespace hipmap

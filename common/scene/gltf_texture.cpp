@@ -132,7 +132,7 @@ std::optional<TextureSlot> GltfTextureReader::read_slot(const SlotKind& kind, co
     slot.use = kind.use;
     const auto set = transform.value("texCoord", info.value("texCoord", std::uint64_t{0}));
     if (set >= VertexAttributes().uv.size())
-        return warn("reads TEXCOORD_" + std::to_string(set) + ", and only two sets are read");
+        return warn("uses TEXCOORD_" + std::to_string(set) + ", but only two sets are supported");
     slot.uv_set = static_cast<std::uint32_t>(set);
     slot.sampler = read_sampler(texture);
     slot.sampler.srgb = kind.srgb;
@@ -141,7 +141,7 @@ std::optional<TextureSlot> GltfTextureReader::read_slot(const SlotKind& kind, co
     if (!is_finite_transform(slot.uv_transform) || !std::isfinite(slot.strength))
         return warn("has a number that is too large");
     if (!texture.contains("source"))
-        return warn("has no picture in a format that is read (PNG, JPEG)");
+        return warn("has no image in a supported format (PNG, JPEG)");
     const std::optional<std::uint32_t> image = image_of(texture["source"].get<std::size_t>());
     if (!image)
         return std::nullopt; // warned of, once for all textures that show it
@@ -186,8 +186,8 @@ std::optional<std::uint32_t> GltfTextureReader::load_image(std::size_t index)
             "cannot be read (" + line.substr(line.starts_with(prefix) ? prefix.size() : 0) + ")";
     }
     if (!texture.problem.empty()) {
-        scene_.audit.warnings.push_back("picture " + quote_name(name) + " " + texture.problem +
-                                        "; plain colours stand in for it");
+        scene_.audit.warnings.push_back("texture " + quote_name(name) + " " + texture.problem +
+                                        "; using plain colours instead");
         return std::nullopt;
     }
     pixels_left_ -= texture.image.rgba.size() / 4;

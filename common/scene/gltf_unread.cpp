@@ -104,11 +104,11 @@ class UnreadThings {
     {
         for (const auto& [kind, names] : needless_)
             audit.assumed.push_back(kind + " of materials (" + list_names(names) +
-                                    ") is not used: shadows and thicknesses are those of the "
+                                    ") is ignored: shadows and thicknesses follow the "
                                     "shapes");
         if (!colours_.empty())
             audit.assumed.push_back("vertex colours (COLOR_0) of meshes (" + list_names(colours_) +
-                                    ") multiply the base colour, as glTF has it; Blender exports "
+                                    ") multiply the base colour, as in glTF; Blender exports "
                                     "all colour layers (render --effects -vertex-colours)");
         for (const auto& [kind, names] : names_)
             audit.warnings.push_back(kind +

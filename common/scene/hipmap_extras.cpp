@@ -96,7 +96,7 @@ std::optional<HipmapExtras> HipmapExtras::object(const char* key)
     if (!value)
         return std::nullopt;
     if (!value->is_object())
-        fail(key, "must be an object, as {\"scattering\": [1, 1, 1]}");
+        fail(key, "must be an object, such as {\"scattering\": [1, 1, 1]}");
     HipmapExtras out(place_ + ", " + quote_name(key), scene_);
     out.values_ = *value;
     return out;
@@ -109,9 +109,8 @@ void HipmapExtras::finish(const std::string& effect) const
         if (!known_.contains(key))
             unknown.push_back(clean_name(key));
     if (!unknown.empty())
-        scene_.audit.warnings.push_back("custom property 'hipmap' of " + place_ +
-                                        ": nothing is known by the name of " + list_names(unknown) +
-                                        "; see docs/scene.md");
+        scene_.audit.warnings.push_back("custom property 'hipmap' of " + place_ + ": unknown key " +
+                                        list_names(unknown) + "; see docs/scene.md");
     if (used_ && !effect.empty())
         scene_.audit.warnings.push_back("read but not rendered yet: " + effect + " of " + place_);
 }

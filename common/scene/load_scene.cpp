@@ -25,7 +25,7 @@ std::string lower_suffix(const std::filesystem::path& path)
     return suffix;
 }
 
-/// Of which kind of scene the file is by its suffix.
+/// Returns whether the file is glTF by its suffix, else OBJ.
 bool is_gltf(const std::filesystem::path& path)
 {
     std::error_code error;
@@ -35,7 +35,7 @@ bool is_gltf(const std::filesystem::path& path)
         throw scene_error(path, "", "not a file; name a .glb, .gltf or .obj file");
     const std::string suffix = lower_suffix(path);
     if (suffix != ".glb" && suffix != ".gltf" && suffix != ".obj")
-        throw scene_error(path, "", "not a kind of scene that is read; export .glb, .gltf or .obj");
+        throw scene_error(path, "", "unknown scene format; export .glb, .gltf or .obj");
     return suffix != ".obj";
 }
 
@@ -94,7 +94,7 @@ LoadedScene SceneSource::at(std::optional<double> time, bool last)
         loaded.audit = std::move(raw.audit);
         note_size(raw, loaded.audit);
         if (time && !raw.sweep)
-            loaded.audit.warnings.push_back("nothing in the file is animated: all frames show the "
+            loaded.audit.warnings.push_back("the file has no animation: all frames show the "
                                             "same");
         loaded.scene = to_scene_units(raw, options.light_units);
         complete_scene(loaded, options, impl_->path);

@@ -186,7 +186,7 @@ void note_materials(const std::vector<tinyobj::material_t>& materials, SceneAudi
                                  list_names(unread) + ")");
     if (!dark_lights.empty())
         audit.warnings.push_back("material " + list_names(dark_lights) +
-                                 " looks like a lamp but does not shine: give it a line such as "
+                                 " looks like a light but has no emission: add a line such as "
                                  "'Ke 20 20 20' in the .mtl file");
 }
 

@@ -152,7 +152,7 @@ class ObjCheck {
         std::size_t corners = 0;
         for (string_view word = take_word(line); !word.empty(); word = take_word(line)) {
             if (word.starts_with('#'))
-                fail("has a comment behind its corners, which is not read; move it");
+                fail("has a comment after its corners, which is not supported; move it");
             check_corner(word);
             ++corners;
         }
@@ -188,8 +188,8 @@ class ObjCheck {
             fail(quote_name(whole) + " is not a corner of a face");
         const auto distance = static_cast<std::uint64_t>(index < 0 ? -index : index);
         if (distance > count_[kind])
-            fail(quote_name(whole) + " names a " + kKinds[kind] + " that is not there (" +
-                 std::to_string(count_[kind]) + " stand before it)");
+            fail(quote_name(whole) + " names a " + kKinds[kind] + " that does not exist (" +
+                 std::to_string(count_[kind]) + " come before it)");
     }
 
     [[noreturn]] void fail(const std::string& what) const

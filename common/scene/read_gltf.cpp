@@ -59,7 +59,7 @@ void note_scenes(const tinygltf::Model& model, SceneAudit& audit)
     const auto scene = static_cast<std::size_t>(std::max(0, model.defaultScene));
     audit.assumed.push_back(
         "of " + std::to_string(model.scenes.size()) +
-        " scenes in the file the active one is taken: " +
+        " scenes in the file, using the active one: " +
         quote_name(first_name({model.scenes[scene].name, "scene " + std::to_string(scene)})));
 }
 
@@ -71,10 +71,11 @@ void note_animation(const GltfAnimation& animation, std::optional<double> time, 
                              " from " + short_number(animation.first) + " to " +
                              short_number(animation.last) + " s";
     if (time)
-        audit.found.push_back("animation " + what + "; this is at " + short_number(*time) + " s");
+        audit.found.push_back("animation " + what + "; this frame is at " + short_number(*time) +
+                              " s");
     else
         audit.assumed.push_back("animation " + what +
-                                ": shown as the file places its objects at rest (--frames A:B "
+                                ": showing the rest pose (--frames A:B "
                                 "renders frames of it)");
 }
 

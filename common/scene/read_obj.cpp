@@ -72,10 +72,10 @@ class ObjBuilder {
     void finish()
     {
         if (!unknown_.empty())
-            scene_.audit.warnings.push_back("no such material in the .mtl files: " +
-                                            list_names(unknown_) + "; shown as grey 0.8");
+            scene_.audit.warnings.push_back("materials missing in the .mtl files: " +
+                                            list_names(unknown_) + "; using grey 0.8");
         else if (default_material_ != kNone)
-            scene_.audit.assumed.push_back("faces without material are grey 0.8");
+            scene_.audit.assumed.push_back("faces without material: using grey 0.8");
     }
 
   private:
@@ -173,7 +173,7 @@ void note_unread(const ObjText& text, SceneAudit& audit)
 {
     if (text.short_faces > 0)
         audit.warnings.push_back(counted(text.short_faces, "face") +
-                                 " of fewer than three corners left out");
+                                 " with fewer than three corners skipped");
     if (text.has_colours)
         audit.warnings.push_back("not read yet: vertex colours");
     if (text.has_lines_or_points)

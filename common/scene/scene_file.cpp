@@ -35,11 +35,11 @@ std::filesystem::path file_beside(const std::filesystem::path& scene, std::strin
     if (name.empty() || name.size() > kLongestPath || name.find('\0') != std::string::npos ||
         name.find('\\') != std::string::npos || has_scheme(name))
         throw scene_error(scene, place,
-                          quote_name(name) + " is not the name of a file beside the "
+                          quote_name(name) + " does not name a file in the folder of the "
                                              "scene; put the file there");
     if (relative.is_absolute() || leaves_folder(relative))
         throw scene_error(scene, place,
-                          quote_name(name) + " lies outside the scene's folder and is "
+                          quote_name(name) + " lies outside the scene's folder and was "
                                              "not opened; put the file beside the scene");
     const std::filesystem::path path = scene.parent_path() / relative;
     std::error_code error;

@@ -227,7 +227,7 @@ class UnitConverter {
 void check_size(const RawScene& raw)
 {
     if (raw.corners.empty())
-        throw scene_error(raw.path, "", "no faces, so nothing to do; export a scene with a mesh");
+        throw scene_error(raw.path, "", "the scene has no faces; export a scene with a mesh");
     if (raw.corners.size() >= kNone || raw.positions.size() >= kNone)
         throw scene_error(raw.path, "", "more than 2^32 - 2 faces or vertices; export fewer");
 }

@@ -205,7 +205,7 @@ void PartitionBuilder::look_around_maps()
         return find_local_candidates(mesh_, out_.edge_class, maps_);
     });
     SelfDistances self_distances =
-        timed("find clearances", [&] { return find_all_self_distances(); });
+        timed("find self-distances", [&] { return find_all_self_distances(); });
     GroupCandidates groups = timed("find group candidates", [&] { return find_all_groups(); });
     out_.reach = std::move(locals.reach);
     out_.candidate = std::move(locals.candidate);

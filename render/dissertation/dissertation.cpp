@@ -72,7 +72,7 @@ struct LevelledSearch {
     }
 };
 
-/// Of one map without boundaries, docs/photon_maps.md (2) and (3): over whole discs.
+/// Estimates from one map without boundaries, over whole discs, docs/photon_maps.md (2) and (3).
 Rgb estimate_in_one_map(const LevelledSearch& search, const PhotonQuery& query)
 {
     const FoundPhotons found = search.nearest(query);
@@ -156,14 +156,14 @@ LevelStatistics& LevelStatistics::operator+=(const LevelStatistics& other)
 std::string describe_plan(const LevelPlan& plan)
 {
     std::ostringstream out;
-    out << (plan.used ? "used" : "left out");
+    out << (plan.used ? "used" : "not used");
     if (!plan.counted)
-        out << " (a search would save at most " << plan.most << " nodes of the tree, asking costs "
+        out << " (a search would save at most " << plan.most << " tree nodes; the lookup costs "
             << plan.asking << ")";
     else
         out << " (" << std::lround(100 * plan.answered) << " % of searches would end there, "
             << (plan.saving > 0 ? "saving " : "losing ") << std::fixed << std::setprecision(2)
-            << std::abs(plan.saving) << " nodes of the tree each)";
+            << std::abs(plan.saving) << " tree nodes each)";
     return out.str();
 }
 

@@ -28,7 +28,7 @@ std::string names_of(const SceneFacts& facts, const Has& has)
 /// A layer of opaque materials.  glass: materials that transmit and have it too.
 Finding layer_finding(const std::string& names, const std::string& glass, const char* cost)
 {
-    const std::string rest = glass.empty() ? "" : "that of glass is not rendered (" + glass + ")";
+    const std::string rest = glass.empty() ? "" : "not rendered on glass (" + glass + ")";
     if (names.empty())
         return {false, rest.empty() ? "no material has one" : rest, ""};
     return {true, names + " have one" + (rest.empty() ? "" : "; " + rest), cost};
@@ -45,7 +45,7 @@ Finding find_mirror(const SceneFacts& facts)
         });
     if (names.empty())
         return {false, "no surface is smooth and reflects", ""};
-    return {true, names + " may reflect as a mirror does", "a ray of its own"};
+    return {true, names + " may reflect like a mirror", "an extra ray"};
 }
 
 Finding find_glossy(const SceneFacts& facts)
@@ -58,18 +58,17 @@ Finding find_glossy(const SceneFacts& facts)
     Finding out;
     if (!followed.empty()) {
         out.reason = "glossy reflections up to " + limit +
-                     " and rough glass are followed by rays: " + followed;
-        out.cost = "a ray for each that is followed";
+                     " and rough glass are traced by rays: " + followed;
+        out.cost = "a ray for each of these reflections";
     }
     if (!gathered.empty()) {
         out.reason += (followed.empty() ? "" : "; ") +
                       ("reflections above " + limit + " are gathered from photons: ") + gathered;
-        out.cost +=
-            (followed.empty() ? std::string() : "; ") + "photons keep the direction they came from";
+        out.cost += (followed.empty() ? std::string() : "; ") + "photons store their direction";
     }
     out.on = !out.reason.empty();
     if (!out.on)
-        out.reason = "no reflection is blurred, and no glass is rough";
+        out.reason = "no reflection is glossy, and no glass is rough";
     return out;
 }
 
@@ -86,9 +85,8 @@ Finding find_refraction(const SceneFacts& facts)
     if (solid.empty() && thin.empty())
         return {false, "no surface transmits", ""};
     if (solid.empty())
-        return {false, "rays go straight through " + thin + ", whose surfaces are open: thin panes",
-                ""};
-    return {true, "rays bend in " + solid, "a reflected and a transmitted ray from clear glass"};
+        return {false, "rays go straight through " + thin + ": open surfaces, so thin panes", ""};
+    return {true, "rays refract in " + solid, "a reflected and a transmitted ray at clear glass"};
 }
 
 Finding find_dispersion(const SceneFacts& facts)
@@ -96,17 +94,17 @@ Finding find_dispersion(const SceneFacts& facts)
     const std::string names = facts.materials_where(
         [](const Material&, const Bsdf& bsdf, bool solid) { return solid && bsdf.dispersion > 0; });
     if (names.empty())
-        return {false, "no solid glass bends colours differently", ""};
-    return {true, names + " bend colours differently",
-            "noise in colour: paths that meet them go on with one wavelength"};
+        return {false, "no solid glass is dispersive", ""};
+    return {true, names + " refract colours differently",
+            "colour noise: paths that meet them continue with one wavelength"};
 }
 
 Finding find_textures(const SceneFacts& facts)
 {
     const std::string names = names_of(facts, [](const Material& m) { return varies(m); });
     if (names.empty())
-        return {false, "no material has a picture that is rendered", ""};
-    return {true, names + " have pictures", "reads of their pictures where a ray meets them"};
+        return {false, "no material has a texture that is rendered", ""};
+    return {true, names + " have textures", "texture lookups at each hit"};
 }
 
 Finding find_normal_maps(const SceneFacts& facts)
@@ -114,7 +112,7 @@ Finding find_normal_maps(const SceneFacts& facts)
     const std::string names = names_of(facts, [](const Material& m) { return tilts(m); });
     if (names.empty())
         return {false, "no material has one", ""};
-    return {true, names + " have one", "a read of it where a ray meets them"};
+    return {true, names + " have one", "a texture lookup at each hit"};
 }
 
 Finding find_vertex_colours(const SceneFacts& facts)
@@ -122,9 +120,11 @@ Finding find_vertex_colours(const SceneFacts& facts)
     const std::vector<glm::vec4>& colours = facts.scene.mesh.attributes.colours;
     if (std::none_of(colours.begin(), colours.end(),
                      [](const glm::vec4& colour) { return colour != glm::vec4(1); }))
-        return {false, colours.empty() ? "no mesh has any" : "all are white", ""};
-    return {true, "meshes have some (COLOR_0), which multiply the base colour",
-            "a mean of three colours where a ray meets such faces"};
+        return {false,
+                colours.empty() ? "no mesh has vertex colours" : "all vertex colours are white",
+                ""};
+    return {true, "meshes have vertex colours (COLOR_0), which multiply the base colour",
+            "interpolation of three colours at each hit"};
 }
 
 Finding find_alpha(const SceneFacts& facts)
@@ -132,9 +132,9 @@ Finding find_alpha(const SceneFacts& facts)
     const std::string names =
         names_of(facts, [&](const Material& m) { return may_let_light_pass(facts.scene, m); });
     if (names.empty())
-        return {false, "every face stops all light that meets it", ""};
-    return {true, "a part of all rays goes on through " + names,
-            "a read of alpha at each face that a ray may meet"};
+        return {false, "every face is opaque", ""};
+    return {true, names + " let a share of all rays pass",
+            "an alpha lookup at each face on the way of a ray"};
 }
 
 Finding find_clearcoat(const SceneFacts& facts)
@@ -143,7 +143,7 @@ Finding find_clearcoat(const SceneFacts& facts)
         [](const Material&, const Bsdf& bsdf, bool) { return bsdf.layers.clearcoat > 0; });
     const std::string glass =
         names_of(facts, [](const Material& m) { return m.clearcoat > 0 && m.transmission > 0; });
-    return layer_finding(names, glass, "a reflection more on these surfaces");
+    return layer_finding(names, glass, "an extra reflection on these surfaces");
 }
 
 Finding find_sheen(const SceneFacts& facts)
@@ -152,8 +152,8 @@ Finding find_sheen(const SceneFacts& facts)
         [](const Material&, const Bsdf& bsdf, bool) { return bsdf.layers.sheen > 0; });
     const std::string glass = names_of(
         facts, [](const Material& m) { return !is_black(m.sheen_color) && m.transmission > 0; });
-    return layer_finding(
-        names, glass, "a lobe more on these surfaces; photons keep the direction they came from");
+    return layer_finding(names, glass,
+                         "an extra lobe on these surfaces; photons store their direction");
 }
 
 Finding find_diffuse_transmission(const SceneFacts& facts)
@@ -162,8 +162,7 @@ Finding find_diffuse_transmission(const SceneFacts& facts)
         [](const Material&, const Bsdf& bsdf, bool) { return bsdf.transmits_diffusely; });
     const std::string glass = names_of(
         facts, [](const Material& m) { return m.diffuse_transmission > 0 && m.transmission > 0; });
-    return layer_finding(names, glass,
-                         "light and photons of both sides where a ray meets these surfaces");
+    return layer_finding(names, glass, "light and photons of both sides at each hit");
 }
 
 Finding find_anisotropy(const SceneFacts& facts)
@@ -187,11 +186,11 @@ Finding find_anisotropy(const SceneFacts& facts)
     const std::string rest =
         names(0).empty()
             ? ""
-            : names(0) + " have no texture coordinates to say along what they are stretched";
+            : names(0) + " need texture coordinates for the direction of their anisotropy";
     if (names(1).empty())
-        return {false, rest.empty() ? "no reflection is stretched" : rest, ""};
-    return {true, names(1) + " are stretched" + (rest.empty() ? "" : "; " + rest),
-            "a direction where a ray meets them, and a longer formula"};
+        return {false, rest.empty() ? "no reflection is anisotropic" : rest, ""};
+    return {true, names(1) + " are anisotropic" + (rest.empty() ? "" : "; " + rest),
+            "a tangent at each hit, and a longer formula"};
 }
 
 Finding find_reflection_models(const SceneFacts& facts)
@@ -205,10 +204,10 @@ Finding find_reflection_models(const SceneFacts& facts)
     for (const auto& [model, name] : {std::pair(ReflectionModel::phong, "Phong"),
                                       std::pair(ReflectionModel::schlick, "Schlick")})
         if (const std::string worn = names(model); !worn.empty())
-            reason += (reason.empty() ? "" : "; ") + worn + " reflect by the model of " + name;
+            reason += (reason.empty() ? "" : "; ") + worn + " use the reflection model of " + name;
     if (reason.empty())
-        return {false, "no material names a model of its own", ""};
-    return {true, reason, "a formula of their own where a ray meets them"};
+        return {false, "all materials use the standard model", ""};
+    return {true, reason, "another formula at each hit"};
 }
 
 } // namespace hipmap

@@ -56,16 +56,17 @@ EffectSwitch parse_switch(std::string_view word)
 {
     const auto fail = [&](const char* what) {
         return InputError("--effects " + quote_name(word) + ": " + what +
-                          "; write -NAME or +NAME of " + names_that_can_be_left_out());
+                          "; write -NAME or +NAME, where NAME is one of " +
+                          names_that_can_be_left_out());
     };
     if (word.empty() || (word[0] != '-' && word[0] != '+'))
-        throw fail("neither + nor -");
+        throw fail("does not begin with + or -");
     const auto row = std::find_if(kRows.begin(), kRows.end(),
                                   [&](const Row& r) { return word.substr(1) == r.name; });
     if (row == kRows.end())
         throw fail("no such effect");
     if (!row->can_be_left_out)
-        throw fail("is no effect that can be left out");
+        throw fail("this effect cannot be left out");
     return {row->effect, word[0] == '+'};
 }
 
@@ -83,8 +84,8 @@ PlannedEffect plan_effect(const Row& row, const SceneFacts& facts, const EffectO
                             row.effect == Effect::media || row.effect == Effect::subsurface;
     PlannedEffect out{row.effect, found.on, found.reason, found.on ? found.cost : ""};
     if (found.on && by_bounces && !options.bounces)
-        out = {row.effect, false,
-               "--maps none leaves nothing to find it by, though " + found.reason, ""};
+        out = {row.effect, false, "--maps none stores no photons for it, though " + found.reason,
+               ""};
     if (found.on && is_switched_off(row.effect, options.switches))
         out = {row.effect, false, "left out by --effects, though " + found.reason, ""};
     return out;

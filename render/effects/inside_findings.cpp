@@ -25,7 +25,7 @@ Finding find_absorption(const SceneFacts& facts)
         });
     if (names.empty())
         return {false, "no solid glass has an attenuation colour", ""};
-    return {true, names + " absorb light on its way through", "an exponential for each ray inside"};
+    return {true, names + " absorb light inside", "an exponential for each ray inside"};
 }
 
 Finding find_nested_dielectrics(const SceneFacts& facts)
@@ -35,10 +35,10 @@ Finding find_nested_dielectrics(const SceneFacts& facts)
         if (facts.nested[m] != 0)
             names.push_back(facts.scene.materials[m].name);
     if (names.empty())
-        return {false, "no glass or liquid lies in another", ""};
+        return {false, "no glass or liquid overlaps another", ""};
     return {true,
-            list_names(names) + (names.size() == 1 ? " lies in itself" : " lie in one another"),
-            "a list of what each ray is in"};
+            list_names(names) + (names.size() == 1 ? " overlaps itself" : " overlap each other"),
+            "a medium stack for each ray"};
 }
 
 Finding find_media(const SceneFacts& facts)
@@ -49,18 +49,17 @@ Finding find_media(const SceneFacts& facts)
     });
     const bool around = !facts.scene.around.is_clear();
     if (names.empty() && !around)
-        return {false, "nothing that light passes through scatters it or glows", ""};
-    const std::string inside = names.empty() ? "" : names + " have an inside that light passes";
+        return {false, "no medium scatters or emits light", ""};
+    const std::string inside = names.empty() ? "" : names + " contain a medium";
     const std::string grids =
         facts.materials_where([](const Material& m, const Bsdf&, bool) { return bool(m.density); });
     return {true,
-            (around ? "the scene has one around it" : "") +
+            (around ? "a medium surrounds the scene" : "") +
                 std::string(around && !names.empty() ? "; " : "") + inside +
-                (grids.empty() ? "" : "; a grid says how dense " + grids + " is"),
+                (grids.empty() ? "" : "; a grid gives the density of " + grids),
             grids.empty()
-                ? "distances drawn along every ray, and photons in them"
-                : "distances drawn along every ray, cell by cell of the grid, and photons "
-                  "in them"};
+                ? "free paths along every ray, and photons in the media"
+                : "free paths along every ray, cell by cell of the grid, and photons in the media"};
 }
 
 Finding find_subsurface(const SceneFacts& facts)
@@ -72,12 +71,12 @@ Finding find_subsurface(const SceneFacts& facts)
             return m.boundary && !is_black(m.scattering);
         });
         return {false,
-                shut.empty() ? "nothing scatters light beneath its surface"
-                             : "no light gets into " + shut + ", opaque or not closed",
+                shut.empty() ? "no material scatters light below its surface"
+                             : "no light enters " + shut + ": opaque or not closed",
                 ""};
     }
-    return {true, names + " scatter light beneath their surface",
-            "random walks of light paths inside, and photons there"};
+    return {true, names + " scatter light below their surface",
+            "random walks of light paths and photons inside"};
 }
 
 } // namespace hipmap

@@ -8,7 +8,7 @@ namespace hipmap {
 
 namespace {
 
-constexpr const char* kDark = "nothing shines";
+constexpr const char* kDark = "the scene has no light";
 
 std::string gathering_materials(const SceneFacts& facts)
 {
@@ -38,14 +38,13 @@ Finding find_soft_shadows(const SceneFacts& facts)
     };
     const std::vector<std::string> with_size = lights_with_size(facts);
     if (!with_size.empty())
-        add("the lamps " + list_names(with_size));
+        add("the lights " + list_names(with_size));
     if (!is_black(facts.scene.environment) || !facts.scene.environment_map_file.empty())
         add("the sky");
     if (lights.empty())
-        return {false,
-                facts.has_light ? "all light comes from points and suns without size" : kDark, ""};
-    return {true, "light comes from the whole of " + lights,
-            "a shadow ray to a point drawn on what glows, from each surface"};
+        return {false, facts.has_light ? "all lights are points or suns without size" : kDark, ""};
+    return {true, "light comes from the area of " + lights,
+            "a shadow ray to a random point of the lights, at each surface"};
 }
 
 Finding find_indirect(const SceneFacts& facts)
@@ -54,9 +53,9 @@ Finding find_indirect(const SceneFacts& facts)
         return {false, kDark, ""};
     const std::string names = gathering_materials(facts);
     if (names.empty())
-        return {false, "no surface scatters light to others", ""};
-    return {true, names + " scatter light to what is around",
-            "the light paths, the global and the indirect map, a gather ray for each sample"};
+        return {false, "no surface scatters light", ""};
+    return {true, names + " scatter light to other surfaces",
+            "light paths, the global and the indirect map, a final-gather ray for each sample"};
 }
 
 Finding find_caustics(const SceneFacts& facts)
@@ -70,19 +69,20 @@ Finding find_caustics(const SceneFacts& facts)
     if (!facts.has_light)
         return {false, "no specular surface is lit", ""};
     if (gathering_materials(facts).empty())
-        return {false, "no surface gathers what specular ones send on", ""};
-    return {true, "light reaches other surfaces by way of " + names,
+        return {false, "no surface gathers the light of specular ones", ""};
+    return {true, "specular surfaces send light to others: " + names,
             "light paths aimed at them, a quarter as many as the others, and the caustic map"};
 }
 
 Finding find_environment(const SceneFacts& facts)
 {
     if (!facts.scene.environment_map_file.empty())
-        return {true, "a picture of the sky shines",
-                "light paths from it, a shadow ray towards it; rays that leave the scene see it"};
+        return {
+            true, "the scene has an environment map",
+            "light paths from it, a shadow ray towards it, a lookup for rays that leave the scene"};
     if (is_black(facts.scene.environment))
         return {false, "the sky is dark", ""};
-    return {true, "the sky shines evenly", "light paths from it; rays that leave the scene see it"};
+    return {true, "the sky emits uniform light", "light paths from it, rays that leave the scene"};
 }
 
 Finding find_depth_of_field(const SceneFacts& facts)
@@ -94,17 +94,19 @@ Finding find_depth_of_field(const SceneFacts& facts)
                                            : "the camera is a pinhole",
                 ""};
     return {true, "the camera " + quote_name(camera.name) + " has a lens",
-            "a random point of it for each sample"};
+            "a random point on the lens for each sample"};
 }
 
 Finding find_motion_blur(const SceneFacts& facts)
 {
     if (!facts.shutter)
-        return {false, "the shutter is open for no time (--shutter)", ""};
+        return {false, "the shutter time is 0 (--shutter)", ""};
     if (facts.moving.empty())
         return {false, "nothing moves while the shutter is open", ""};
-    return {true, list_names(facts.moving) + " moves while the shutter is open",
-            "each pass shows one moment, and builds the scene anew for it"};
+    return {true,
+            list_names(facts.moving) + (facts.moving.size() == 1 ? " moves" : " move") +
+                " while the shutter is open",
+            "building the scene again for each pass, which shows one moment"};
 }
 
 } // namespace hipmap

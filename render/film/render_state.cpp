@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint32_t kVersion = 4;
 constexpr int kMostSide = 65536;
-/// Of any float, the exponent of its mean.
+/// The largest exponent of the scale of a film, that of any float.
 constexpr int kMostScale = 200;
 
 void put_film(StateWriter& out, const Film& film)
@@ -88,7 +88,7 @@ Film get_film(StateReader& in)
     film.height = in.get<int>();
     in.require(film.width > 0 && film.height > 0 && film.width <= kMostSide &&
                    film.height <= kMostSide,
-               "picture size");
+               "image size");
     film.scale = in.get<int>();
     in.require(film.scale >= -kMostScale && film.scale <= kMostScale, "scale");
     film.allocation = in.get<std::uint64_t>();
@@ -143,7 +143,8 @@ RenderState unpack(StateReader& in)
     return state;
 }
 
-/// Those checks of two films of disjoint passes that are of the first passes of both together.
+/// Returns the checks of two films of disjoint passes that are of the first passes of both
+/// together.
 std::vector<ErrorCheck> common_checks(const RenderState& a, const RenderState& b)
 {
     const auto& of_a = a.film.passes.ranges;
@@ -197,8 +198,9 @@ void check_settings(const std::filesystem::path& path, const std::vector<Setting
         const std::string has = i < found.size() ? text_of(found[i]) : "nothing";
         const std::string wants = i < wanted.size() ? text_of(wanted[i]) : "nothing";
         if (has != wants)
-            throw InputError(path.string() + ": holds passes with " + has + ", not " + wants +
-                             "; use the scene and options it was begun with, or another file");
+            throw InputError(
+                path.string() + ": holds passes with " + has + ", not " + wants +
+                "; use the scene and options that it was started with, or another file");
     }
 }
 
@@ -209,11 +211,11 @@ void merge_state(RenderState& into, const RenderState& from, const std::filesyst
     if (film.width != into.film.width || film.height != into.film.height ||
         film.scale != into.film.scale || film.allocation != into.film.allocation ||
         film.bias != into.film.bias)
-        throw InputError(path.string() + ": its picture is of another size or unit, or shares out "
-                                         "its samples in another way; render it again");
+        throw InputError(path.string() + ": its image has another size or unit, or another "
+                                         "allocation of samples; render it again");
     if (const auto pass = common_pass(into.film.passes, film.passes))
         throw InputError(path.string() + ": pass " + std::to_string(*pass) +
-                         " is in another of the states too; render others with --first-pass");
+                         " is in another state too; render different passes with --first-pass");
     if (count(into.film.passes) + count(film.passes) > kMostPasses)
         throw InputError(path.string() + ": more than " + std::to_string(kMostPasses) +
                          " passes in all; merge fewer states");

@@ -1,31 +1,31 @@
 #pragma once
 
 #include "common/setting.h"
-#include "render/film/price.h"
+#include "render/film/error_cost.h"
 
 #include <filesystem>
 #include <string>
 
 namespace hipmap {
 
-/// All that a render can be gone on with, or merged with others; docs/error.md.
+/// Everything needed to resume a render, or to merge it with others; docs/error.md.
 struct RenderState {
     /// What makes its passes: scene, partition, options.  States that differ in one hold passes of
     /// different images.
     std::vector<Setting> settings;
-    std::uint64_t photons_per_pass = 0; ///< light paths; prices count them
-    double radius_decay = 2.0 / 3;      ///< alpha of docs/error.md (1), by which prices extrapolate
+    std::uint64_t photons_per_pass = 0; ///< light paths; costs count them
+    double radius_decay = 2.0 / 3;      ///< alpha of docs/error.md (1), by which costs extrapolate
     Film film;
     std::vector<ErrorCheck> checks; ///< by passes, each of so many of the film's first
     double seconds = 0;             ///< spent on its passes
     bool operator==(const RenderState&) const = default;
 };
 
-/// Notes what the error is now, unless that was done at this number of passes.
+/// Records the current error, unless it was already recorded at this number of passes.
 void look_at_error(RenderState& state);
 
-/// Writes to a temporary name, synced, renamed: killed at any moment, there is the old state or the
-/// new one.  Throws InputError if the file cannot be written.
+/// Writes a state to a temporary name, syncs and renames it: if the program is killed, the old
+/// state or the new one is there.  Throws InputError if the file cannot be written.
 void write_state(const std::filesystem::path& path, const RenderState& state);
 
 /// Reads a state and checks every value in it.  Throws InputError: no such file, damaged, another
@@ -37,8 +37,8 @@ void check_settings(const std::filesystem::path& path, const std::vector<Setting
                     const std::vector<Setting>& wanted);
 
 /// Adds the passes of `from`, read from `path`, to those of `into`: the same bits in any order of
-/// merging.  Of their checks those stay that are of the merged film's first passes.  Throws
-/// InputError, naming `path`: other settings, or a pass that both have.
+/// merging.  Keeps the checks that are of the merged film's first passes.  Throws InputError,
+/// naming `path`: other settings, or a pass that both have.
 void merge_state(RenderState& into, const RenderState& from, const std::filesystem::path& path);
 
 } // namespace hipmap

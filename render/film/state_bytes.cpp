@@ -37,11 +37,11 @@ StateReader::StateReader(const std::filesystem::path& path, std::span<const std:
     : path_(path.string()), bytes_(bytes)
 {
     if (bytes_.size() < sizeof kMark || get<std::uint64_t>() != kMark)
-        throw InputError(path_ + ": is not a state of render; give a file written by --state");
+        throw InputError(path_ + ": not a state file; give a file written by --state");
     if (const auto found = get<std::uint32_t>(); found != version)
-        throw InputError(path_ + ": is a state of format " + std::to_string(found) +
+        throw InputError(path_ + ": state file of format " + std::to_string(found) +
                          ", and this render reads format " + std::to_string(version) +
-                         "; use the version it was made with, or begin another file");
+                         "; use the version that wrote it, or another file name");
     std::uint64_t checksum = 0;
     require(bytes.size() >= at_ + sizeof checksum, "length");
     bytes_ = bytes.first(bytes.size() - sizeof checksum);
@@ -52,8 +52,8 @@ StateReader::StateReader(const std::filesystem::path& path, std::span<const std:
 void StateReader::require(bool right, const char* what) const
 {
     if (!right)
-        throw InputError(path_ + ": is damaged (its " + what +
-                         " is wrong); use another copy, or begin another file");
+        throw InputError(path_ + ": damaged state file (" + what +
+                         " is wrong); use a copy, or another file name");
 }
 
 const std::byte* StateReader::take(std::size_t size, std::uint64_t number)

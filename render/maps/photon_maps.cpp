@@ -60,7 +60,7 @@ void check_photon_count(const std::vector<Photon>& photons)
 {
     if (photons.size() > std::numeric_limits<std::uint32_t>::max())
         throw InputError("a pass stores " + std::to_string(photons.size()) +
-                         " photons of one kind, more than 4294967295; ask for fewer --photons");
+                         " photons of one kind, more than 4294967295; use fewer --photons");
 }
 
 PhotonMaps build_photon_maps(const std::vector<Photon>& photons, const Partition& partition,

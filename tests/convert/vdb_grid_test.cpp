@@ -103,7 +103,7 @@ TEST_CASE("vdb: what cannot be a density is refused with what to do", "[vdb]")
     check_refused({openvdb::FloatGrid::create(0.0f)}, "", "no active voxel");
     const openvdb::Vec3SGrid::Ptr wind = openvdb::Vec3SGrid::create();
     wind->setName("wind");
-    check_refused({smoke(), wind}, "wind", "of vec3s; one of floats is needed");
+    check_refused({smoke(), wind}, "wind", "of vec3s; a grid of floats is needed");
     const openvdb::FloatGrid::Ptr turned = smoke();
     turned->transform().preRotate(0.5, openvdb::math::Z_AXIS);
     check_refused({turned}, "", "resample it along the axes");

@@ -27,7 +27,7 @@ class Effects(ToolsTestCase):
 
     def test_explain_says_all_and_writes_nothing(self):
         printed = self.render("--explain")
-        self.assertIn("caustics: on; light reaches other surfaces by way of", printed)
+        self.assertIn("caustics: on; specular surfaces send light to others:", printed)
         self.assertIn("sheen: off; no material has one", printed)
         self.assertNotIn("photons:", printed)
 
@@ -60,11 +60,11 @@ class Effects(ToolsTestCase):
         asked = self.statistics("--energy-compensation", *state)
         self.assertTrue(asked["options"]["energy_compensation"])
         self.refuse("render", Tools.scene, self.partition, *SMALL, "-o", self.path("image.pfm"),
-                    *state, naming="the scene and options it was begun with")
+                    *state, naming="the scene and options that it was started with")
 
     def test_unknown_names_are_refused_with_those_there_are(self):
         self.refuse("render", Tools.scene, self.partition, "--explain", "--effects", "-glow",
-                    naming="-NAME or +NAME of indirect, caustics")
+                    naming="where NAME is one of indirect, caustics")
 
 
 if __name__ == "__main__":

@@ -54,9 +54,9 @@ class Errors(ToolsTestCase):
                         environment, naming=naming)
 
         partition = self.partition()
-        refuse("-1", "no radiance from 0")
+        refuse("-1", "not a radiance from 0")
         refuse(self.path("sky.hdr"), "sky.hdr")
-        refuse(self.write("sky.exr", b"no picture"), "sky.exr")
+        refuse(self.write("sky.exr", b"no image"), "sky.exr")
         refuse(self.write("dark.pfm", b"Pf\n2 1\n-1\n" + struct.pack("<2f", 1, -1)), "(1, 0)")
 
     def test_partition_of_another_scene(self):

@@ -26,8 +26,8 @@ class Frames(ToolsTestCase):
 
     def test_a_frame_alone_is_the_frame_of_the_row(self):
         said = self.preprocess("--frames", "6:8")
-        self.assertIn("this is at 0.25 s", said)
-        self.assertIn("this is at 0.333 s", said)
+        self.assertIn("this frame is at 0.25 s", said)
+        self.assertIn("this frame is at 0.333 s", said)
         self.render("row.pfm", "--frames", "6:8")
         for frame in (6, 7, 8):
             row = self.content(f"scene.{frame:04}.hpm"), self.content(f"row.{frame:04}.pfm")
@@ -40,7 +40,7 @@ class Frames(ToolsTestCase):
 
     def test_a_partition_serves_until_something_moves(self):
         said = self.preprocess("--frames", "23:26")
-        self.assertEqual(said.count("no face has moved since the frame before"), 2)
+        self.assertEqual(said.count("frame unchanged: reusing the previous partition"), 2)
         for frame in (24, 25, 26):
             self.preprocess("--frames", frame, output="one.hpm")
             self.assertEqual(self.content(f"one.{frame:04}.hpm"),
@@ -49,7 +49,7 @@ class Frames(ToolsTestCase):
     def test_an_image_serves_until_something_moves(self):
         self.preprocess("--frames", "24:26")
         said = self.render("row.pfm", "--frames", "24:26")
-        self.assertEqual(said.count("nothing has moved since the frame before: its image serves"), 2)
+        self.assertEqual(said.count("frame unchanged: reusing the previous image"), 2)
         self.render("one.pfm", "--frames", "26")
         self.assertEqual(self.content("one.0026.pfm"), self.content("row.0026.pfm"))
 
@@ -67,9 +67,9 @@ class Frames(ToolsTestCase):
                                 "--passes", 2, *options)
 
         said = fly("row.pfm", "--frames", "3:5")
-        self.assertEqual(said.count("photons of 2 passes are those of the frame before"), 2)
+        self.assertEqual(said.count("reused the photon maps of 2 passes"), 2)
         said = fly("anew.pfm", "--frames", "3:5", "--photon-cache", "0")
-        self.assertNotIn("of the frame before", said)
+        self.assertNotIn("reused the photon maps", said)
         fly("one.pfm", "--frames", "5")
         for frame in (4, 5):
             self.assertEqual(self.content(f"row.{frame:04}.pfm"),
@@ -116,7 +116,7 @@ class Frames(ToolsTestCase):
         self.preprocess("--frames", "2:3")
         image = ("-o", self.path("refused.pfm"))
         partition = self.path("scene.hpm")
-        for frames, naming in (("3:2", "ends before"), ("x", "no range"), ("1:2:3", "no range"),
+        for frames, naming in (("3:2", "ends before"), ("x", "not a range"), ("1:2:3", "not a range"),
                                ("-1:2", "--frames"), ("4", "scene.0004.hpm")):
             self.refuse("render", Tools.scene, partition, *image, "--frames", frames,
                         naming=naming)

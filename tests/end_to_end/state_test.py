@@ -50,7 +50,7 @@ class State(ToolsTestCase):
         with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as render:
             time.sleep(seconds)
             render.kill()
-            return "going on with" in render.communicate(timeout=120)[1]
+            return "resuming with" in render.communicate(timeout=120)[1]
 
     def test_killed_at_random_moments_and_gone_on_with(self):
         """The whole and two halves of it, killed in turn, by 1, 2 and 7 threads."""
@@ -72,7 +72,7 @@ class State(ToolsTestCase):
             gone_on += self.kill(self.command("killed.pfm", *parts[number], "--threads", threads),
                                  moment)
         for number, part in enumerate(parts):
-            gone_on += "going on with" in self.render(f"{number}.pfm", *part)
+            gone_on += "resuming with" in self.render(f"{number}.pfm", *part)
         self.assertGreaterEqual(gone_on, len(parts), "states were not kept in time")
         self.succeed("render", "merge", self.path("2.state"), self.path("1.state"), "-o",
                      self.path("merged.pfm"))
@@ -88,7 +88,7 @@ class State(ToolsTestCase):
             said = render.communicate(timeout=120)[1]
         self.assertIn(render.returncode, (0, 3), said)  # it may have been done by then
         self.assertTrue(os.path.exists(self.path("a.pfm")))
-        self.assertIn("going on with", self.render("a.pfm", *options))
+        self.assertIn("resuming with", self.render("a.pfm", *options))
         self.render("b.pfm", "--passes", PASSES)
         self.same("a.pfm", "b.pfm")
 
@@ -101,7 +101,7 @@ class State(ToolsTestCase):
         said = self.succeed("render", "merge", *states, "-o", self.path("merged.pfm"), "--state",
                             self.path("merged.state"), "--stats", self.path("merged.json"))
         self.assertIn("accuracy: error ", said)
-        self.assertRegex(said, "price: .* took 12 passes and .*; half that error takes ")
+        self.assertRegex(said, "cost: .* % in 12 passes, .*; .* would take about [0-9]+ passes, ")
         self.look_into_merged_statistics(self.read_json("merged.json"))
         self.render("again.pfm", "--passes", 12, "--state", self.path("merged.state"))
         self.same("whole.pfm", "merged.pfm", "again.pfm")
@@ -132,7 +132,7 @@ class State(ToolsTestCase):
     def test_it_ends_at_an_error_and_after_a_time_and_says_the_price(self):
         said = self.render("a.pfm", "--integrator", "path", "--error", "20%", "--stats",
                            self.path("a.json"))
-        self.assertRegex(said, "half the error asked for, 10 %, takes [0-9]+ and ")
+        self.assertRegex(said, "; 10 % would take about [0-9]+ passes, ")
         stats = self.read_json("a.json")
         self.assertEqual(stats["ended_by"], "error")
         checks = stats["error"]["checks"]
@@ -155,7 +155,7 @@ class State(ToolsTestCase):
         before = sorted(os.listdir(self.folder))
         said = self.succeed("render", Tools.scene, self.path("scene.hpm"), "--size", "16x16",
                             "--photons", "3000", "--quote", "--error", "3")
-        self.assertIn("an error of 3.0 % takes", said)
+        self.assertIn("cost of 3.0 % error: ", said)
         self.assertIn("memory", said)
         self.assertEqual(sorted(os.listdir(self.folder)), before)
         for option, value in (("--error", "0"), ("--error", "5%%"), ("--error", "nan"),

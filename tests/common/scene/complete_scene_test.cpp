@@ -33,7 +33,7 @@ GltfFile two_cameras()
 
 } // namespace
 
-TEST_CASE("matt surfaces are those of the program that wrote the file", "[scene][material]")
+TEST_CASE("diffuse surfaces are those of the program that wrote the file", "[scene][material]")
 {
     const auto model_of = [](const json& generator) {
         GltfFile file = tetrahedron();
@@ -74,7 +74,7 @@ TEST_CASE("of several cameras the named one is taken", "[scene][camera]")
 {
     const LoadedScene first = load(two_cameras());
     CHECK(first.scene.camera == 0);
-    CHECK(says(first.audit.found, "2 cameras: 'front' and 'top'; taking 'front' (--camera"));
+    CHECK(says(first.audit.found, "2 cameras: 'front' and 'top'; using 'front' (--camera"));
     SceneOptions options;
     options.camera = "top";
     CHECK(load(two_cameras(), options).scene.camera == 1);
@@ -102,7 +102,7 @@ TEST_CASE("only a scene without light gets a grey sky", "[scene][lights]")
     CHECK(says(load(tetrahedron(), options).audit.warnings, "black"));
 }
 
-TEST_CASE("a lamp without power does not count as light", "[scene][lights]")
+TEST_CASE("a light without power does not count as light", "[scene][lights]")
 {
     GltfFile file = tetrahedron();
     file.root["extensions"] = {
@@ -110,7 +110,7 @@ TEST_CASE("a lamp without power does not count as light", "[scene][lights]")
     file.root["nodes"][0]["extensions"] = {{"KHR_lights_punctual", {{"light", 0}}}};
     const LoadedScene loaded = load(file);
     CHECK(loaded.scene.environment == Rgb(1.0f));
-    CHECK(says(loaded.audit.warnings, "no power in light 'thing'"));
+    CHECK(says(loaded.audit.warnings, "light without power: 'thing'"));
 }
 
 TEST_CASE("excluded objects leave no trace in faces, vertices or the box", "[scene]")
@@ -133,14 +133,14 @@ TEST_CASE("excluded objects leave no trace in faces, vertices or the box", "[sce
                       Catch::Contains("--exclude 'cuter'") && Catch::Contains("'cutter'"));
 }
 
-TEST_CASE("transmissive materials and what glows are spoken of", "[scene]")
+TEST_CASE("transmissive and emissive materials are reported", "[scene]")
 {
     GltfFile file = emissive();
     file.root["materials"][0]["extensions"] = {
         {"KHR_materials_transmission", {{"transmissionFactor", 1}}}};
     const LoadedScene loaded = load(file);
     CHECK(says(loaded.audit.assumed, "'paint': solid glass where its mesh is closed"));
-    CHECK(says(loaded.audit.found, "glowing material 'paint' on 4 faces"));
+    CHECK(says(loaded.audit.found, "emissive material 'paint' on 4 faces"));
     CHECK(says(loaded.audit.found, "4 faces in 1 object, 1 material"));
 }
 

@@ -73,9 +73,9 @@ TEST_CASE("a damaged grid of densities is refused with its name", "[scene][damag
                           Catch::Contains("smoke.vol: ") && Catch::Contains(what));
     };
     const std::string good = volume({3, 2, 2}, kValues);
-    refused("", "not a grid");
-    refused(good.substr(0, 47), "not a grid");
-    refused("PK" + good.substr(2), "not a grid");
+    refused("", "not a density grid");
+    refused(good.substr(0, 47), "not a density grid");
+    refused("PK" + good.substr(2), "not a density grid");
     refused(volume({3, 2, 2}, kValues, 3), "32-bit floats");
     refused(volume({3, 2, 2}, kValues, 1, 3), "one channel");
     refused(volume({12, 1, 1}, kValues), "along each axis");

@@ -78,7 +78,7 @@ void check_two_pixels(const Scene& scene)
 
 } // namespace
 
-TEST_CASE("pictures are read from the buffer, from base64 and from files beside the scene",
+TEST_CASE("textures are read from the buffer, from base64 and from files beside the scene",
           "[scene][gltf][texture]")
 {
     const std::string png = two_pixel_png();
@@ -183,7 +183,7 @@ TEST_CASE("an unlit material shows its texture as light", "[scene][gltf][texture
     CHECK(find_texture(unlit.textures, TextureUse::base_color));
 }
 
-TEST_CASE("pictures that cannot be read are warned of by name and leave the plain colour",
+TEST_CASE("textures that cannot be read are warned of by name and leave the plain colour",
           "[scene][gltf][texture][damaged]")
 {
     const std::string png = two_pixel_png(), jpeg = grey_jpeg(64);
@@ -199,18 +199,18 @@ TEST_CASE("pictures that cannot be read are warned of by name and leave the plai
         const LoadedScene loaded = load(textured(base_texture(), picture));
         CHECK(loaded.scene.images.empty());
         CHECK(loaded.scene.materials.at(0).textures.empty());
-        CHECK(says(loaded.audit.warnings, "picture 'tiles'"));
+        CHECK(says(loaded.audit.warnings, "texture 'tiles'"));
     }
     GltfFile file = textured(base_texture(), png);
     for (const char* uri : {"gone.png", "../up.png", "http://127.0.0.1/a.png", "data:image/png,x",
                             "data:image/png;base64,!!!!", "/dev/zero", "%"}) {
         file.root["images"][0] = {{"uri", uri}};
         INFO(uri);
-        CHECK(says(load(file).audit.warnings, "picture 'image 0' cannot be read"));
+        CHECK(says(load(file).audit.warnings, "texture 'image 0' cannot be read"));
     }
     file = textured(base_texture(), png);
     file.root["textures"][0].erase("source");
-    CHECK(says(load(file).audit.warnings, "no picture in a format that is read"));
+    CHECK(says(load(file).audit.warnings, "no image in a supported format"));
     file = textured(base_texture(), png);
     file.root["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["texCoord"] = 2;
     CHECK(says(load(file).audit.warnings, "TEXCOORD_2"));
@@ -225,7 +225,7 @@ TEST_CASE("a PNG with any bytes changed is loaded or warned of", "[scene][gltf][
             damaged[i] = value;
             const LoadedScene loaded = load(textured(base_texture(), damaged));
             CHECK((loaded.scene.images.size() == 1 ||
-                   says(loaded.audit.warnings, "picture 'tiles'")));
+                   says(loaded.audit.warnings, "texture 'tiles'")));
         }
 }
 

@@ -91,7 +91,7 @@ TEST_CASE("irradiance from a point light does not depend on the scene's size", "
     }
 }
 
-TEST_CASE("lights shine along their node's -Z and its scale means nothing", "[scene][lights]")
+TEST_CASE("lights emit along their node's -Z and its scale means nothing", "[scene][lights]")
 {
     // A quarter turn about x takes -Z to -Y.
     const double half = std::sqrt(0.5);

@@ -190,7 +190,7 @@ TEST_CASE("what an OBJ file loses is spoken of", "[scene][obj]")
     const LoadedScene loaded = load_obj(
         "mtllib gone.mtl\nv 0 0 0 1 0 0\nv 1 0 0\nv 0 1 0\nusemtl nowhere\nf 1 2 3\nf 1 2\n"
         "l 1 2\ncurv 0 1 2\n");
-    for (const char* wanted : {"'gone.mtl'", "'nowhere'", "1 face of fewer than three corners",
+    for (const char* wanted : {"'gone.mtl'", "'nowhere'", "1 face with fewer than three corners",
                                "vertex colours", "points and lines", "curves"}) {
         INFO(wanted);
         CHECK(says(loaded.audit.warnings, wanted));
@@ -250,10 +250,11 @@ TEST_CASE("MTL's ways of saying transparent become transmission", "[scene][obj]"
     CHECK(material_of("Kd 1 1 1\nNi 1.45\nillum 2\n").transmission == 0.0f);
 }
 
-TEST_CASE("a lamp without Ke and a textured MTL material are warned of", "[scene][obj]")
+TEST_CASE("a light without Ke and a textured MTL material are warned of", "[scene][obj]")
 {
     CHECK(says(load_with_mtl("Ka 20 20 20\nKd 1 1 1\n").audit.warnings, "Ke 20 20 20"));
-    CHECK_FALSE(says(load_with_mtl("Ka 20 20 20\nKe 5 5 5\n").audit.warnings, "looks like a lamp"));
+    CHECK_FALSE(
+        says(load_with_mtl("Ka 20 20 20\nKe 5 5 5\n").audit.warnings, "looks like a light"));
     CHECK(says(load_with_mtl("Kd 1 1 1\nmap_Kd wood.png\n").audit.warnings, "textures"));
     CHECK_THROWS_WITH(load_with_mtl("Ke 1e999 0 0\n"), Catch::Contains("material 'm'"));
 }

@@ -61,7 +61,7 @@ TEST_CASE("sample_texture: sRGB is made linear before it is mixed, alpha never",
                 {bright / 2, (dark + 1) / 2, 0, 64 / 255.0f});
 }
 
-TEST_CASE("sample_texture: beyond the picture it repeats, mirrors or keeps its edge",
+TEST_CASE("sample_texture: outside the texture it repeats, mirrors or keeps its edge",
           "[scene][texture]")
 {
     const TextureImage image = {
@@ -85,7 +85,7 @@ TEST_CASE("sample_texture: beyond the picture it repeats, mirrors or keeps its e
     check_close(at(Wrap::clamp, third), 0.5f * (kRed + kGreen));
 }
 
-TEST_CASE("sample_texture: no coordinate and no picture gives what is not in [0, 1]",
+TEST_CASE("sample_texture: no coordinate and no texture gives what is not in [0, 1]",
           "[scene][texture]")
 {
     const float infinity = std::numeric_limits<float>::infinity();

@@ -185,7 +185,7 @@ TEST_CASE("exact_group_radius: a search within it finds what the shared map hold
 }
 
 TEST_CASE(
-    "find_group_candidates: clearances fall short of the truth by little, and never exceed it",
+    "find_group_candidates: self-distances fall short of the truth by little, and never exceed it",
     "[partition][property]")
 {
     int faces = 0;

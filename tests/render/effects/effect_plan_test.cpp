@@ -135,7 +135,7 @@ TEST_CASE("effect plan: an effect is on if and only if the scene calls for it", 
     brushed.anisotropy = 1;
     Scene anisotropic = with_pane(brushed);
     CHECK_THAT(plan_of(anisotropic).effects[static_cast<std::size_t>(Effect::anisotropy)].reason,
-               Catch::Contains("'brushed' have no texture coordinates"));
+               Catch::Contains("'brushed' need texture coordinates"));
     anisotropic.mesh.attributes.tangents.assign(anisotropic.mesh.positions.size(),
                                                 glm::vec4(1, 0, 0, 1));
     CHECK(on_in(plan_of(anisotropic)) ==
@@ -169,7 +169,7 @@ TEST_CASE("effect plan: an effect is on if and only if the scene calls for it", 
     under_ball.lights[0].name = "Bulb";
     CHECK(on_in(plan_of(under_ball)) == Effects{Effect::soft_shadows, Effect::indirect});
     CHECK(plan_of(under_ball).effects[0].reason ==
-          "light comes from the whole of the lamps 'Bulb'");
+          "light comes from the area of the lights 'Bulb'");
     Scene under_panel = plain_floor();
     under_panel.lights.clear();
     CHECK(on_in(plan_of(under_panel)) == Effects{});
@@ -178,7 +178,7 @@ TEST_CASE("effect plan: an effect is on if and only if the scene calls for it", 
     CHECK(on_in(plan_of(under_panel)) == Effects{Effect::soft_shadows, Effect::indirect});
 }
 
-TEST_CASE("effect plan: without light or matt surfaces there are no caustics", "[effects]")
+TEST_CASE("effect plan: without light or diffuse surfaces there are no caustics", "[effects]")
 {
     Scene scene = with_pane(tiny::mirror(Rgb(0.9f)));
     scene.lights.clear();
@@ -204,7 +204,7 @@ TEST_CASE("effect plan: reasons name what becomes of reflections", "[effects]")
     tiny::add(scene, tiny::floor_at(0.3f, 0.2f),
               named(rough(tiny::mirror(Rgb(0.9f)), 0.5f), "tin"));
     CHECK(plan_of(scene).effects[static_cast<std::size_t>(Effect::glossy)].reason ==
-          "glossy reflections up to roughness 0.3 and rough glass are followed by rays: 'steel' "
+          "glossy reflections up to roughness 0.3 and rough glass are traced by rays: 'steel' "
           "and 'frosted'; reflections above roughness 0.3 are gathered from photons: 'tin'");
 }
 
@@ -216,7 +216,7 @@ TEST_CASE("effect plan: what the file has and no light gets into is off, and sai
     const EffectPlan plan = plan_of(scene);
     CHECK(on_in(plan) == Effects{Effect::indirect});
     CHECK(plan.effects[static_cast<std::size_t>(Effect::subsurface)].reason ==
-          "no light gets into 'wax', opaque or not closed");
+          "no light enters 'wax': opaque or not closed");
 }
 
 TEST_CASE("effect plan: names are in the order of the effects, all different", "[effects]")

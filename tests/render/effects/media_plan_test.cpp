@@ -64,7 +64,7 @@ TEST_CASE("effect plan: media are on where light passes them, and named", "[effe
     CHECK(!media_of(scene, {parse_effect_switches("-media"), true}).on);
     scene = tiny::furnace();
     scene.around.absorption = Rgb(1);
-    CHECK(media_of(scene).reason == "the scene has one around it");
+    CHECK(media_of(scene).reason == "a medium surrounds the scene");
 }
 
 TEST_CASE("drop_effects: media left out leave neither fog nor the surface it had not",
@@ -123,7 +123,7 @@ TEST_CASE("effect plan: dielectrics are nested where one lies in another, or the
     CHECK(nested(two_balls(ball, ball_at(0.5f, 0.3f))).on);
     CHECK(nested(two_balls(ball, ball_at(0.1f, 0.2f))).on);
     CHECK(nested(two_balls(ball_at(0.1f, 0.2f), ball)).reason ==
-          "'one' and 'other' lie in one another");
+          "'one' and 'other' overlap each other");
     CHECK(!nested(two_balls(ball, ball_at(0.8f, 0.3f))).on);
     // Boxes overlap, balls do not.
     TriangleMesh aside = ball_at(0.55f, 0.3f);

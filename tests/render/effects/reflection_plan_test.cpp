@@ -40,8 +40,8 @@ TEST_CASE("effect plan: reflection models are named with what they call for", "[
     const EffectPlan phong = plan_of(modelled_floor(ReflectionModel::phong));
     CHECK(list_effects(phong) == "soft-shadows, indirect, glossy, caustics, reflection-models");
     CHECK(describe(models_in(phong)) ==
-          "reflection-models: on; 'floor' reflect by the model of "
-          "Phong; costs a formula of their own where a ray meets them");
+          "reflection-models: on; 'floor' use the reflection model of "
+          "Phong; costs another formula at each hit");
     const Scene foil = modelled_floor(ReflectionModel::schlick);
     CHECK(list_effects(plan_of(foil)) ==
           "soft-shadows, indirect, mirror, glossy, caustics, reflection-models");

@@ -1,5 +1,5 @@
+#include "render/film/error_cost.h"
 #include "render/film/image_error.h"
-#include "render/film/price.h"
 #include "tests/render/film/synthetic_passes.h"
 #include "tests/support/statistics.h"
 

@@ -92,7 +92,7 @@ RunningMean render(const Scene& scene, Integrator integrator, std::uint64_t pass
 
 } // namespace
 
-TEST_CASE("alpha: black walls let their share of a lamp's light pass", "[integrator]")
+TEST_CASE("alpha: black walls let their share of a light's radiance pass", "[integrator]")
 {
     Scene scene = lit_floor();
     const RunningMean bare = render(scene, Integrator::path, 8);
@@ -157,7 +157,7 @@ TEST_CASE("alpha: photons lie as densely where light passes as where it is stopp
     CHECK(std::abs(on_floor.z_score(3 * (1 - 0.16 * stopped))) < kMostZ);
 }
 
-TEST_CASE("alpha: a mask has holes where its picture is below the cutoff", "[integrator]")
+TEST_CASE("alpha: a mask has holes where its texture is below the cutoff", "[integrator]")
 {
     // Alpha rises from 0.2 on the left half to 0.8 on the right one.
     Scene scene = tiny::make_scene(tiny::quad());

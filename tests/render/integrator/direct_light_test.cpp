@@ -137,7 +137,7 @@ TEST_CASE("direct light: many lights are sampled without bias", "[integrator]")
     CHECK(std::abs(mean.z_score(truth)) < kMostZ);
 }
 
-TEST_CASE("direct light: many lamps that glow are sampled without bias", "[integrator]")
+TEST_CASE("direct light: many emissive meshes are sampled without bias", "[integrator]")
 {
     // Panels to all sides of the point; those that face away or lie below the floor give nothing.
     Scene scene = tiny::diffuse_floor();

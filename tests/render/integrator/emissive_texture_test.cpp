@@ -35,7 +35,7 @@ constexpr double kRadiance = 2, kHalf = 0.2, kHeight = 0.3;
 
 } // namespace
 
-TEST_CASE("emissive pictures: the floor has the light of the half that shines", "[integrator]")
+TEST_CASE("emissive textures: the floor has the light of the half that emits", "[integrator]")
 {
     const auto ready = tiny::ready(half_lit_floor());
     Ray ray;
@@ -52,8 +52,7 @@ TEST_CASE("emissive pictures: the floor has the light of the half that shines", 
     CHECK(mean.standard_error() < 0.01 * mean.mean());
 }
 
-TEST_CASE("emissive pictures: light paths carry the power of what shines, from there",
-          "[integrator]")
+TEST_CASE("emissive textures: light paths carry the power emitted, from there", "[integrator]")
 {
     const auto ready = tiny::ready(half_lit_floor());
     const EmissionPlan plan = plan_emission(ready->render->lights, 20000, Emitters::all);
@@ -68,7 +67,7 @@ TEST_CASE("emissive pictures: light paths carry the power of what shines, from t
     CHECK(std::abs(power.z_score(double{kPi} * kRadiance * 2 * kHalf * kHalf)) < kMostZ);
 }
 
-TEST_CASE("emissive pictures: photons bring the floor the power that shines on it", "[integrator]")
+TEST_CASE("emissive textures: photons bring the floor the power emitted to it", "[integrator]")
 {
     double power = 0; // of midpoints of a grid, each under a rectangle with signed corners
     constexpr int kSide = 64;

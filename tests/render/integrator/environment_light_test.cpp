@@ -61,7 +61,8 @@ RunningMean irradiance_of_floor(const tiny::ReadyScene& ready, int samples)
 
 } // namespace
 
-TEST_CASE("sky light: a picture of one radiance lights as the uniform sky does", "[integrator]")
+TEST_CASE("sky light: an environment map of one radiance lights as the uniform sky does",
+          "[integrator]")
 {
     Image even(16, 8);
     for (Rgb& pixel : even.pixels)
@@ -70,7 +71,7 @@ TEST_CASE("sky light: a picture of one radiance lights as the uniform sky does",
     CHECK(std::abs(mean.z_score(M_PI * 0.25)) < kMostZ);
 }
 
-TEST_CASE("sky light: a small sun in a picture lights by its cosine", "[integrator]")
+TEST_CASE("sky light: a small sun in an environment map lights by its cosine", "[integrator]")
 {
     const SunnySky sky = sunny_sky(0.1f, 500);
     const RunningMean mean =
@@ -79,7 +80,7 @@ TEST_CASE("sky light: a small sun in a picture lights by its cosine", "[integrat
     CHECK(mean.standard_error() < 0.005 * sky.irradiance); // which rays of lobes alone are far from
 }
 
-TEST_CASE("sky light: photons from a picture carry its power", "[integrator]")
+TEST_CASE("sky light: photons from an environment map carry its power", "[integrator]")
 {
     const SunnySky sky = sunny_sky(0.1f, 500);
     const auto ready = under(sky.picture, tiny::diffuse_floor());
@@ -95,8 +96,9 @@ TEST_CASE("sky light: photons from a picture carry its power", "[integrator]")
     CHECK(std::abs(power.z_score(sky.irradiance)) < kMostZ); // the floor has area 1
 }
 
-TEST_CASE("sky light: the integrators agree under a picture, with a glass and a mirror ball",
-          "[integrator]")
+TEST_CASE(
+    "sky light: the integrators agree under an environment map, with a glass and a mirror ball",
+    "[integrator]")
 {
     const SunnySky sky = sunny_sky(0.5f, 100);
     const auto ready =

@@ -95,7 +95,7 @@ TEST_CASE("light classes: light that comes by glass alone is gone without causti
     }
 }
 
-TEST_CASE("light classes: without bounces a glowing box shows its glow and one reflection",
+TEST_CASE("light classes: without bounces an emissive box shows its emission and one reflection",
           "[integrator]")
 {
     const auto ready = tiny::ready(tiny::furnace());

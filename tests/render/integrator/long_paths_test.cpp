@@ -58,7 +58,7 @@ Scene with_ball(Scene room, float radius, const Material& material)
 
 } // namespace
 
-TEST_CASE("long paths: a closed matt box of albedo 0.999", "[integrator]")
+TEST_CASE("long paths: a closed diffuse box of albedo 0.999", "[integrator]")
 {
     check_mean(tiny::emissive_box(Rgb(0.999f)), 1, {16, 4, 250});
 }

@@ -95,7 +95,7 @@ TEST_CASE("media: light is absorbed as Beer and Lambert say", "[integrator][medi
         check(measure(scene, integrator, 2), expected, 1e-4);
 }
 
-TEST_CASE("media: a glowing slab sends e/a (1 - exp(-a d))", "[integrator][media]")
+TEST_CASE("media: an emissive slab sends e/a (1 - exp(-a d))", "[integrator][media]")
 {
     Medium medium;
     medium.absorption = Rgb(2);
@@ -141,7 +141,7 @@ TEST_CASE("media: fog that absorbs nothing changes nothing in a furnace", "[inte
         check(measure(scene, integrator), 1, 0.02);
 }
 
-TEST_CASE("media: light of a lamp that is scattered once", "[integrator][media]")
+TEST_CASE("media: light that is scattered once", "[integrator][media]")
 {
     Medium medium; // so thin that what is scattered twice is less than the noise
     medium.absorption = Rgb(1);
@@ -171,7 +171,7 @@ TEST_CASE("media: light of a lamp that is scattered once", "[integrator][media]"
     check(measure(scene, Integrator::path, 64), expected, 0.02);
 }
 
-TEST_CASE("media: integrators agree on fog, milk and haze under a lamp", "[integrator][media]")
+TEST_CASE("media: integrators agree on fog, milk and haze under a light", "[integrator][media]")
 {
     Scene scene = tiny::box(tiny::diffuse({0.6f, 0.5f, 0.4f}));
     TriangleMesh shape = tiny::cube();
@@ -194,7 +194,8 @@ TEST_CASE("media: integrators agree on fog, milk and haze under a lamp", "[integ
     check_agreement(scene);
 }
 
-TEST_CASE("media: integrators agree on a room that a glowing medium lights", "[integrator][media]")
+TEST_CASE("media: integrators agree on a room that an emissive medium lights",
+          "[integrator][media]")
 {
     Scene scene = tiny::box(tiny::diffuse({0.6f, 0.5f, 0.4f}));
     TriangleMesh cube = tiny::cube();

@@ -12,8 +12,8 @@ namespace hipmap::tiny {
 namespace {
 
 constexpr float kRadiance = 3;
-constexpr double kWay = 0.75;   ///< of the lamp's middle, about the origin
-constexpr double kHalf = 0.125; ///< of the lamp's side
+constexpr double kWay = 0.75;   ///< of the light's middle, about the origin
+constexpr double kHalf = 0.125; ///< of the light's side
 
 /// A light seen from above, after that share of its way along x.
 Scene light_on_its_way(double share)
@@ -63,7 +63,7 @@ TEST_CASE("the moments of a batch's passes are stratified, those of batches are 
     CHECK(firsts.size() == 20 * kBatches);
 }
 
-TEST_CASE("the mean over passes of a lamp that moves is the time for which it is seen", "[motion]")
+TEST_CASE("the mean over passes of a light that moves is the time for which it is seen", "[motion]")
 {
     const auto still = ready(light_on_its_way(0.5));
     std::array<RunningMean, 8> columns;

@@ -82,7 +82,7 @@ TEST_CASE("paper light: the integrators agree below a sheet, where all light com
     }
 }
 
-TEST_CASE("paper light: a lamp below a sheet lights what is seen of it from above", "[integrator]")
+TEST_CASE("paper light: a light below a sheet lights what is seen of it from above", "[integrator]")
 {
     Scene scene = tiny::make_scene(tiny::floor_at(0, 1));
     scene.materials[0] = paper(Rgb(0.5f), {0.9f, 0.8f, 0.3f});

@@ -93,7 +93,7 @@ TEST_CASE("photons in media: the same at any number of threads", "[photons][medi
                      }));
 }
 
-TEST_CASE("glowing media: light paths carry 4 pi e times their volume", "[photons][media]")
+TEST_CASE("emissive media: light paths carry 4 pi e times their volume", "[photons][media]")
 {
     Scene scene = tiny::box(tiny::diffuse(Rgb(0.5f)));
     TriangleMesh cube = tiny::cube();

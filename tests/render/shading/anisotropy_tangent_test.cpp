@@ -54,7 +54,7 @@ Facets facets(const Scene& scene)
 
 } // namespace
 
-TEST_CASE("stretch: it lies along the picture, turned by the rotation", "[shading]")
+TEST_CASE("anisotropy tangent: it lies along the texture, turned by the rotation", "[shading]")
 {
     Scene scene = brushed_quad();
     CHECK(glm::distance(along_of(scene), {1, 0, 0}) < 1e-5f);
@@ -66,8 +66,9 @@ TEST_CASE("stretch: it lies along the picture, turned by the rotation", "[shadin
     CHECK(glm::distance(along_of(scene), {1, 0, 0}) < 1e-5f);
 }
 
-TEST_CASE("stretch: a picture says the direction, before the rotation, and the strength",
-          "[shading]")
+TEST_CASE(
+    "anisotropy tangent: a texture gives the direction, before the rotation, and the strength",
+    "[shading]")
 {
     Scene scene = brushed_quad();
     add_texture(scene, 128, 255, 128); // upwards, half
@@ -80,7 +81,8 @@ TEST_CASE("stretch: a picture says the direction, before the rotation, and the s
     CHECK_FALSE(seen(scene).bsdf().is_directed);
 }
 
-TEST_CASE("stretch: a ray sees it across the shading normal; no direction, no stretch", "[shading]")
+TEST_CASE("anisotropy tangent: it lies across the shading normal; none without a direction",
+          "[shading]")
 {
     Scene scene = brushed_quad();
     const Interaction at = seen(scene);

@@ -77,7 +77,7 @@ TEST_CASE("energy compensation: white metal sends on all light, at every roughne
         }
 }
 
-TEST_CASE("energy compensation: what is regained is less where more is absorbed on the way",
+TEST_CASE("energy compensation: multiple scattering is less where more is absorbed on the way",
           "[shading]")
 {
     for (const float roughness : {0.4f, 1.0f}) {

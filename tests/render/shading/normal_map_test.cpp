@@ -47,7 +47,7 @@ void check_normal(const Scene& scene, const glm::vec3& expected)
 
 } // namespace
 
-TEST_CASE("normal map: red tilts to the picture's right, green upwards", "[shading]")
+TEST_CASE("normal map: red tilts to the texture's right, green upwards", "[shading]")
 {
     check_normal(tilted_right(), {0.6f, 0, 0.8f});
     check_normal(tilted_up(), {0, 0.6f, 0.8f});

@@ -92,7 +92,7 @@ TEST_CASE("reflection models: Schlick's values by hand", "[shading]")
           Approx(reflected * 0.64 * 5 / (4 * pi * masking * masking)));
 }
 
-TEST_CASE("reflection models: Schlick's layer is stretched as its isotropy says", "[shading]")
+TEST_CASE("reflection models: Schlick's layer is anisotropic by its isotropy", "[shading]")
 {
     const Schlick even{{Rgb(1), Rgb(1)}, 0.5f, 1}, brushed{{Rgb(1), Rgb(1)}, 0.5f, 0.25f};
     const LobeView view{.normal = {0, 0, 1}, .out = {0, 0, 1}, .tangent = {1, 0, 0}};

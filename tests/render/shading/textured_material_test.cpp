@@ -97,7 +97,7 @@ TEST_CASE("textured material: colours of vertices multiply the base colour", "[s
     CHECK(material_at(scene, 0, middle).emission.x == Approx(1));
 }
 
-TEST_CASE("textured material: the mean emission of a face is that of its part of the picture",
+TEST_CASE("textured material: the mean emission of a face is that of its part of the texture",
           "[shading]")
 {
     Scene scene = textured_quad();
@@ -112,7 +112,7 @@ TEST_CASE("textured material: the mean emission of a face is that of its part of
     CHECK(mean_emission(scene, 0) == Rgb(0));
 }
 
-TEST_CASE("textured material: specular pictures scale the coat", "[shading]")
+TEST_CASE("textured material: specular textures scale the coat", "[shading]")
 {
     Scene scene = textured_quad();
     Material& material = scene.materials[0];

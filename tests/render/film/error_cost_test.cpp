@@ -1,4 +1,4 @@
-#include "render/film/price.h"
+#include "render/film/error_cost.h"
 
 #include <catch2/catch.hpp>
 
@@ -29,7 +29,7 @@ std::vector<ErrorCheck> checks_of(const ErrorLaw& law, std::uint64_t last)
 
 } // namespace
 
-TEST_CASE("price: checks are spaced geometrically and never repeat", "[film]")
+TEST_CASE("error cost: checks are spaced geometrically and never repeat", "[film]")
 {
     std::vector<std::uint64_t> found;
     for (std::uint64_t passes = 0; passes < 200; passes = next_check(passes))
@@ -43,7 +43,7 @@ TEST_CASE("price: checks are spaced geometrically and never repeat", "[film]")
     CHECK(next_check(16) == 23);
 }
 
-TEST_CASE("price: a law of all parts is found again, and halving costs what it says", "[film]")
+TEST_CASE("error cost: a law of all parts is found again, and halving costs what it says", "[film]")
 {
     for (const auto& [alpha, order] : {std::pair{kAlpha, 2.0}, {kAlpha, 1.2}, {0.5, 1.5}})
         for (ErrorLaw law : {ErrorLaw{0.3, 0.2}, {0, 0.1}, {0.5, 0}, {0.3, 0.2, 0, 0.1}}) {
@@ -55,25 +55,26 @@ TEST_CASE("price: a law of all parts is found again, and halving costs what it s
             CHECK(found.by_photon == Approx(law.by_photon).margin(1e-9));
             CHECK(found.by_bias == Approx(law.by_bias).margin(1e-9));
             const double half = checks.back().error.error / 2;
-            const Price price = price_of(checks, found, half, 1000);
-            CHECK(error_after(law, price.passes) <= half * (1 + 1e-6));
+            const ErrorCost cost = error_cost(checks, found, half, 1000);
+            CHECK(error_after(law, cost.passes) <= half * (1 + 1e-6));
             std::uint64_t before = 0;
-            while (static_cast<double>(next_check(before)) < price.passes)
+            while (static_cast<double>(next_check(before)) < cost.passes)
                 before = next_check(before);
-            CHECK(static_cast<double>(next_check(before)) == price.passes);
+            CHECK(static_cast<double>(next_check(before)) == cost.passes);
             CHECK(error_after(law, static_cast<double>(before)) > half);
-            CHECK(price.seconds == Approx(0.5 * price.passes));
-            CHECK(price.photons == 1000 * price.passes);
+            CHECK(cost.seconds == Approx(0.5 * cost.passes));
+            CHECK(cost.photons == 1000 * cost.passes);
         }
 }
 
-TEST_CASE("price: to halve an error costs 4 times the passes, 8 by photons, and 64 by the bias at "
-          "edges",
-          "[film]")
+TEST_CASE(
+    "error cost: to halve an error costs 4 times the passes, 8 by photons, and 64 by the bias at "
+    "edges",
+    "[film]")
 {
     const auto factor = [](const ErrorLaw& law) {
         const auto checks = checks_of(law, 128);
-        return price_of(checks, error_law(checks, kAlpha), checks.back().error.error / 2, 1)
+        return error_cost(checks, error_law(checks, kAlpha), checks.back().error.error / 2, 1)
                    .passes /
                128;
     };
@@ -83,10 +84,10 @@ TEST_CASE("price: to halve an error costs 4 times the passes, 8 by photons, and 
     CHECK(factor({0, 0, kAlpha, 0.3, 1.0 / 3}) == Approx(64).epsilon(0.01));
 }
 
-TEST_CASE("price: none and no error cost nothing, and a bias by chance below zero is none",
+TEST_CASE("error cost: none and no error cost nothing, and a bias by chance below zero is none",
           "[film]")
 {
-    CHECK(price_of({}, {}, 0.1, 1).passes == 0);
+    CHECK(error_cost({}, {}, 0.1, 1).passes == 0);
     CHECK(error_law({}, kAlpha).by_pass == 0);
     CHECK(passes_for({0, 0}, 0) == kBatches);
     CHECK(std::isinf(passes_for({1, 1}, 0)));

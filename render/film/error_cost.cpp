@@ -1,4 +1,4 @@
-#include "render/film/price.h"
+#include "render/film/error_cost.h"
 
 #include <algorithm>
 #include <cmath>
@@ -72,18 +72,18 @@ double passes_for(const ErrorLaw& law, double error)
     return static_cast<double>(passes);
 }
 
-Price price_of(std::span<const ErrorCheck> checks, const ErrorLaw& law, double error,
-               std::uint64_t photons_per_pass)
+ErrorCost error_cost(std::span<const ErrorCheck> checks, const ErrorLaw& law, double error,
+                     std::uint64_t photons_per_pass)
 {
-    Price price;
-    price.error = error;
+    ErrorCost cost;
+    cost.error = error;
     if (checks.empty())
-        return price;
+        return cost;
     const ErrorCheck& last = checks.back();
-    price.passes = passes_for(law, error);
-    price.seconds = price.passes * last.seconds / static_cast<double>(last.passes);
-    price.photons = price.passes * static_cast<double>(photons_per_pass);
-    return price;
+    cost.passes = passes_for(law, error);
+    cost.seconds = cost.passes * last.seconds / static_cast<double>(last.passes);
+    cost.photons = cost.passes * static_cast<double>(photons_per_pass);
+    return cost;
 }
 
 } // namespace hipmap

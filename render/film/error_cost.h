@@ -1,0 +1,59 @@
+#pragma once
+
+#include "render/film/image_error.h"
+
+#include <span>
+
+namespace hipmap {
+
+/// The error after a number of passes.
+struct ErrorCheck {
+    std::uint64_t passes = 0;
+    double seconds = 0; ///< spent on passes until then, over all runs
+    ImageError error;
+    bool operator==(const ErrorCheck&) const = default;
+};
+
+/// The model of the error: its square is by_pass / N + by_photon / N^photon_power + by_bias /
+/// N^bias_power, docs/error.md (12).
+struct ErrorLaw {
+    double by_pass = 0;
+    double by_photon = 0;
+    double photon_power = 2.0 / 3;
+    double by_bias = 0;
+    double bias_power = 2.0 / 3;
+};
+
+/// The passes and the time that an error costs, counted from the first pass.
+struct ErrorCost {
+    double error = 0;
+    double passes = 0; ///< whole; infinite: never
+    double seconds = 0;
+    double photons = 0; ///< light paths
+};
+
+/// Returns the first number of passes above `passes` at which the error is estimated: 2, then some
+/// 1.4 times as many each time.
+std::uint64_t next_look(std::uint64_t passes);
+
+/// Returns the first number of passes above `passes` at which a render may end because of its
+/// error: from 8 on, since the first of many estimates to be low may be low by luck.
+std::uint64_t next_check(std::uint64_t passes);
+
+/// Fits the law to the parts of the error at the last check.  alpha: of docs/error.md (1).  No
+/// checks: zero.
+ErrorLaw error_law(std::span<const ErrorCheck> checks, double alpha);
+
+/// Returns the error after a number of passes.
+double error_after(const ErrorLaw& law, double passes);
+
+/// Returns the first number of passes at which a render may end with at most `error`; infinite if
+/// `error` is not above zero and the law is not zero.
+double passes_for(const ErrorLaw& law, double error);
+
+/// Predicts the passes and the time of a render to `error`, by a law fitted to these checks, with
+/// passes that cost as much as at the last check.
+ErrorCost error_cost(std::span<const ErrorCheck> checks, const ErrorLaw& law, double error,
+                     std::uint64_t photons_per_pass);
+
+} // namespace hipmap
