@@ -8,7 +8,7 @@ namespace {
 
 /// Of the floors: so dark that what mirrors and glass send back to them does not count.
 constexpr double kDark = 0.001;
-const char* const kHidden = "a sun behind glass or in a mirror is met by no path";
+const char* const kHidden = "no path finds a sun through glass or in a mirror";
 
 /// Irradiance 1 across `direction`.
 PunctualLight sun_along(const glm::vec3& direction)

@@ -131,7 +131,7 @@ std::vector<FoundForm> find_power_from_glass(std::uint64_t passes)
         const auto ready = tiny::ready(form.scene(absorption));
         const bool clear = is_black(absorption);
         const std::string name =
-            clear ? "power out of a clear ball" : "power out of a coloured ball";
+            clear ? "power that leaves a clear ball" : "power that leaves a coloured ball";
         double expected = 0;
         for (int c = 0; c < 3; ++c)
             expected += form.leaving(absorption[c]) / 3;

@@ -86,8 +86,12 @@ ClosedForm under_sky()
 ClosedForm under_square_light()
 {
     constexpr double kSide = 0.4, kHeight = 0.3;
-    ClosedForm out{"square under a square lamp", "ρ L F", floor_seen(kSide), 0,
-                   PhotonsRead::direct,          kPhotons};
+    ClosedForm out{"square under an emissive square",
+                   "ρ L F",
+                   floor_seen(kSide),
+                   0,
+                   PhotonsRead::direct,
+                   kPhotons};
     tiny::add(out.scene, tiny::floor_at(kHeight, -kSide), tiny::emissive(Rgb(2)));
     out.expected = kHalf * 2 * facing_squares(kSide / kHeight);
     return out;
@@ -142,7 +146,7 @@ ClosedForm under_disc_light()
 ClosedForm under_triangle_light()
 {
     constexpr double kSide = 0.3;
-    ClosedForm out{"triangular lamp over a floor",
+    ClosedForm out{"emissive triangle over a floor",
                    "ρ/π L ½ Σ γ n·Γ",
                    floor_seen(kSide),
                    0,
@@ -228,8 +232,8 @@ std::vector<ClosedForm> lit_forms()
         under_disc_light(),
         under_triangle_light(),
         lit_by_a_wall(),
-        {"glowing box", "e/(1 - ρ)", tiny::emissive_box(albedo), 1, PhotonsRead::others, kPhotons},
-        {"glowing box with a glass and a mirror ball", "e/(1 - ρ)",
+        {"emissive box", "e/(1 - ρ)", tiny::emissive_box(albedo), 1, PhotonsRead::others, kPhotons},
+        {"emissive box with a glass and a mirror ball", "e/(1 - ρ)",
          tiny::with_glass_and_mirror(tiny::emissive_box(albedo), Rgb(1)), 1, PhotonsRead::others,
          kPhotons},
     };

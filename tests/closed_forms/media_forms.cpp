@@ -13,7 +13,8 @@ ClosedForm absorbed()
     constexpr double kLight = 2;
     Medium medium;
     medium.absorption = {0.5f, 1, 4};
-    ClosedForm out{"lamp through a slab that absorbs", "L exp(-a d)", tiny::cube_of(medium), 0};
+    ClosedForm out{"emissive square through an absorbing slab", "L exp(-a d)",
+                   tiny::cube_of(medium), 0};
     tiny::add(out.scene, tiny::floor_at(-0.6f, 3), tiny::emissive(Rgb(kLight)));
     for (int c = 0; c < 3; ++c)
         out.expected += kLight * std::exp(-double{medium.absorption[c]}) / 3;
@@ -25,7 +26,7 @@ ClosedForm emissive()
     Medium medium;
     medium.absorption = {0, 1, 2};
     medium.emission = Rgb(3);
-    ClosedForm out{"slab that absorbs and glows", "e/a (1 - exp(-a d))", tiny::cube_of(medium),
+    ClosedForm out{"slab that absorbs and emits", "e/a (1 - exp(-a d))", tiny::cube_of(medium),
                    (3 + 3 * -std::expm1(-1.0) + 1.5 * -std::expm1(-2.0)) / 3};
     return out;
 }
@@ -48,7 +49,7 @@ ClosedForm under_sky(const std::string& name, const PhaseFunction& phase)
 
 ClosedForm in_a_box()
 {
-    ClosedForm out{"glowing box full of white fog",
+    ClosedForm out{"emissive box full of white fog",
                    "e/(1 - ρ)",
                    tiny::emissive_box({0.7f, 0.5f, 0.3f}),
                    1,
@@ -69,7 +70,7 @@ ClosedForm scattered_once()
     medium.phase = {PhaseKind::henyey_greenstein, kMeanCosine};
     ClosedForm out{"point light in thin fog", "∫ s p I/d² exp(-t (d + d'))",
                    tiny::cube_of(medium, kSide), 0};
-    out.why_not_photons = "of a pass next to none is scattered";
+    out.why_not_photons = "hardly any photon of a pass is scattered";
     PunctualLight light;
     light.kind = LightKind::point;
     light.position = {0.4f, 0, 0};

@@ -1,4 +1,4 @@
-/// Writes docs/closed_forms.md: what each integrator finds where the answer is known.
+/// Writes docs/closed_forms.md, which compares each integrator with exact answers.
 
 #include "common/command_line/command_line.h"
 #include "common/file/output_file.h"
@@ -54,23 +54,25 @@ std::string introduction(std::uint64_t passes, const std::vector<FoundForm>& row
         << "# Closed forms\n\nWritten by `build/release/bin/closed_forms --to "
            "docs/closed_forms.md`; do not edit. Run on "
         << today()
-        << ".\n\nEach line is a scene of which the mean radiance of the picture is known exactly "
-           "(of `photons`: the power that\nleaves a ball), and what was found in "
+        << ".\n\nThis page compares every integrator with scenes whose answer is known exactly. "
+           "Each line names a scene, the exact\nmean radiance of its image (for `photons`: the "
+           "exact power that leaves a ball), and the mean of "
         << passes
-        << " independent passes of 16x16 pixels. z is what was found less what is\nexpected, in "
-           "standard errors, brought from Student's distribution to the normal one. A right "
-           "estimator stays below\n"
-        << kMostZ << " but for 7 of a million figures. Of the " << std::setprecision(0) << sought
-        << " here the largest is " << std::setprecision(2) << largest
-        << ", and the mean of their squares " << squares / sought
-        << ".\nThe tests `closed_forms` check the same with " << kPassesOfForms << " passes ("
-        << kPassesOfPaths
-        << " by `path`).\n\nIntegrator `direct` estimates by the k = " << kNeighbours
-        << " nearest photons; where those are stratified this is low by up to 1/(2k)\n"
-           "([photon_maps.md](photon_maps.md) (2)), and z is 0 within that.\n\n"
-           "ρ albedo, e radiance of a wall, L of a lamp or sky, I intensity, E irradiance across "
-           "the light, R reflectance, T what a\nslab lets through, a what the inside of glass "
-           "leaves of light on one way through, F form factor, Ω solid angle.\n\n";
+        << "\nindependent passes of 16x16 pixels. z is the difference between the two in standard "
+           "errors, converted from\nStudent's distribution to the normal one. With a correct "
+           "estimator, |z| exceeds "
+        << kMostZ << " in 7 of a million cases. The\nlargest |z| of the " << std::setprecision(0)
+        << sought << " cases here is " << std::setprecision(2) << largest << "; the mean of z² is "
+        << squares / sought << ".\n\nThe tests `closed_forms` check the same scenes with "
+        << kPassesOfForms << " passes (" << kPassesOfPaths
+        << " with `path`).\n\nIntegrator `direct` estimates from the k = " << kNeighbours
+        << " nearest photons. Where the photons are stratified, its estimate\nis up to 1/(2k) too "
+           "low ([photon_maps.md](photon_maps.md) (2)); z is 0 within that range.\n\n"
+           "| symbol | meaning |\n|---|---|\n| ρ | albedo |\n| e | radiance that a wall emits |\n"
+           "| L | radiance of a light or sky |\n| I | intensity |\n"
+           "| E | irradiance across the light |\n| R | reflectance |\n"
+           "| T | transmittance of a slab |\n| a | transmittance of the inside of glass |\n"
+           "| F | form factor |\n| Ω | solid angle |\n\n";
     return out.str();
 }
 
@@ -96,14 +98,16 @@ std::string table(const std::vector<FoundForm>& rows)
 int main(int argc, char** argv)
 {
     return hipmap::run_tool([&] {
-        CLI::App app("Renders scenes of which the picture is known exactly by every integrator, "
-                     "and says in Markdown how far off each is.",
-                     "closed_forms");
+        CLI::App app(
+            "Renders scenes whose answer is known exactly with every integrator, and prints "
+            "the errors in Markdown.",
+            "closed_forms");
         std::uint64_t passes = 192;
         std::string file;
-        app.add_option("--passes", passes, "Independent passes of each [192]")
+        app.add_option("--passes", passes, "Independent passes of each scene [192]")
             ->check(CLI::Range(4, 1'000'000));
-        app.add_option("--to", file, "Write there, not to standard output")->type_name("FILE");
+        app.add_option("--to", file, "Write to this file instead of standard output")
+            ->type_name("FILE");
         if (const std::optional<int> code = hipmap::parse_arguments(app, argc, argv))
             return *code;
         if (!file.empty())

@@ -12,7 +12,7 @@ constexpr double kBallRadius = 0.4, kBallIndex = 1.5;
 ClosedForm seen_in_mirrors(int bounces)
 {
     const tiny::MirrorShaft shaft{bounces, 0.9f / static_cast<float>(bounces), {0.9f, 0.8f, 0.6f}};
-    ClosedForm out{"sky by way of " + std::to_string(bounces) + " mirrors", "R^n L", shaft.scene(),
+    ClosedForm out{"sky seen in " + std::to_string(bounces) + " mirrors", "R^n L", shaft.scene(),
                    shaft.passed()};
     out.scene.environment = Rgb(1);
     out.scene.cameras[0] =
@@ -24,7 +24,7 @@ ClosedForm facing_mirrors()
 {
     Material material = tiny::mirror(Rgb(0.7f));
     material.emission = Rgb(1);
-    ClosedForm out{"between glowing mirrors", "e/(1 - R)", {}, 1 / 0.3};
+    ClosedForm out{"between emissive mirrors", "e/(1 - R)", {}, 1 / 0.3};
     out.scene = tiny::make_scene(tiny::floor_at(-0.2f, 1));
     out.scene.materials[0] = material;
     tiny::add(out.scene, tiny::floor_at(0.2f, -1), material);
@@ -38,8 +38,8 @@ ClosedForm seen_through_a_slab(const Rgb& absorption)
     constexpr float kThickness = 0.1f;
     constexpr double kIndex = 1.5, kLight = 2, kSky = 0.5;
     const bool clear = is_black(absorption);
-    ClosedForm out{clear ? "lamp through a slab of glass under a sky"
-                         : "lamp through a slab of coloured glass",
+    ClosedForm out{clear ? "emissive square through a slab of glass under a sky"
+                         : "emissive square through a slab of coloured glass",
                    clear ? "T L + (1 - T) L'" : "T L, T = (1 - R)² a/(1 - R² a²)",
                    {},
                    0};
