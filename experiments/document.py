@@ -95,7 +95,7 @@ forces it. On kd-trees it is always used.
               "Mode `thesis` on balanced trees, by kind of photon.\n",
               questions.caustic_table(results["rows"])]
     if results["filter"]:
-        parts += ["### A better filter radius\n", """A search is begun in a local map if the radius foretold for it is
+        parts += ["### A better filter radius\n", """A search is begun in a local map if the radius predicted for it is
 within the limiting radius. Of all searches on faces with a local map: those answered there, those begun in vain
 and then repeated in the shared map, and those that would have been answered but were not begun; and
 what one search takes in all. No rule can do better than the one that is always right.

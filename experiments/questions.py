@@ -126,7 +126,7 @@ def filter_table(rows):
     lines = [[row["scene"], row["test"], row["rule"],
               *(f"{100 * float(row[name]):.1f} %" for name in ("answered", "in vain", "missed")),
               row["ns balanced"], row["ns wide"]] for row in rows]
-    return table(["scene", "test", "radius foretold by", "answered", "begun in vain", "missed",
+    return table(["scene", "test", "radius predicted by", "answered", "begun in vain", "missed",
                   "balanced, ns", "wide, ns"], lines)
 
 

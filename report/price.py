@@ -1,4 +1,4 @@
-"""What the error is, was, and would cost: the curve and the price list."""
+"""The error, its history and its predicted cost: the curve and the cost table."""
 
 import math
 
@@ -10,7 +10,7 @@ TIMES = ([step * 10.0 ** power for power in range(-3, 1) for step in (1, 2, 5)] 
          [10, 20, 60, 120, 300, 600, 1200, 3600, 7200, 18000, 36000] +
          [86400 * step * 10.0 ** power for power in range(6) for step in (1, 2, 5)])
 MOST_TICKS = 7
-FARTHEST = 100  # times the time spent: prices beyond are in the list alone
+FARTHEST = 100  # times the time spent: costs beyond it are in the table alone
 
 
 def price(stats):
@@ -19,19 +19,18 @@ def price(stats):
     checks = [check for check in found if check["error"] > 0 and check["seconds"] > 0]
     if not checks:
         said = "No error was found." if found else "Not known: it takes two passes at least."
-        return section("Accuracy and its price", element("p", said))
+        return section("Accuracy and its cost", element("p", said))
     target = stats.get("options", {}).get("error")
     sentences = listing(sentences_of(error, checks[-1]))
     curve = element("figure", chart(error, checks, target) + element("figcaption", CAPTION))
     prices = element("div", price_list(stats, error, checks[-1]))
     values = element("details", element("summary", "All values") + table_of_checks(checks))
-    return section("Accuracy and its price", sentences +
+    return section("Accuracy and its cost", sentences +
                    element("div", curve + prices, class_="columns chart") + values)
 
 
-CAPTION = ("Error against time, both logarithmic. Dots: what was found; band: holds the error of "
-           "this image 95 times of 100; line: the law by its parts at the end, dashed where it "
-           "foretells.")
+CAPTION = ("Error against time, both logarithmic. Dots: estimated errors; band: 95 % confidence "
+           "interval; line: error law fitted at the end, dashed where it predicts.")
 
 
 def sentences_of(error, last):
@@ -44,8 +43,8 @@ def sentences_of(error, last):
     half = [entry for entry in error.get("prices", [])
             if math.isclose(entry["error"], last["error"] / 2, rel_tol=1e-6)]
     if half and half[0]["seconds"] is not None:
-        yield (f"Half that error takes {number(half[0]['passes'])} passes and "
-               f"{duration(half[0]['seconds'])} in all.")
+        yield (f"Half this error would take {number(half[0]['passes'])} passes and "
+               f"{duration(half[0]['seconds'])} in total.")
 
 
 def interval(check):
@@ -66,8 +65,8 @@ def law_of(error, last):
     return at if any(factor > 0 for factor, _ in parts) else None
 
 
-def foretold(error, last, target):
-    """Prices shown in the chart: of half the error, and of what was asked for."""
+def predicted(error, last, target):
+    """The costs shown in the chart: of half the error, and of the target error."""
     wanted = [last["error"] / 2] + ([target] if target else [])
     return [entry for entry in error.get("prices", []) if entry["seconds"] is not None and
             last["seconds"] < entry["seconds"] < FARTHEST * last["seconds"] and
@@ -76,7 +75,7 @@ def foretold(error, last, target):
 
 def chart(error, checks, target):
     last = checks[-1]
-    ahead = foretold(error, last, target)
+    ahead = predicted(error, last, target)
     times = [entry["seconds"] for entry in checks + ahead]
     with_interval = [check for check in checks
                      if check.get("high") is not None and check["low"] > 0]
@@ -179,7 +178,7 @@ def price_list(stats, error, last):
         mark = " \u2713" if entry["error"] >= last["error"] else ""
         rows.append([percent(entry["error"]) + mark] + cells)
     note = element("p", "From the first pass on; \u2713 reached.", class_="note")
-    return element("h3", "Price list") + table(head, rows, class_="numbers") + note if rows else ""
+    return element("h3", "Cost table") + table(head, rows, class_="numbers") + note if rows else ""
 
 
 def table_of_checks(checks):

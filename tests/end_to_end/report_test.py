@@ -109,7 +109,7 @@ class Report(ToolsTestCase):
         stats = self.change_statistics(lambda stats: None)
         for sentence in stats["audit"]["found"] + stats["audit"]["assumed"]:
             self.assertIn(sentence, text)
-        for title in ("Accuracy and its price", "Time by stage", "Photons and their maps",
+        for title in ("Accuracy and its cost", "Time by stage", "Photons and their maps",
                       "Partition", "Options", "To make it again", "asked for: 90 %"):
             self.assertIn(title, text)
         for effect in stats["effects"]:
