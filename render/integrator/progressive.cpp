@@ -146,7 +146,7 @@ RenderedPass gather_pass(const ProgressivePass& pass, const Progressive& shared,
                           pass.options.light.indirect,
                           photons.volume ? &*photons.volume : nullptr};
     return render_tiles<3, GatherScratch>(
-        {scene, pass.options, pass.number, shared.allotment}, after(control, kPhotonShare),
+        {scene, pass.options, pass.number, shared.allocation}, after(control, kPhotonShare),
         statistics,
         [&](const Ray& ray, SeenLights seen, RandomSequence& random, GatherScratch& scratch) {
             return trace_gather_path(maps, ray, seen, random, scratch);
