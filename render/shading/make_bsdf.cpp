@@ -94,9 +94,9 @@ void add_diffuse(const MetallicRoughness& of, DiffuseModel model, Bsdf& out)
     const float passed = at.transmission == 0 ? std::max(0.0f, at.diffuse_transmission) : 0.0f;
     out.diffuse = below * at.base_color * (1 - passed);
     if (!is_black(out.diffuse) && model == DiffuseModel::burley)
-        add({Burley{out.diffuse, at.roughness}, Depth::diffuse, Lobes::gathered}, out);
+        add({Burley{out.diffuse, {at.roughness}}, Depth::diffuse, Lobes::gathered}, out);
     else if (!is_black(out.diffuse) && model == DiffuseModel::oren_nayar)
-        add({OrenNayar{out.diffuse, at.roughness}, Depth::diffuse, Lobes::gathered}, out);
+        add({OrenNayar{out.diffuse, {at.roughness}}, Depth::diffuse, Lobes::gathered}, out);
     else if (!is_black(out.diffuse))
         add({Lambert{out.diffuse}, Depth::diffuse, Lobes::gathered}, out);
     out.diffuse_transmitted = below * passed * at.diffuse_transmission_color;

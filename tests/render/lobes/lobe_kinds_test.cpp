@@ -16,7 +16,7 @@ constexpr SchlickFresnel kGold{{1, 0.8f, 0.3f}, Rgb(1)};
 /// At least one of each kind that spreads light.
 const std::vector<Lobe> kLobes{
     Lambert{{0.8f, 0.5f, 0.2f}},
-    Burley{{0.8f, 0.5f, 0.2f}, 0.9f},
+    Burley{{0.8f, 0.5f, 0.2f}, {0.9f}},
     DiffuseTransmission{{0.3f, 0.6f, 0.9f}},
     Sheen{{0.9f, 0.4f, 0.7f}, 0.4f},
     MicrofacetReflection{kGold, {0.2f}},
@@ -25,7 +25,7 @@ const std::vector<Lobe> kLobes{
     RoughDielectric{0.7f, {0.9f, 0.8f, 0.7f}, Rgb(1), {0.3f}},
     Phong{{0.2f, 0.6f, 0.4f}, 12},
     Schlick{kGold, 0.6f, 0.4f},
-    OrenNayar{{0.8f, 0.5f, 0.2f}, 0.9f},
+    OrenNayar{{0.8f, 0.5f, 0.2f}, {0.9f}},
 };
 
 bool spreads(const Lobe& lobe)
@@ -52,7 +52,7 @@ const glm::vec3 kOuts[] = {glm::normalize(glm::vec3(0.1f, 0, 1)),
 
 TEST_CASE("Oren-Nayar: closed values, and brighter back towards the light", "[lobes]")
 {
-    const OrenNayar smooth{Rgb(0.5f), 0}, rough{Rgb(0.5f), 1};
+    const OrenNayar smooth{Rgb(0.5f), {0}}, rough{Rgb(0.5f), {1}};
     const LobeView above = view_from({0, 0, 1}), aslant = view_from({0.8f, 0, 0.6f});
     const float scale = 1 / (1 + 0.5f - 2 / (3 * kPi));
     CHECK(smooth.shape(aslant, {-0.8f, 0, 0.6f}) == 1);
