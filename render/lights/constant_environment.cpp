@@ -25,10 +25,7 @@ EmittedPath sample_emission(const ConstantEnvironment& light, const PathPlace&,
                             RandomSequence& random)
 {
     const glm::vec3 direction = sample_sphere(random.next2());
-    EmittedPath out;
-    out.ray = ray_into(light.scene, direction, random.next2());
-    out.power = irradiance(light) * light.scene.disc_area();
-    return out;
+    return path_along(light.scene, direction, irradiance(light) * light.scene.disc_area(), random);
 }
 
 EmittedPath sample_aimed_emission(const ConstantEnvironment& light, const PathPlace&,

@@ -49,10 +49,7 @@ std::optional<LightHit> intersect(const ImageEnvironment& light, const Ray& ray)
 EmittedPath sample_emission(const ImageEnvironment& light, const PathPlace&, RandomSequence& random)
 {
     const DrawnLight drawn = draw(light, random);
-    EmittedPath out;
-    out.ray = ray_into(light.scene, -drawn.from, random.next2());
-    out.power = drawn.irradiance * light.scene.disc_area();
-    return out;
+    return path_along(light.scene, -drawn.from, drawn.irradiance * light.scene.disc_area(), random);
 }
 
 EmittedPath sample_aimed_emission(const ImageEnvironment& light, const PathPlace&,

@@ -20,6 +20,15 @@ Ray ray_into(const SceneSphere& scene, const glm::vec3& direction, const glm::ve
     return ray;
 }
 
+EmittedPath path_along(const SceneSphere& scene, const glm::vec3& direction, const Rgb& power,
+                       RandomSequence& random)
+{
+    EmittedPath out;
+    out.ray = ray_into(scene, direction, random.next2());
+    out.power = power;
+    return out;
+}
+
 EmittedPath aimed_path_along(const SceneSphere& scene, const glm::vec3& direction,
                              const Rgb& irradiance, const std::vector<TargetSphere>& targets,
                              RandomSequence& random)

@@ -17,6 +17,10 @@ struct SceneSphere {
 /// across it. The ray starts outside the sphere.
 Ray ray_into(const SceneSphere& scene, const glm::vec3& direction, const glm::vec2& u);
 
+/// Returns a light path along `direction` (unit) with that power, drawn as by `ray_into`.
+EmittedPath path_along(const SceneSphere& scene, const glm::vec3& direction, const Rgb& power,
+                       RandomSequence& random);
+
 /// Returns a light path along `direction` (unit) that is aimed at the targets. irradiance: W/m2
 /// across the direction, divided by the pdf of the direction if it was drawn.
 EmittedPath aimed_path_along(const SceneSphere& scene, const glm::vec3& direction,

@@ -1,23 +1,14 @@
 #include "render/lights/point_light.h"
 
 #include "common/math/sampling.h"
-
-#include <cmath>
+#include "render/lights/point_sample.h"
 
 namespace hipmap {
 
 std::optional<LightSample> sample_li(const PointLight& light, const LightReceiver& at,
                                      RandomSequence&)
 {
-    const glm::vec3 way = light.position - at.position;
-    const float distance2 = glm::dot(way, way);
-    if (!(distance2 > 0))
-        return std::nullopt;
-    LightSample out;
-    out.direction = way / std::sqrt(distance2);
-    out.point = light.position;
-    out.light = light.intensity / distance2;
-    return out;
+    return sample_point(light.position, at, [&](const glm::vec3&) { return light.intensity; });
 }
 
 EmittedPath sample_emission(const PointLight& light, const PathPlace&, RandomSequence& random)

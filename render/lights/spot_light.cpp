@@ -1,5 +1,7 @@
 #include "render/lights/spot_light.h"
 
+#include "render/lights/point_sample.h"
+
 #include <cmath>
 
 namespace hipmap {
@@ -7,15 +9,9 @@ namespace hipmap {
 std::optional<LightSample> sample_li(const SpotLight& light, const LightReceiver& at,
                                      RandomSequence&)
 {
-    const glm::vec3 way = light.position - at.position;
-    const float distance2 = glm::dot(way, way);
-    if (!(distance2 > 0))
-        return std::nullopt;
-    LightSample out;
-    out.direction = way / std::sqrt(distance2);
-    out.point = light.position;
-    out.light = light.intensity * falloff(light.cone, -out.direction) / distance2;
-    return out;
+    return sample_point(light.position, at, [&](const glm::vec3& direction) {
+        return light.intensity * falloff(light.cone, direction);
+    });
 }
 
 EmittedPath sample_emission(const SpotLight& light, const PathPlace&, RandomSequence& random)

@@ -64,10 +64,7 @@ std::optional<LightHit> intersect(const SunLight& light, const Ray& ray)
 EmittedPath sample_emission(const SunLight& light, const PathPlace&, RandomSequence& random)
 {
     const glm::vec3 direction = draw_direction(light, random);
-    EmittedPath out;
-    out.ray = ray_into(light.scene, direction, random.next2());
-    out.power = Rgb(power(light));
-    return out;
+    return path_along(light.scene, direction, Rgb(power(light)), random);
 }
 
 EmittedPath sample_aimed_emission(const SunLight& light, const PathPlace&,
