@@ -12,19 +12,19 @@ enum class EyePathClass : std::uint8_t {
     caustic,  ///< a gathered lobe, and specular or followed ones since
 };
 
-/// Some gathered lobe lies behind the ray.
+/// Returns whether a gathered lobe lies behind the ray.
 inline bool is_gathered(EyePathClass path)
 {
     return path >= EyePathClass::indirect;
 }
 
-/// The class after a specular lobe.
+/// Returns the class after a specular lobe.
 inline EyePathClass after_specular(EyePathClass path)
 {
     return path == EyePathClass::indirect ? EyePathClass::caustic : path;
 }
 
-/// The class after a followed lobe.
+/// Returns the class after a followed lobe.
 inline EyePathClass after_followed(EyePathClass path)
 {
     return is_gathered(path) ? EyePathClass::caustic : EyePathClass::glossy;
@@ -37,5 +37,12 @@ enum class LightPathClass : std::uint8_t {
     volume,   ///< a medium scattered or emitted the light first, no gathered lobe since
     indirect, ///< a gathered lobe scattered the light
 };
+
+/// Returns whether photons of the class belong to the caustic map: light that came by specular
+/// surfaces or media alone.
+inline bool is_caustic(LightPathClass path)
+{
+    return path == LightPathClass::caustic || path == LightPathClass::volume;
+}
 
 } // namespace hipmap

@@ -21,7 +21,7 @@ struct LightPath {
     bool last_caustic = false;
 };
 
-/// Whether photons of a path's class are wanted.
+/// Returns whether photons of a path's class are wanted.
 inline bool wants_class(LightPathClass path, const Wanted& wanted)
 {
     switch (path) {
@@ -42,8 +42,7 @@ inline bool is_done(const LightPath& path, const Wanted& wanted)
 {
     if (!wanted.after_specular && path.behind == LightPathClass::caustic)
         return true;
-    if (path.behind != LightPathClass::direct && !wanted.indirect &&
-        path.behind != LightPathClass::indirect && !wants_class(path.behind, wanted))
+    if (is_caustic(path.behind) && !wanted.indirect && !wants_class(path.behind, wanted))
         return true;
     const bool bounces = wanted.bounces && path.last != kNoPhoton;
     return !wanted.indirect && path.diffuse > (bounces ? 1 : 0);

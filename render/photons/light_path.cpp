@@ -104,8 +104,7 @@ void store(const Interaction& at, LightPath& path, bool directional, const Wante
 {
     const std::uint64_t from = std::exchange(path.last, kNoPhoton);
     const bool media_last = std::exchange(path.media_last, false);
-    const bool caustic = path.behind == LightPathClass::caustic || //
-                         path.behind == LightPathClass::volume;
+    const bool caustic = is_caustic(path.behind);
     const bool keep = wants_class(path.behind, wanted);
     const bool by_media = media_last && path.diffuse > 0 && wanted.indirect;
     const bool link = wanted.bounces && (from != kNoPhoton || by_media);

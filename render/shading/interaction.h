@@ -34,11 +34,7 @@ struct Interaction {
 
     const Bsdf& bsdf() const { return own ? *own : *worn; }
     /// Returns the cosines of `back`.
-    Incidence seen() const
-    {
-        return has_coat_normal() ? Incidence(cosine, glm::dot(back, coat_normal))
-                                 : Incidence(cosine);
-    }
+    Incidence seen() const;
     /// Returns whether the surface has only a diffuse lobe, which may be black.
     bool is_diffuse() const { return kMattOnly || bsdf().is_diffuse; }
     /// Returns whether photons are gathered here, at a surface or in a medium.
@@ -82,6 +78,11 @@ inline Incidence incidence(const Interaction& at, const glm::vec3& direction, fl
 {
     return at.has_coat_normal() ? Incidence(cosine, glm::dot(direction, at.coat_normal))
                                 : Incidence(cosine);
+}
+
+inline Incidence Interaction::seen() const
+{
+    return incidence(*this, back, cosine);
 }
 
 /// Returns the index of refraction on the transmitted side over that on the side of `back`.

@@ -1,7 +1,5 @@
 #include "render/shading/scatter.h"
 
-#include "common/math/frame.h"
-#include "common/math/sampling.h"
 #include "render/media/phase.h"
 #include "render/shading/lobe_value.h"
 
