@@ -19,7 +19,6 @@ import argparse
 import json
 import math
 import pathlib
-import re
 import resource
 import subprocess
 import sys
@@ -27,6 +26,10 @@ import sys
 import numpy
 
 HERE = pathlib.Path(__file__).resolve().parent
+sys.path.append(str(HERE.parent / "experiments/accuracy"))
+import arithmetic  # noqa: E402
+import in_blender  # noqa: E402
+
 FEW = 4
 MARKS = (0.1, 0.05)
 
@@ -37,12 +40,8 @@ def processor_seconds():
 
 
 def read_pfm(path):
-    with open(path, "rb") as file:
-        assert file.readline().strip() == b"PF"
-        width, height = map(int, file.readline().split())
-        file.readline()
-        numbers = numpy.frombuffer(file.read(), "<f4")
-    return numbers.reshape(height, width, 3).astype(float)
+    width, numbers = arithmetic.read_pfm(path)
+    return numpy.array(numbers).reshape(-1, width, 3).astype(float)
 
 
 def weights(reference):
@@ -72,18 +71,9 @@ class Kept:
 def cycles(options, scene, samples, seed):
     """The processor's seconds."""
     image = options.folder / f"{scene.stem}.cycles.{samples}.{seed}.pfm"
-    # Debian's Blender takes the first python3 on the PATH, which must be Debian's too.
-    done = subprocess.run(
-        ["blender", "-b", "--factory-startup", "--python-exit-code", "1", "--python",
-         str(HERE / "cycles_import.py"), "--", str(scene), str(image), *map(str, options.size),
-         str(samples), str(seed), "0"],
-        env={"PATH": "/usr/bin:/bin", "HOME": str(options.folder)}, check=False, text=True,
-        capture_output=True)
-    found = re.search(r"^processor seconds: ([0-9.]+)$", done.stdout, re.MULTILINE)
-    if done.returncode != 0 or found is None:
-        sys.exit(f"error: {scene}: blender ended with code {done.returncode}: "
-                 f"{(done.stderr.splitlines() or ['no message'])[-1]}")
-    return float(found[1])
+    return in_blender.processor_seconds(HERE / "cycles_import.py", scene,
+                                        [scene, image, *options.size, samples, seed, 0],
+                                        options.folder)
 
 
 def hipmap(options, scene, *arguments):

@@ -11,7 +11,6 @@ in both, because a single bright sample would hide any difference.
 """
 
 import argparse
-import array
 import os
 import pathlib
 import statistics
@@ -19,20 +18,12 @@ import subprocess
 import sys
 import tempfile
 
-ASSETS = pathlib.Path(__file__).resolve().parent.parent / "assets"
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+sys.path.append(str(ROOT / "experiments/accuracy"))
+import arithmetic  # noqa: E402
+
+ASSETS = ROOT / "assets"
 INTEGRATORS = ("progressive", "path", "direct")
-
-
-def read_values(path):
-    """All channels of a .pfm, in file order."""
-    with open(path, "rb") as file:
-        file.readline()
-        file.readline()
-        scale = float(file.readline())
-        values = array.array("f", file.read())
-    if (scale < 0) != (sys.byteorder == "little"):
-        values.byteswap()
-    return values
 
 
 def clamped_mean(values):
@@ -43,7 +34,7 @@ def clamped_mean(values):
 def render(folder, scene, partition, out, arguments):
     command = [os.path.join(folder, "render"), scene, partition, "-o", out, *arguments]
     subprocess.run(command, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    return read_values(out)
+    return arithmetic.read_pfm(out)[1]
 
 
 def compare(before, after, scene, integrator, options, scratch):

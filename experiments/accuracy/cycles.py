@@ -1,13 +1,14 @@
 """Renders by Blender's Cycles, in as much time as hipmap is given."""
 
 import pathlib
-import re
 import shutil
-import subprocess
 import sys
 import tempfile
 
 import plan
+
+sys.path.append(str(plan.ROOT / "bench"))
+import in_blender  # noqa: E402
 
 SCRIPT = pathlib.Path(__file__).resolve().parent / "cycles_image.py"
 FEW_SAMPLES = 16
@@ -21,17 +22,8 @@ def is_there(study):
 
 def render(scene, image, samples, size):
     """The processor's seconds that rendering took."""
-    # Debian's Blender takes the first python3 on the PATH, which must be Debian's too.
-    done = subprocess.run(
-        ["blender", "-b", "--factory-startup", "--python-exit-code", "1", "--python", str(SCRIPT),
-         "--", str(scene.script), str(image), str(samples), str(size), str(SEED)],
-        env={"PATH": "/usr/bin:/bin", "HOME": str(image.parent)}, check=False, text=True,
-        capture_output=True)
-    found = re.search(r"^processor seconds: ([0-9.]+)$", done.stdout, re.MULTILINE)
-    if done.returncode != 0 or found is None:
-        sys.exit(f"error: blender ended with code {done.returncode}: "
-                 f"{(done.stderr.splitlines() or ['no message'])[-1]}")
-    return float(found[1])
+    return in_blender.processor_seconds(SCRIPT, scene.script,
+                                        [scene.script, image, samples, size, SEED], image.parent)
 
 
 def run(lab, scene, size, seconds):
