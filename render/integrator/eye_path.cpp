@@ -101,15 +101,15 @@ void follow_specular(const RenderScene& scene, const Interaction& at, const Path
 }
 
 /// To the next surface; photons: of the media, null: what these scatter is not seen.
-Reached reach_by_beams(const RenderScene& scene, const VolumeMap* photons, bool sees_lights,
-                       PathState& branch, Rgb& radiance)
+MediaFlight reach_by_beams(const RenderScene& scene, const VolumeMap* photons, bool sees_lights,
+                           PathState& branch, Rgb& radiance)
 {
     return reach(scene, branch, sees_lights, radiance, [&] {
         static const VolumeMap kNoPhotons;
         std::array<Rgb, 3> seen{};
         const MediaBeams beams{*scene.media, photons != nullptr ? *photons : kNoPhotons, {1, 1, 1}};
-        const Reached out{see_media(beams, branch.ray, photons != nullptr,
-                                    {branch.inside, branch.throughput, seen})};
+        const MediaFlight out{see_media(beams, branch.ray, photons != nullptr,
+                                        {branch.inside, branch.throughput, seen})};
         radiance += seen[0];
         return out;
     });
@@ -142,7 +142,7 @@ Rgb trace_eye_path(const PassMaps& maps, const Ray& ray, SeenLights seen, Random
         PathState branch = stack.branches[--stack.size];
         const bool sees_lights =
             seen == SeenLights::added || branch.behind != EyePathClass::specular;
-        const Reached reached =
+        const MediaFlight reached =
             reach_by_beams(maps.scene, maps.volume, sees_lights, branch, radiance);
         if (!reached.hit)
             continue;
@@ -165,7 +165,7 @@ Rgb trace_seen_lights(const RenderScene& scene, const Ray& ray, RandomSequence& 
     EyeBranchStack stack = begin(scene, ray);
     while (stack.size > 0) {
         PathState branch = stack.branches[--stack.size];
-        const Reached reached = reach_by_beams(scene, nullptr, true, branch, radiance);
+        const MediaFlight reached = reach_by_beams(scene, nullptr, true, branch, radiance);
         if (!reached.hit)
             continue;
         const Interaction at = meet(scene, *reached.hit, random, branch);

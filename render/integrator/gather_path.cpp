@@ -56,10 +56,10 @@ class GatherTracer {
         const RenderScene& scene = maps_.scene;
         const bool sees = sees_lights(branch);
         Rgb lights(0.0f);
-        const Reached reached = reach(scene, branch, sees, lights, [&] {
+        const MediaFlight reached = reach(scene, branch, sees, lights, [&] {
             const MediaBeams beams{*scene.media, *maps_.volume, kScales};
-            return Reached{see_media(beams, branch.ray, !is_gathered(branch.behind),
-                                     {branch.inside, branch.throughput, radiance_})};
+            return MediaFlight{see_media(beams, branch.ray, !is_gathered(branch.behind),
+                                         {branch.inside, branch.throughput, radiance_})};
         });
         if (!reached.hit)
             return add(lights);

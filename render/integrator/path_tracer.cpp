@@ -11,12 +11,6 @@ struct LobeProbabilities {
     float gathered = 0.0f, followed = 0.0f, mirror = 0.0f, transmit = 0.0f;
 };
 
-/// A point at which a medium scatters light.
-struct Scattering {
-    glm::vec3 position{0.0f};
-    const Medium* medium = nullptr;
-};
-
 /// docs/light_transport.md (14).
 class PathTracer {
   public:
@@ -39,11 +33,12 @@ class PathTracer {
     bool step()
     {
         const bool sees_lights = light_.caustic || path_.behind != EyePathClass::caustic;
-        const Reached reached =
+        const MediaFlight reached =
             reach(scene_, path_, sees_lights, radiance_, [this] { return fly(*scene_.media); });
         if (reached.scattered) {
-            leave_gathered(scattering_point(scattering_.position, -path_.ray.direction,
-                                            scattering_.medium->phase, path_.inside));
+            const Medium& medium = scene_.media->medium(path_.inside.current());
+            leave_gathered(scattering_point(path_.ray.origin, -path_.ray.direction, medium.phase,
+                                            path_.inside));
             return true;
         }
         if (!reached.hit)
@@ -62,23 +57,14 @@ class PathTracer {
 
     bool may_gather() const { return light_.indirect || !is_gathered(path_.behind); }
 
-    /// Follows the ray to the next surface or scattering; adds what the media on the way emit.
-    /// docs/media.md (6).
-    Reached fly(const MediaSet& media)
+    /// Adds what the media on the way emit.  docs/media.md (6).
+    MediaFlight fly(const MediaSet& media)
     {
-        const WalkEnd end = walk(media, path_.ray, path_.inside, [&](const MediumSegment& segment) {
-            const Medium& medium = media.medium(segment.inside);
-            const OpticalDepth optical_depth =
-                optical_depth_along(media.density(segment.inside), segment.ray);
-            radiance_ += path_.throughput * emitted_along(medium, optical_depth.total);
-            const FreePath free_path =
-                sample_free_path(medium, optical_depth.total, path_.throughput, random_);
-            path_.throughput *= free_path.weight;
-            const float along = distance_at(optical_depth, free_path.optical_depth);
-            scattering_ = {segment.ray.origin + along * segment.ray.direction, &medium};
-            return !free_path.scattered;
-        });
-        return {end.stopped ? std::nullopt : end.hit, end.stopped};
+        return fly_through_media(media, path_, path_.throughput, random_,
+                                 [this](const Medium& medium, float optical_depth) {
+                                     radiance_ +=
+                                         path_.throughput * emitted_along(medium, optical_depth);
+                                 });
     }
 
     LobeProbabilities probabilities_at(const Interaction& at, const SpecularLobes& lobes) const
@@ -142,7 +128,6 @@ class PathTracer {
     const LightClasses& light_;
     RandomSequence& random_;
     PathState path_;
-    Scattering scattering_;
     Rgb radiance_{0.0f};
 };
 

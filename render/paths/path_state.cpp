@@ -6,20 +6,19 @@ namespace hipmap {
 
 namespace {
 
-void enter(const Interaction& at, float eta, PathState& path)
+/// Radiance scales with the square of the index, docs/light_transport.md (4).
+void enter(float eta, PathState& path)
 {
-    // Radiance scales with the square of the index, docs/light_transport.md (4).
     path.throughput /= eta * eta;
     path.index2 *= eta * eta;
-    path.absorption = absorption_behind(at);
 }
 
-/// For a ray already sent.
-void depart(const RenderScene& scene, const Interaction& at, PathState& path)
+/// For a ray that a specular lobe has sent.
+void depart(PathState& path)
 {
+    path.source = {};
+    path.behind = after_specular(path.behind);
     ++path.depth;
-    if (scene.has_media() && glm::dot(path.ray.direction, at.normal) < 0)
-        cross(*scene.media, at.point.face, at.front, path.inside);
 }
 
 } // namespace
@@ -52,22 +51,18 @@ void cross_air(const RenderScene& scene, const std::optional<RayHit>& hit, bool 
 void go_by_mirror(const RenderScene& scene, const Interaction& at, const SpecularLobes& lobes,
                   float probability, PathState& path)
 {
-    path.ray = mirror_ray(at);
+    leave_by_mirror(scene, at, path);
     path.throughput *= lobes.mirror / probability;
-    path.source = {};
-    path.behind = after_specular(path.behind);
-    depart(scene, at, path);
+    depart(path);
 }
 
 void go_through(const RenderScene& scene, const Interaction& at, const SpecularLobes& lobes,
                 float probability, PathState& path)
 {
-    path.ray = transmitted_ray(at, lobes.eta);
+    leave_through(scene, at, lobes.eta, path);
     path.throughput *= lobes.transmit / probability;
-    path.source = {};
-    path.behind = after_specular(path.behind);
-    enter(at, lobes.eta, path);
-    depart(scene, at, path);
+    enter(lobes.eta, path);
+    depart(path);
 }
 
 bool go_by_lobes(const RenderScene& scene, const Interaction& at, const PickedLobes& picked,
@@ -80,12 +75,10 @@ bool go_by_lobes(const RenderScene& scene, const Interaction& at, const PickedLo
     if (is_black(sample.weight))
         return false;
     path.source = source_at(at, picked.probability * sample.pdf);
-    path.ray = scattered_ray(at, sample);
-    if (gathered)
-        path.nanometres = 0;
-    else if (sample.transmitted)
-        enter(at, sample.eta, path);
-    depart(scene, at, path);
+    leave_by_lobes(scene, at, sample, picked.lobes, path);
+    if (!gathered && sample.transmitted)
+        enter(sample.eta, path);
+    ++path.depth;
     return sample.transmitted;
 }
 

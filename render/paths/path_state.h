@@ -2,23 +2,18 @@
 
 #include "render/paths/direct_light.h"
 #include "render/paths/path_class.h"
-#include "render/shading/interface_index.h"
-#include "render/shading/scatter.h"
+#include "render/paths/path_ray.h"
 
 namespace hipmap {
 
 /// The state of a path from the eye, or of a branch of one.  Integrators add what their policy
 /// needs.
-struct PathState {
-    Ray ray;
+struct PathState : PathRay {
     Rgb throughput{1.0f}; ///< share of the light along the ray that it brings back
-    Rgb absorption{0.0f}; ///< of what the ray travels in, where there are no media
     float index2 = 1.0f;  ///< square of the index of refraction around the ray
     RaySource source;
-    float nanometres = 0;                         ///< of the light followed; 0: all
     int depth = 0;                                ///< surfaces and scatterings behind it
     EyePathClass behind = EyePathClass::specular; ///< kept by `go_by_...` and `go_through`
-    MediumStack inside; ///< what the ray travels in, where there are media
 };
 
 PathState path_from_eye(const RenderScene& scene, const Ray& ray);
@@ -34,12 +29,6 @@ inline float importance(const PathState& path)
 /// Plays Russian roulette; returns false if it has ended the path.
 bool survives(PathState& path, RandomSequence& random);
 
-/// The result of following a ray.
-struct Reached {
-    std::optional<RayHit> hit; ///< none: it has left the scene, or a medium has scattered it
-    bool scattered = false;    ///< by a medium
-};
-
 /// Follows a ray in a scene without media: adds the lights on the way to a hit to `light`, if the
 /// path sees lights, and multiplies the throughput by what glass leaves.
 void cross_air(const RenderScene& scene, const std::optional<RayHit>& hit, bool sees_lights,
@@ -47,13 +36,13 @@ void cross_air(const RenderScene& scene, const std::optional<RayHit>& hit, bool 
 
 /// Brings the path to the next surface.  Adds to `light` the lights on the way and the environment,
 /// times the throughput and weighted by `hit_weight`, if the path sees lights. through_media: () ->
-/// Reached, called where the scene has media: multiplies the throughput by their transmittance, and
-/// keeps `inside`.  Thread-safe.
+/// MediaFlight, called where the scene has media: multiplies the throughput by their transmittance,
+/// and keeps `inside`.  Thread-safe.
 template <typename Through>
-inline Reached reach(const RenderScene& scene, PathState& path, bool sees_lights, Rgb& light,
-                     const Through& through_media)
+inline MediaFlight reach(const RenderScene& scene, PathState& path, bool sees_lights, Rgb& light,
+                         const Through& through_media)
 {
-    Reached out;
+    MediaFlight out;
     if (scene.has_media()) {
         if (sees_lights)
             light +=
@@ -73,8 +62,7 @@ inline Reached reach(const RenderScene& scene, PathState& path, bool sees_lights
 inline Interaction meet(const RenderScene& scene, const RayHit& hit, RandomSequence& random,
                         PathState& path)
 {
-    Interaction at = interact(scene, path.ray, hit);
-    at.inside = scene.has_media() ? &path.inside : nullptr;
+    Interaction at = meet_face(scene, hit, path);
     find_index(scene, at, path.nanometres, path.throughput, random);
     return at;
 }

@@ -14,8 +14,8 @@ constexpr int kMostScatterings = 1 << 14;
 /// leave thousands.
 constexpr int kFullScatterings = 16;
 
-/// Moves the path to the point of a medium where it scatters.
-void stop_in_medium(LightPath& path, const glm::vec3& position)
+/// For a path that a medium has scattered.
+void stop_in_medium(LightPath& path)
 {
     ++path.scatterings;
     path.media_last = true;
@@ -23,7 +23,6 @@ void stop_in_medium(LightPath& path, const glm::vec3& position)
         path.behind = LightPathClass::volume;
     path.last = kNoPhoton;
     path.nanometres = 0;
-    path.ray.origin = position;
 }
 
 /// Keeps a photon where a medium scatters the path: at the origin of its ray.
@@ -70,26 +69,15 @@ std::optional<RayHit> cross_media(const MediaSet& media, const Wanted& wanted,
 {
     while (path.scatterings < kMostScatterings) {
         const Rgb before = path.power;
-        glm::vec3 position(0.0f);
-        const WalkEnd end =
-            walk<true>(media, path.ray, path.inside, [&](const MediumSegment& segment) {
-                const OpticalDepth optical_depth =
-                    optical_depth_along(media.density(segment.inside), segment.ray);
-                const FreePath free_path = sample_free_path(
-                    media.medium(segment.inside), optical_depth.total, path.power, random);
-                path.power *= free_path.weight;
-                position =
-                    segment.ray.origin +
-                    distance_at(optical_depth, free_path.optical_depth) * segment.ray.direction;
-                return !free_path.scattered;
-            });
+        const MediaFlight flight =
+            fly_through_media<true>(media, path, path.power, random, [](const Medium&, float) {});
         out.power.absorbed += glm::dvec3(before - path.power);
-        if (!end.stopped) {
-            if (!end.hit)
+        if (!flight.scattered) {
+            if (!flight.hit)
                 out.power.escaped += glm::dvec3(path.power);
-            return end.hit;
+            return flight.hit;
         }
-        stop_in_medium(path, position);
+        stop_in_medium(path);
         store_in_medium(path, wanted, random, out);
         if (!survives_in_medium(max_channel(before), wanted, random, path, out))
             return std::nullopt;

@@ -2,17 +2,14 @@
 
 #include "common/math/random.h"
 #include "render/paths/path_class.h"
+#include "render/paths/path_ray.h"
 #include "render/photons/light_path.h"
 
 namespace hipmap {
 
 /// The state of a light path.
-struct LightPath {
-    Ray ray;
+struct LightPath : PathRay {
     Rgb power{0.0f};
-    Rgb absorption{0.0f}; ///< of what the ray travels in
-    MediumStack inside;   ///< where there are media
-    float nanometres = 0; ///< of its light; 0: all
     LightPathClass behind = LightPathClass::direct;
     bool media_last = false; ///< a medium scattered it since the last gathered lobe
     int scatterings = 0;

@@ -2,8 +2,6 @@
 
 #include "render/paths/roulette.h"
 #include "render/photons/cross_media.h"
-#include "render/shading/interface_index.h"
-#include "render/shading/scatter.h"
 
 #include <utility>
 
@@ -131,34 +129,30 @@ void store(const Interaction& at, LightPath& path, bool directional, const Wante
 }
 
 /// Sends the path on from a surface.  False: it ends there.
-bool scatter(const Interaction& at, LightPath& path, RandomSequence& random, PowerBalance& balance)
+bool scatter(const RenderScene& scene, const Interaction& at, LightPath& path,
+             RandomSequence& random, PowerBalance& balance)
 {
     const Onward onward = draw_way(at, path, random, balance);
-    bool transmitted = false;
+    Lobes lobes = Lobes::specular;
     switch (onward.by) {
     case Onward::By::nothing:
         return false;
     case Onward::By::lobe:
-        path.ray = scattered_ray(at, onward.sample);
-        transmitted = onward.sample.transmitted;
+        lobes = onward.lobe->handled;
+        leave_by_lobes(scene, at, onward.sample, lobes, path);
         break;
     case Onward::By::mirror:
-        path.ray = mirror_ray(at);
+        leave_by_mirror(scene, at, path);
         break;
     case Onward::By::transmission:
-        path.ray = transmitted_ray(at, onward.eta);
-        transmitted = true;
+        leave_through(scene, at, onward.eta, path);
         break;
     }
-    if (onward.by == Onward::By::lobe && onward.lobe->handled == Lobes::gathered) {
+    if (lobes == Lobes::gathered) {
         ++path.diffuse;
         path.behind = LightPathClass::indirect;
-        path.nanometres = 0; // light is of all wavelengths after it
-    } else {
-        if (transmitted)
-            path.absorption = absorption_behind(at);
-        if (path.behind == LightPathClass::direct)
-            path.behind = LightPathClass::caustic;
+    } else if (path.behind == LightPathClass::direct) {
+        path.behind = LightPathClass::caustic;
     }
     path.power *= particle_correction(at, path.ray.direction);
     return true;
@@ -192,23 +186,19 @@ void pass_face(const RenderScene& scene, const Interaction& at, const Wanted& wa
     path.ray.origin = offset_origin(at.point, path.ray.direction);
 }
 
-template <bool media>
+/// Follows the path to its end.
 void trace(const RenderScene& scene, const Wanted& wanted, RandomSequence& random, LightPath& path,
            TracedPhotons& out)
 {
     for (int bounce = 0; bounce < kMostBounces; ++bounce) {
         if (bounce >= kEndlessDepth && !survives(kEndlessProbability, random, path.power))
             return;
-        std::optional<RayHit> hit;
-        if constexpr (media)
-            hit = cross_media(*scene.media, wanted, random, path, out);
-        else
-            hit = fly(scene, path, out);
+        const std::optional<RayHit> hit = scene.has_media()
+                                              ? cross_media(*scene.media, wanted, random, path, out)
+                                              : fly(scene, path, out);
         if (!hit)
             return;
-        Interaction at = interact(scene, path.ray, *hit);
-        if constexpr (media)
-            at.inside = &path.inside;
+        Interaction at = meet_face(scene, *hit, path);
         if (at.opacity < 1 && random.next() >= at.opacity) {
             pass_face(scene, at, wanted, path, out);
             continue;
@@ -218,11 +208,8 @@ void trace(const RenderScene& scene, const Wanted& wanted, RandomSequence& rando
             store(at, path, scene.directional, wanted, out);
         else if (at.bsdf().gathers)
             path.last = kNoPhoton;
-        if (!scatter(at, path, random, out.power))
+        if (!scatter(scene, at, path, random, out.power))
             return;
-        if constexpr (media)
-            if (glm::dot(path.ray.direction, at.normal) < 0)
-                cross(*scene.media, hit->face, at.front, path.inside);
         if (is_done(path, wanted)) {
             out.power.absorbed += glm::dvec3(path.power);
             return;
@@ -242,10 +229,9 @@ void trace_light_path(const RenderScene& scene, const Wanted& wanted, const Emit
     if (start.from_medium)
         path.behind = LightPathClass::volume;
     out.power.emitted += glm::dvec3(path.power);
-    if (!scene.has_media())
-        return trace<false>(scene, wanted, random, path, out);
-    path.inside = medium_stack_at(*scene.media, path.ray.origin);
-    trace<true>(scene, wanted, random, path, out);
+    if (scene.has_media())
+        path.inside = medium_stack_at(*scene.media, path.ray.origin);
+    trace(scene, wanted, random, path, out);
 }
 
 } // namespace hipmap
