@@ -22,9 +22,11 @@ for model in lambert burley glossy; do
     # Debian's Blender takes the first python3 on the PATH, which must be Debian's too.
     PATH=/usr/bin:$PATH blender -b --factory-startup --python "$root/bench/cycles_reference.py" \
         -- "$model" "$out/cycles_$model.exr" "$samples" "$out/glossy.glb" > "$out/blender_$model.log"
+    look=gltf
+    [ "$model" = burley ] && look=blender3
     "$bin/preprocess" "$scene" -o "$out/$model.hpm" 2> /dev/null
     "$bin/render" "$scene" "$out/$model.hpm" -o "$out/hipmap_$model.exr" --size 256 \
-        --diffuse "${model/glossy/lambert}" 2> /dev/null
+        --look "$look" 2> /dev/null
     printf '\n%s: A is hipmap, B is Cycles\n' "$model"
     "$bin/compare_images" "$out/hipmap_$model.exr" "$out/cycles_$model.exr" \
         --side-by-side "$out/side_by_side_$model.png"

@@ -4,7 +4,8 @@
         SAMPLES SEED THREADS
 
 Lights and the camera's lens get the sizes that the file gives hipmap (docs/scene.md); a light without
-one is a point, not the sphere of 25 cm that Blender's importer makes of it. Absorption is glTF's too.
+one is a point, not the sphere of 25 cm that Blender's importer makes of it. Absorption is glTF's too, but
+Blender's in a file that Blender wrote, as hipmap's --look auto has it.
 Prints the processor's seconds that rendering took (of all threads, without import, with Cycles' own
 start).
 """
@@ -80,7 +81,8 @@ def import_scene(path):
     bpy.ops.import_scene.gltf(filepath=os.path.abspath(path))
     scene = bpy.context.scene
     set_sizes(scene.objects, sizes_by_node(path))
-    for material in bpy.data.materials:
+    by_blender = "Blender I/O" in read_json(path)["asset"].get("generator", "")
+    for material in () if by_blender else bpy.data.materials:
         for node in material.node_tree.nodes if material.use_nodes else ():
             if node.type == "VOLUME_ABSORPTION":
                 mend_absorption(node)

@@ -103,7 +103,7 @@ def render(bench, setting, photons):
              "-o", bench.folder / "image.pfm", "--stats", stats, "--maps", setting.mode,
              "--tree", setting.tree, "--estimate", setting.estimate, "--tiers", setting.tiers,
              "--photons", photons, "--neighbours", k, "--local-min", round(setting.ratio * k),
-             "--integrator", "direct", "--direct", "photons", "--diffuse", "lambert",
+             "--integrator", "direct", "--direct", "photons", "--look", "gltf",
              "--passes", 1, "--samples", 1, "--size", bench.size)
     return json.loads(stats.read_text())
 

@@ -47,7 +47,6 @@ struct RenderArguments {
     /// frame.
     RenderOptions render{
         .maps = {}, .dissertation = {.local_min = kLocalMinOpen}, .samples = 4, .light = {}};
-    std::optional<DiffuseModel> diffuse;  ///< none: the scene's own
     bool energy_compensation = false;     ///< of all metal
     std::optional<std::uint64_t> photons; ///< of a pass; none: as many as it has samples
     PictureSize size{512, 0};

@@ -12,16 +12,11 @@ namespace hipmap {
 
 namespace {
 
-void choose_reflections(const RenderArguments& arguments, LoadedScene& loaded)
+/// The option adds to what the look has.
+void compensate_energy(const RenderArguments& arguments, LoadedScene& loaded)
 {
-    if (arguments.diffuse)
-        loaded.scene.diffuse_model = *arguments.diffuse;
-    else if (loaded.scene.diffuse_model == DiffuseModel::burley)
-        loaded.audit.assumed.push_back(
-            "diffuse surfaces use Burley's model, as the Blender that wrote the file does; "
-            "--diffuse lambert uses glTF's model");
     for (Material& material : loaded.scene.materials)
-        material.energy_compensation = arguments.energy_compensation;
+        material.energy_compensation |= arguments.energy_compensation;
 }
 
 void choose_environment_map(const RenderArguments& arguments, LoadedScene& loaded)
@@ -52,7 +47,7 @@ void complete_by_scene(RenderArguments& arguments, const Scene& scene)
     if (!arguments.photons)
         arguments.photons = default_photons(size, arguments.render.samples);
     arguments.size = size;
-    arguments.diffuse = scene.diffuse_model;
+    arguments.scene_options.look = choice_of(scene.look);
     arguments.render.width = size.width;
     arguments.render.height = size.height;
     arguments.render.photons = *arguments.photons;
@@ -75,7 +70,7 @@ LoadedScene load_at(const RenderArguments& arguments, SceneSource& source,
                     std::optional<double> time)
 {
     LoadedScene loaded = source.at(time, !arguments.frames.asked());
-    choose_reflections(arguments, loaded);
+    compensate_energy(arguments, loaded);
     choose_environment_map(arguments, loaded);
     return loaded;
 }

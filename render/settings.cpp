@@ -19,11 +19,10 @@ constexpr Choice<DirectLight> kDirectLights[] = {{"shadow-rays", DirectLight::sh
                                                  {"photons", DirectLight::photons}};
 constexpr Choice<PixelFilter> kFilters[] = {{"b-spline", PixelFilter::b_spline},
                                             {"box", PixelFilter::box}};
-constexpr Choice<std::optional<DiffuseModel>> kDiffuseModels[] = {
-    {"auto", std::nullopt},
-    {"lambert", DiffuseModel::lambert},
-    {"burley", DiffuseModel::burley},
-    {"oren-nayar", DiffuseModel::oren_nayar}};
+constexpr Choice<LookChoice> kLooks[] = {{"auto", LookChoice::automatic},
+                                         {"gltf", LookChoice::gltf},
+                                         {"blender", LookChoice::blender},
+                                         {"blender3", LookChoice::blender3}};
 
 constexpr double kMostPhotons = 4e9;
 constexpr double kMostNeighbours = 1e6;
@@ -195,12 +194,12 @@ std::vector<OptionRow> effect_rows(RenderArguments& arguments)
          .help =
              "Effects to leave out, such as -caustics,-textures; +NAME cancels an earlier -NAME",
          .changes = Changes::scene},
-        {.name = "diffuse",
+        {.name = "look",
          .section = kEffectsSection,
-         .field = choice_field<std::optional<DiffuseModel>>(arguments.diffuse, kDiffuseModels),
-         .help = "Diffuse reflection: lambert, as in glTF; burley, as in Blender's Principled BSDF "
-                 "up to version 3; oren-nayar, for rough plaster, clay and stone; auto, as in the "
-                 "program that wrote the file",
+         .field = choice_field<LookChoice>(arguments.scene_options.look, kLooks),
+         .help = "What materials and lights look like: gltf, as glTF specifies; blender, as in "
+                 "Cycles of the Blender that wrote the file (Blender 4 for other files); blender3, "
+                 "as before Blender 4; auto, as in the program that wrote the file",
          .changes = Changes::scene},
         {.name = "energy-compensation",
          .section = kEffectsSection,

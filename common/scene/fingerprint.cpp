@@ -103,15 +103,16 @@ void add_material(Hasher& hasher, const Material& material)
                  specular, specular_color, absorption, thickness, scattering, medium_emission,
                  phase, density, boundary, priority, dispersion, clearcoat, clearcoat_roughness,
                  sheen_color, sheen_roughness, diffuse_transmission, diffuse_transmission_color,
-                 anisotropy, anisotropy_rotation, energy_compensation, reflection_model,
-                 phong_exponent, phong_specular, isotropy, alpha, alpha_mode, alpha_cutoff, unlit,
-                 textures] = material;
+                 anisotropy, anisotropy_rotation, energy_compensation, diffuse_model, coat_adds,
+                 tint_by_root, reflection_model, phong_exponent, phong_specular, isotropy, alpha,
+                 alpha_mode, alpha_cutoff, unlit, textures] = material;
     hasher.add(base_color, metallic, roughness, emission, double_sided, transmission, ior, specular,
                specular_color, absorption, thickness, scattering, medium_emission, phase.kind,
                phase.g, boundary, priority, dispersion, clearcoat, clearcoat_roughness, sheen_color,
                sheen_roughness, diffuse_transmission, diffuse_transmission_color, anisotropy,
-               anisotropy_rotation, energy_compensation, reflection_model, phong_exponent,
-               phong_specular, isotropy, alpha, alpha_mode, alpha_cutoff, unlit);
+               anisotropy_rotation, energy_compensation, diffuse_model, coat_adds, tint_by_root,
+               reflection_model, phong_exponent, phong_specular, isotropy, alpha, alpha_mode,
+               alpha_cutoff, unlit);
     add_density(hasher, density.get());
     hasher.add(static_cast<std::uint64_t>(textures.size()));
     for (const TextureSlot& slot : textures)
@@ -166,7 +167,7 @@ void add_each(Hasher& hasher, const std::vector<T>& values, const Add& add)
 Hasher hash_still(const Scene& scene)
 {
     const auto& [frame, mesh, materials, images, lights, area_lights, environment, map_file,
-                 strength, turn_deg, around, cameras, camera, diffuse_model, nested] = scene;
+                 strength, turn_deg, around, cameras, camera, look, nested] = scene;
     Hasher hasher;
     add_geometry(hasher, scene);
     add_rest_of_mesh(hasher, mesh);
@@ -174,7 +175,7 @@ Hasher hash_still(const Scene& scene)
     add_each(hasher, images, add_image);
     add_each(hasher, lights, [](Hasher& h, const PunctualLight& light) { add_light(h, light); });
     add_each(hasher, area_lights, [](Hasher& h, const AreaLight& light) { add_light(h, light); });
-    hasher.add(environment, strength, turn_deg, diffuse_model);
+    hasher.add(environment, strength, turn_deg, look);
     add_medium(hasher, around);
     hasher.add_array(std::vector<char>(map_file.begin(), map_file.end()));
     return hasher;

@@ -13,7 +13,7 @@ namespace hipmap {
 class FactorReader {
   public:
     FactorReader(const RawScene& scene, const std::string& name)
-        : path_(scene.path), place_("material " + quote_name(name))
+        : look(scene.look), path_(scene.path), place_("material " + quote_name(name))
     {
     }
 
@@ -61,6 +61,7 @@ class FactorReader {
         throw scene_error(path_, place_, what);
     }
 
+    const Look look;
     std::vector<std::string> clamped;
 
   private:

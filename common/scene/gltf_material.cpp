@@ -19,6 +19,9 @@ using nlohmann::json;
 /// KHR_materials_ior: an index of 0 stands for infinity (all is reflected).
 constexpr float kInfiniteIor = 1e4f;
 
+/// What Cycles shows where a face has no material.
+constexpr float kBlenderGrey = 0.8f;
+
 void read_extensions(const json& material, FactorReader& read, Material& out)
 {
     const json& transmission = extension(material, "KHR_materials_transmission");
@@ -147,10 +150,15 @@ void note_materials(const std::vector<std::string>& unlit, const std::vector<std
 
 } // namespace
 
-Material gltf_default_material()
+Material gltf_default_material(Look look)
 {
     Material material;
     material.name = "(no material)";
+    if (!is_blender(look))
+        return material;
+    material.base_color = Rgb(kBlenderGrey);
+    material.metallic = 0;
+    material.specular = 0;
     return material;
 }
 
@@ -168,6 +176,7 @@ void read_gltf_materials(const GltfDocument& document, const tinygltf::Model& mo
             name = "material " + std::to_string(scene.materials.size());
         FactorReader read(scene, name);
         Material out = read_material(material, read);
+        shade_like(scene.look, out);
         out.name = name;
         out.textures = textures.read(material, name);
         read_material_extras(material, out, scene);

@@ -15,6 +15,6 @@ void read_gltf_materials(const GltfDocument& document, const tinygltf::Model& mo
                          RawScene& scene);
 
 /// Returns the material that glTF 2.0 gives a primitive without one.
-Material gltf_default_material();
+Material gltf_default_material(Look look);
 
 } // namespace hipmap

@@ -167,7 +167,7 @@ class MeshPlacer {
     {
         if (default_material_ == kNone) {
             default_material_ = static_cast<MaterialId>(scene_.materials.size());
-            scene_.materials.push_back(gltf_default_material());
+            scene_.materials.push_back(gltf_default_material(scene_.look));
         }
         return default_material_;
     }

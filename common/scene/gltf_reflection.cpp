@@ -20,6 +20,17 @@ ReflectionModel model_named(const std::string& name, const HipmapExtras& extras)
     return ReflectionModel::schlick;
 }
 
+DiffuseModel diffuse_named(const std::string& name, const HipmapExtras& extras)
+{
+    if (name == "burley")
+        return DiffuseModel::burley;
+    if (name == "oren-nayar")
+        return DiffuseModel::oren_nayar;
+    if (name != "lambert")
+        extras.fail("diffuse", R"(must be "lambert", "burley" or "oren-nayar")");
+    return DiffuseModel::lambert;
+}
+
 void read_phong(HipmapExtras& extras, Material& material)
 {
     const std::optional<double> exponent = extras.positive("exponent");
@@ -107,6 +118,8 @@ void take_away_layers(Material& material)
 void read_reflection(HipmapExtras& extras, const json& from, Material& material, SceneAudit& audit)
 {
     const std::optional<std::string> name = extras.text("reflection");
+    if (const std::optional<std::string> diffuse = extras.text("diffuse"))
+        material.diffuse_model = diffuse_named(*diffuse, extras);
     if (name)
         material.reflection_model = model_named(*name, extras);
     read_phong(extras, material);

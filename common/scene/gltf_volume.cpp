@@ -32,9 +32,12 @@ void read_attenuation(const json& volume, FactorReader& read, Material& out)
     if (!(distance > 0))
         read.fail("attenuationDistance must be above 0; set a density above 0");
     const Rgb colour = read.fractions(volume, "attenuationColor");
-    for (int c = 0; c < 3; ++c)
-        out.absorption[c] = static_cast<float>(
-            -std::log(std::max<double>(colour[c], kDarkestAttenuation)) / distance);
+    for (int c = 0; c < 3; ++c) {
+        const double depth = is_blender(read.look)
+                                 ? 1.0 - colour[c]
+                                 : -std::log(std::max<double>(colour[c], kDarkestAttenuation));
+        out.absorption[c] = static_cast<float>(depth / distance);
+    }
 }
 
 /// Scatters a part of what is taken away.

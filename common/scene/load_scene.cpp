@@ -50,6 +50,16 @@ auto within_memory(const std::filesystem::path& path, const Read& read)
     }
 }
 
+/// OBJ names no program that wrote the file.
+RawScene read_obj_as(LookChoice asked, const std::filesystem::path& path)
+{
+    RawScene scene = read_obj(path);
+    scene.look = choose_look(asked, "");
+    for (Material& material : scene.materials)
+        shade_like(scene.look, material);
+    return scene;
+}
+
 void note_size(const RawScene& raw, SceneAudit& audit)
 {
     audit.found.insert(audit.found.begin(), counted(raw.corners.size(), "face") + " in " +
@@ -71,9 +81,9 @@ SceneSource::SceneSource(const std::filesystem::path& path, const SceneOptions& 
 {
     within_memory(path, [&] {
         if (is_gltf(path))
-            impl_->gltf.emplace(path);
+            impl_->gltf.emplace(path, options.look);
         else
-            impl_->obj = read_obj(path);
+            impl_->obj = read_obj_as(options.look, path);
         return true;
     });
 }
@@ -96,6 +106,8 @@ LoadedScene SceneSource::at(std::optional<double> time, bool last)
         if (time && !raw.sweep)
             loaded.audit.warnings.push_back("the file has no animation: all frames show the "
                                             "same");
+        if (is_blender(raw.look))
+            loaded.audit.assumed.push_back(describe_look(raw.look));
         loaded.scene = to_scene_units(raw, options.light_units);
         complete_scene(loaded, options, impl_->path);
         return loaded;

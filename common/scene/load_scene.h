@@ -19,7 +19,8 @@ struct SceneOptions {
     std::optional<Rgb> environment;   ///< overrides the sky; none: grey if the scene has no light
     std::vector<std::string> exclude; ///< names of objects left out
     std::string camera;               ///< name; empty: the first
-    std::optional<double> time;       ///< of the animation, s; none: as the file places its nodes
+    LookChoice look = LookChoice::automatic;
+    std::optional<double> time; ///< of the animation, s; none: as the file places its nodes
 };
 
 /// What loading found in a scene file, what it assumed, and what it lost, as sentences.

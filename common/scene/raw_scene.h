@@ -80,8 +80,8 @@ struct RawScene {
     std::filesystem::path world_map_file; ///< empty: none
     double world_strength = 1.0;
     double world_turn_deg = 0.0;
-    Medium around; ///< per metre
-    DiffuseModel diffuse_model = DiffuseModel::lambert;
+    Medium around;                   ///< per metre
+    Look look = Look::gltf;          ///< which materials and lights have
     std::optional<SceneSweep> sweep; ///< of the animation of which this is one moment
     SceneAudit audit;
 };

@@ -10,13 +10,9 @@
 #include "common/scene/gltf_unread.h"
 #include "common/scene/scene_names.h"
 
-#include <cstdio>
-
 namespace hipmap {
 
 namespace {
-
-constexpr const char* kBlenderExporter = "Khronos glTF Blender I/O v%d";
 
 std::string first_name(std::initializer_list<std::string> names)
 {
@@ -79,26 +75,20 @@ void note_animation(const GltfAnimation& animation, std::optional<double> time, 
                                 "renders frames of it)");
 }
 
-/// The diffuse lobe of the Blender that wrote the file, whose author saw it so; the exporter has
-/// had Blender's version since 3.2 and lower ones before.
-DiffuseModel diffuse_model_of(const nlohmann::json& asset)
+/// Returns the name of the program that wrote the file; empty if it says none.
+std::string generator_of(const nlohmann::json& asset)
 {
     const auto generator = asset.find("generator");
-    if (generator == asset.end() || !generator->is_string())
-        return DiffuseModel::lambert;
-    int major = 0;
-    const char* const text = generator->get_ref<const std::string&>().c_str();
-    return std::sscanf(text, kBlenderExporter, &major) == 1 && major < 4 ? DiffuseModel::burley
-                                                                         : DiffuseModel::lambert;
+    return generator != asset.end() && generator->is_string() ? generator->get<std::string>() : "";
 }
 
 } // namespace
 
-GltfSource::GltfSource(const std::filesystem::path& path)
+GltfSource::GltfSource(const std::filesystem::path& path, LookChoice look)
     : document_(read_gltf_document(path)), model_(parse_gltf(document_)), rest_(model_.nodes)
 {
     timeless_.path = path;
-    timeless_.diffuse_model = diffuse_model_of(document_.json.at("asset"));
+    timeless_.look = choose_look(look, generator_of(document_.json.at("asset")));
     read_gltf_materials(document_, model_, timeless_);
     animation_ = read_gltf_animation(document_, model_, timeless_.audit);
 }

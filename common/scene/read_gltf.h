@@ -17,7 +17,7 @@ namespace hipmap {
 class GltfSource {
   public:
     /// Reads the file.  Throws InputError with the place and what is wrong.
-    explicit GltfSource(const std::filesystem::path& path);
+    GltfSource(const std::filesystem::path& path, LookChoice look);
 
     /// Returns the scene at `time` of the animation, in seconds; none: the nodes as they stand in
     /// the file.  last: no other time will be asked for, so textures need not be copied.  Throws

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "common/math/rgb.h"
+#include "common/scene/look.h"
 #include "common/scene/medium.h"
 #include "common/scene/mesh.h"
 #include "common/scene/texture.h"
@@ -29,6 +30,14 @@ enum class ReflectionModel : std::uint8_t {
     metallic_roughness, ///< glTF's, with all its layers
     phong,              ///< a lobe about the mirror direction over a diffuse base (35)
     schlick,            ///< one layer, even, spread and mirror by its roughness (36)
+};
+
+/// The shape of the diffuse lobe.
+enum class DiffuseModel : std::uint8_t {
+    lambert,    ///< glTF's
+    burley,     ///< of Blender's Principled BSDF up to version 3, rough surfaces brighter towards
+                ///< grazing
+    oren_nayar, ///< of clay and stone, rough surfaces brighter towards where light comes from
 };
 
 /// A material of glTF metallic-roughness with the extensions read so far.  Textures multiply the
@@ -62,6 +71,10 @@ struct Material {
     float anisotropy = 0.0f;          ///< KHR_materials_anisotropy
     float anisotropy_rotation = 0.0f; ///< radians from the tangent towards the bitangent
     bool energy_compensation = false; ///< adds multiple scattering between facets
+    DiffuseModel diffuse_model = DiffuseModel::lambert;
+    bool coat_adds = false;    ///< coats leave the base whole, docs/light_transport.md (38)
+    bool tint_by_root = false; ///< transmitted light is multiplied by the base colour's square
+                               ///<   root at each crossing, so that a solid's two have the colour
     ReflectionModel reflection_model = ReflectionModel::metallic_roughness;
     float phong_exponent = 0.0f;
     Rgb phong_specular{0.0f}; ///< 0 to 1
@@ -126,14 +139,6 @@ struct Camera {
     float focus_distance = 0.0f;  ///< along forward, scene units; 0: everything is sharp
 };
 
-/// The shape of the diffuse lobe.
-enum class DiffuseModel : std::uint8_t {
-    lambert,    ///< glTF's
-    burley,     ///< of Blender's Principled BSDF up to version 3, rough surfaces brighter towards
-                ///< grazing
-    oren_nayar, ///< of clay and stone, rough surfaces brighter towards where light comes from
-};
-
 /// Everything that is rendered, in scene units.  Read-only after loading.
 struct Scene {
     SceneFrame frame;
@@ -149,9 +154,9 @@ struct Scene {
     Medium around;                     ///< the medium outside closed meshes, docs/media.md
     std::vector<Camera> cameras;       ///< at least one
     std::size_t camera = 0;            ///< the one to render from
-    DiffuseModel diffuse_model = DiffuseModel::lambert; ///< of the program that wrote the file
-    bool nested_dielectrics = false; ///< rays are to know which dielectrics they are in, as some
-                                     ///<   lie in one another; the effect plan says so
+    Look look = Look::gltf;            ///< which materials and lights have
+    bool nested_dielectrics = false;   ///< rays are to know which dielectrics they are in, as some
+                                       ///<   lie in one another; the effect plan says so
 };
 
 } // namespace hipmap

@@ -278,7 +278,7 @@ Scene to_scene_units(RawScene& raw, LightUnits units)
     scene.environment_map_file = raw.world_map_file.string();
     scene.environment_strength = static_cast<float>(raw.world_strength);
     scene.environment_turn_deg = static_cast<float>(raw.world_turn_deg);
-    scene.diffuse_model = raw.diffuse_model;
+    scene.look = raw.look;
     for (const RawCamera& camera : raw.cameras)
         scene.cameras.push_back(convert.camera(camera));
     return scene;

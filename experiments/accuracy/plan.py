@@ -8,7 +8,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 sys.path.append(str(ROOT / "experiments"))
 import furnished
 
-COMMON = ("--diffuse", "lambert", "--threads", 1)
+COMMON = ("--look", "gltf", "--threads", 1)
 PHOTONS = 50_000
 DEFAULT_PHOTONS = 200_000
 FILTER, BOX = "b-spline", "box"

@@ -37,7 +37,7 @@ cores. Every figure is from that run and in [results.json](accuracy/results.json
 
 * **Errors** are true ones: the root of relMSE ([error.md](error.md) (3)) against long references ([below](#references)).
 * **Times** are processor seconds, user and system, of the whole program. Each program ran on one thread, one on each core.
-* **Images** are {study["size"]} pixels wide and use `--diffuse lambert`. Means are over {study["seeds"]} seeds (errors: mean of squares); bars are
+* **Images** are {study["size"]} pixels wide and use `--look gltf`. Means are over {study["seeds"]} seeds (errors: mean of squares); bars are
   standard errors.
 * **Names** say how a setting differs from `render`'s defaults. All settings have {plan.PHOTONS:,} photons in a pass unless the
   name says otherwise. For this size that equals the default of {plan.DEFAULT_PHOTONS:,} for an image twice as wide.

@@ -21,11 +21,8 @@ std::string SceneFacts::materials_where(
 SceneFacts gather_facts(const Scene& scene, const Partition& partition)
 {
     const std::size_t materials = scene.materials.size();
-    SceneFacts facts{scene,
-                     make_bsdfs(scene.materials, scene.diffuse_model),
-                     {},
-                     {},
-                     nested_dielectrics(scene, partition)};
+    SceneFacts facts{
+        scene, make_bsdfs(scene.materials), {}, {}, nested_dielectrics(scene, partition)};
     facts.worn.assign(materials, 0);
     facts.solid.assign(materials, 0);
     for (FaceId face = 0; face < scene.mesh.face_count(); ++face) {

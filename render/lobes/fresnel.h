@@ -15,21 +15,50 @@ inline float grazing_weight(float cosine)
     return m * m * m * m * m;
 }
 
-/// Schlick's approximation of a Fresnel reflectance, docs/light_transport.md (2).
-/// f0, f90: at normal and at grazing incidence.  cosine: of incidence, [0, 1].
-struct SchlickFresnel {
-    Rgb f0{0.0f}, f90{0.0f};
-
-    Rgb operator()(float cosine) const { return f0 + (f90 - f0) * grazing_weight(cosine); }
-    /// Returns the average over the cosine-weighted hemisphere, docs/light_transport.md (3).
-    Rgb average() const { return f0 + (f90 - f0) * (1.0f / 21); }
-    bool is_zero() const { return is_black(f0) && is_black(f90); }
-};
-
 /// Returns the reflectance of a smooth interface between dielectrics for unpolarised light; 1 at
 /// total reflection.  cosine: of incidence, [0, 1].  eta: index of refraction behind the interface
 /// over that before it.
 float fresnel_dielectric(float cosine, float eta);
+
+/// Returns the reflectance of such an interface at normal incidence.
+inline float reflectance_of_index(float index)
+{
+    const float root = (index - 1) / (index + 1);
+    return root * root;
+}
+
+/// The average of (1 - cosine)^5 over the cosine-weighted hemisphere.
+inline constexpr float kAverageGrazingWeight = 1.0f / 21;
+
+/// Returns the average over the cosine-weighted hemisphere of the weight of F90 in a reflectance
+/// that follows a dielectric's curve, docs/light_transport.md (38).  index: above 1.
+float average_dielectric_weight(float index);
+
+/// Reflectance of a metal or of the surface of a dielectric, from F0 at normal to F90 at grazing
+/// incidence, docs/light_transport.md (2), (38).  cosine: of incidence, [0, 1].
+struct Reflectance {
+    Rgb f0{0.0f}, f90{0.0f};
+    float index = 0.0f; ///< above 1: along the curve of a dielectric of this index of refraction;
+                        ///<   0: along Schlick's (1 - cosine)^5
+
+    Rgb operator()(float cosine) const { return f0 + (f90 - f0) * weight(cosine); }
+    /// Returns the average over the cosine-weighted hemisphere, docs/light_transport.md (3).
+    Rgb average() const { return f0 + (f90 - f0) * average_weight(); }
+    float average_weight() const
+    {
+        return index > 0 ? average_dielectric_weight(index) : kAverageGrazingWeight;
+    }
+    bool is_zero() const { return is_black(f0) && is_black(f90); }
+
+  private:
+    float weight(float cosine) const
+    {
+        if (!(index > 0)) [[likely]]
+            return grazing_weight(cosine);
+        const float least = reflectance_of_index(index);
+        return (fresnel_dielectric(cosine, index) - least) / (1 - least);
+    }
+};
 
 /// Returns fresnel_dielectric scaled by KHR_materials_specular's `scale`; still 1 at total
 /// reflection.

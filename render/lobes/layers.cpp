@@ -32,14 +32,20 @@ Rgb average_over_hemisphere(const Layers& layers)
 
 } // namespace
 
-Rgb reflection_albedo(const SchlickFresnel& fresnel, float cosine, float alpha)
+Rgb reflection_albedo(const Reflectance& fresnel, float cosine, float alpha)
 {
     return alpha > 0 ? glossy_albedo(cosine, alpha).of(fresnel.f0, fresnel.f90) : fresnel(cosine);
 }
 
-Rgb average_reflection_albedo(const SchlickFresnel& fresnel, float alpha)
+Rgb average_reflection_albedo(const Reflectance& fresnel, float alpha)
 {
-    return alpha > 0 ? average_glossy_albedo(alpha).of(fresnel.f0, fresnel.f90) : fresnel.average();
+    if (!(alpha > 0))
+        return fresnel.average();
+    GlossyAlbedo facets = average_glossy_albedo(alpha); // of Schlick's curve
+    const float grazing = facets.f90 * fresnel.average_weight() / kAverageGrazingWeight;
+    facets.f0 -= grazing - facets.f90;
+    facets.f90 = grazing;
+    return facets.of(fresnel.f0, fresnel.f90);
 }
 
 Rgb transmitted_by(const Layers& layers, Depth depth, const Incidence& along)
@@ -60,7 +66,9 @@ Rgb transmitted_by(const Layers& layers, Depth depth, const Incidence& along)
 
 void finish(Layers& layers)
 {
-    layers.any = layers.coated || layers.sheen > 0 || layers.clearcoat > 0;
+    layers.any = !layers.adds && (layers.coated || layers.sheen > 0 || layers.clearcoat > 0);
+    if (!layers.any)
+        return;
     if (layers.sheen > 0 || layers.clearcoat > 0)
         layers.diffuse_average = average_over_hemisphere(layers);
     else if (layers.coated)

@@ -18,20 +18,22 @@ enum class Depth : std::uint8_t { clearcoat, sheen, reflection, diffuse };
 
 /// Layers that attenuate the light of lobes below them, docs/light_transport.md (2), (24), (28).
 struct Layers {
-    SchlickFresnel coat;          ///< of the dielectric over the diffuse lobe
+    Reflectance coat;             ///< of the dielectric over the diffuse lobe
     float coat_alpha = 0.0f;      ///< GGX width of that coat; 0: smooth
     float sheen = 0.0f;           ///< largest channel of the colour of fibres; 0: none
     float sheen_alpha = 1.0f;     ///< their width
     float clearcoat = 0.0f;       ///< share of the surface under a clear coat (index 1.5); 0: none
     float clearcoat_alpha = 0.0f; ///< its GGX width; 0: smooth
     bool coated = false;          ///< there is a dielectric over the diffuse lobe
-    bool any = false;             ///< there is some layer
+    bool adds = false;            ///< layers add their light to that of lobes below, which they do
+                                  ///<   not attenuate, docs/light_transport.md (38)
+    bool any = false;             ///< there is some layer that attenuates
     Rgb diffuse_average{1.0f};    ///< what reaches the diffuse lobe, averaged over the
                                   ///<   cosine-weighted hemisphere
 };
 
 /// Returns the reflectance of a clear coat at normal and at grazing incidence.
-inline constexpr SchlickFresnel clearcoat_fresnel(float share)
+inline constexpr Reflectance clearcoat_fresnel(float share)
 {
     return {Rgb(share * 0.04f), Rgb(share)};
 }
@@ -51,8 +53,8 @@ inline Rgb transmitted_twice(const Layers& layers, Depth depth, const Incidence&
 }
 
 /// Returns the albedo of a reflection of any width (0: smooth) and its cosine-weighted average.
-Rgb reflection_albedo(const SchlickFresnel& fresnel, float cosine, float alpha);
-Rgb average_reflection_albedo(const SchlickFresnel& fresnel, float alpha);
+Rgb reflection_albedo(const Reflectance& fresnel, float cosine, float alpha);
+Rgb average_reflection_albedo(const Reflectance& fresnel, float alpha);
 
 /// Sets `any` and `diffuse_average` once all layers are there.
 void finish(Layers& layers);

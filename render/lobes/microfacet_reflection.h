@@ -9,7 +9,7 @@ namespace hipmap {
 /// docs/light_transport.md (16), (31).
 struct MicrofacetReflection {
     static constexpr bool kFolds = true, kSeparable = false;
-    SchlickFresnel fresnel;
+    Reflectance fresnel;
     Facets facets;
     Rgb multiple{0.0f}; ///< factor of multiple scattering between facets (multiple_scattering.h)
 

@@ -23,7 +23,7 @@ inline constexpr float kLeastIsotropy = 0.01f;
 /// same for all directions.
 struct Schlick {
     static constexpr bool kFolds = true, kSeparable = false;
-    SchlickFresnel fresnel;
+    Reflectance fresnel;
     float alpha = 1.0f;    ///< square root of the roughness, above zero
     float isotropy = 1.0f; ///< his p, kLeastIsotropy to 1; below 1: grooves across the tangent
 

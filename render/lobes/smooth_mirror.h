@@ -7,7 +7,7 @@ namespace hipmap {
 
 /// Reflection in one direction with Schlick's reflectance: polished metals and coats.
 struct SmoothMirror {
-    SchlickFresnel fresnel;
+    Reflectance fresnel;
 
     SpecularLobes specular(const LobeView& view) const { return {fresnel(view.cosine)}; }
 };

@@ -49,8 +49,7 @@ void find_tangent(const RenderScene& scene, const RayHit& hit, Interaction& at)
 {
     if (scene.varying[material] != 0)
         at.own = make_bsdf(scene.scene.materials[material],
-                           material_at(scene.scene, hit.face, hit.barycentric),
-                           scene.scene.diffuse_model);
+                           material_at(scene.scene, hit.face, hit.barycentric));
     if (scene.opacity)
         at.opacity = scene.opacity(hit.face, hit.barycentric);
     if (scene.bumpy[material] != 0) {

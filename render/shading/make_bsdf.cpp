@@ -19,6 +19,18 @@ constexpr float kLeastReflectance = 0.02f;
 /// because the coat's albedo is known for one width alone: so nothing sends on more than it gets.
 constexpr float kAnisotropicLoss = 0.15f;
 
+/// The index of refraction of the dielectric whose curve a coat or a metal follows that adds to the
+/// base, at most: one of 3.7 and above reflects least somewhere between normal and grazing
+/// incidence.
+constexpr float kMostCurveIndex = 3.5f;
+
+/// The average albedo of a white diffuse lobe of Burley's model by its roughness,
+/// docs/light_transport.md (13).
+float average_burley_albedo(float roughness)
+{
+    return 0.952948f + (0.108702f + 0.003519f * roughness) * roughness;
+}
+
 /// An anisotropic reflection is no mirror's, nor is that of a coat that may have a normal of its
 /// own: across it is at least so rough.
 constexpr float kLeastSpreadRoughness = 0.03f;
@@ -27,28 +39,50 @@ constexpr float kLeastSpreadRoughness = 0.03f;
 struct MetallicRoughness {
     const Material& material;
     const MaterialPoint& at;
-    float roughness;        ///< of its reflection
-    Facets facets;          ///< of reflection and glass; alpha 0: smooth
-    float opaque;           ///< share that is neither metal nor glass
-    float glass;            ///< share that is a dielectric that transmits
-    SchlickFresnel fresnel; ///< of the coat over the diffuse lobe and of metal, by their shares
+    float roughness;     ///< of its reflection
+    Facets facets;       ///< of reflection and glass; alpha 0: smooth
+    float opaque;        ///< share that is neither metal nor glass
+    float glass;         ///< share that is a dielectric that transmits
+    Reflectance fresnel; ///< of the coat over the diffuse lobe and of metal, by their shares
 
     bool has_reflection() const { return !fresnel.is_zero(); }
 };
 
-/// Reflectance of the dielectric over a diffuse lobe, docs/light_transport.md (2).
-SchlickFresnel coat_fresnel(const Material& material, const MaterialPoint& at)
+/// The index of refraction of a dielectric with this reflectance at normal incidence.
+float index_of_reflectance(float f0)
 {
-    const float index_step = (material.ior - 1) / (material.ior + 1);
-    const Rgb f0 = glm::min(index_step * index_step * at.specular_color, Rgb(1)) * at.specular;
-    return {f0, Rgb(at.specular * std::min(1.0f, max_channel(f0) / kLeastReflectance))};
+    const float root = std::sqrt(f0);
+    return std::min((1 + root) / (1 - std::min(root, 0.99f)), kMostCurveIndex);
+}
+
+/// Reflectance of the dielectric over a diffuse lobe, docs/light_transport.md (2), (38).
+Reflectance coat_reflectance(const Material& material, const MaterialPoint& at)
+{
+    const Rgb f0 =
+        glm::min(reflectance_of_index(material.ior) * at.specular_color, Rgb(1)) * at.specular;
+    const float most = max_channel(f0);
+    if (!material.coat_adds)
+        return {f0, Rgb(at.specular * std::min(1.0f, most / kLeastReflectance))};
+    if (!(most > 0))
+        return {};
+    return {f0, Rgb(1), index_of_reflectance(most)};
+}
+
+/// Blender before 4 has a quarter of what glTF means by the factor, on the curve of index 1.5.
+Reflectance clear_coat_reflectance(const Material& material, float share)
+{
+    Reflectance out = clearcoat_fresnel(material.coat_adds ? share / 4 : share);
+    if (material.coat_adds)
+        out.index = 1.5f;
+    return out;
 }
 
 Layers layers_of(const MetallicRoughness& of)
 {
     const MaterialPoint& at = of.at;
     Layers out;
-    const SchlickFresnel coat = coat_fresnel(of.material, at);
+    const Reflectance coat = coat_reflectance(of.material, at);
+    out.adds = of.material.coat_adds;
     out.coated = of.opaque > 0 && !coat.is_zero();
     if (out.coated)
         out.coat = coat;
@@ -58,6 +92,20 @@ Layers layers_of(const MetallicRoughness& of)
         out.sheen_alpha = std::clamp(at.sheen_roughness, kLeastSheenAlpha, 1.0f);
         out.clearcoat = std::max(0.0f, at.clearcoat);
     }
+    return out;
+}
+
+/// Of the coat over the diffuse lobe and of metal, by their shares.  A metal that adds to a base
+/// follows the curve of the dielectric over that.
+Reflectance mixed_reflectance(const MetallicRoughness& of)
+{
+    const MaterialPoint& at = of.at;
+    const Reflectance dielectric = coat_reflectance(of.material, at);
+    const Reflectance coat = of.opaque > 0 ? dielectric : Reflectance{};
+    Reflectance out{at.metallic * at.base_color + of.opaque * coat.f0,
+                    at.metallic + of.opaque * coat.f90, dielectric.index};
+    if (of.material.coat_adds && !(out.index > 0))
+        out.f90 = out.f0;
     return out;
 }
 
@@ -72,9 +120,7 @@ MetallicRoughness metallic_roughness(const Material& material, const MaterialPoi
                           .opaque = (1 - at.metallic) * (1 - at.transmission),
                           .glass = (1 - at.metallic) * at.transmission,
                           .fresnel = {}};
-    const SchlickFresnel coat = out.opaque > 0 ? coat_fresnel(material, at) : SchlickFresnel{};
-    out.fresnel = {at.metallic * at.base_color + out.opaque * coat.f0,
-                   at.metallic + out.opaque * coat.f90};
+    out.fresnel = mixed_reflectance(out);
     out.facets.alpha = alpha_of(out.roughness);
     if (at.anisotropy > 0 &&
         (out.has_reflection() || out.glass > 0)) // docs/light_transport.md (31)
@@ -83,22 +129,59 @@ MetallicRoughness metallic_roughness(const Material& material, const MaterialPoi
     return out;
 }
 
-/// docs/light_transport.md (1): the diffuse base and what passes it.
-void add_diffuse(const MetallicRoughness& of, DiffuseModel model, Bsdf& out)
+/// What reaches the base and is not lost below the coat, by which the base colour is multiplied,
+/// docs/light_transport.md (1), (31).
+Rgb share_of_base(const MetallicRoughness& of, const Layers& layers)
 {
-    const MaterialPoint& at = of.at;
     float kept = 1;
     if (of.facets.alpha_along > 0)
         kept -= kAnisotropicLoss * (of.facets.alpha_along - of.facets.alpha);
-    const Rgb below = kept * of.opaque / glm::max(out.layers.diffuse_average, Rgb(1e-6f));
+    return kept * of.opaque / glm::max(layers.diffuse_average, Rgb(1e-6f));
+}
+
+/// The base colour, scaled down where base and coats would send on more light than they receive,
+/// docs/light_transport.md (38).
+Rgb bounded_base(const MetallicRoughness& of, const Layers& layers)
+{
+    const MaterialPoint& at = of.at;
+    if (!layers.adds)
+        return at.base_color;
+    Rgb left(1);
+    if (layers.coated)
+        left -= average_reflection_albedo(layers.coat, layers.coat_alpha);
+    if (layers.clearcoat > 0)
+        left -= average_reflection_albedo(clear_coat_reflectance(of.material, layers.clearcoat),
+                                          layers.clearcoat_alpha);
+    if (of.material.diffuse_model == DiffuseModel::burley)
+        left /= average_burley_albedo(at.roughness);
+    return glm::min(at.base_color, left);
+}
+
+PlacedLobe diffuse_lobe(DiffuseModel model, const Rgb& reflectance, float roughness)
+{
+    const auto placed = [](const Lobe& lobe) {
+        return PlacedLobe(lobe, Depth::diffuse, Lobes::gathered);
+    };
+    switch (model) {
+    case DiffuseModel::burley:
+        return placed(Burley{reflectance, {roughness}});
+    case DiffuseModel::oren_nayar:
+        return placed(OrenNayar{reflectance, {roughness}});
+    case DiffuseModel::lambert:
+        break;
+    }
+    return placed(Lambert{reflectance});
+}
+
+/// docs/light_transport.md (1): the diffuse base and what passes it.
+void add_diffuse(const MetallicRoughness& of, Bsdf& out)
+{
+    const MaterialPoint& at = of.at;
+    const Rgb below = share_of_base(of, out.layers);
     const float passed = at.transmission == 0 ? std::max(0.0f, at.diffuse_transmission) : 0.0f;
-    out.diffuse = below * at.base_color * (1 - passed);
-    if (!is_black(out.diffuse) && model == DiffuseModel::burley)
-        add({Burley{out.diffuse, {at.roughness}}, Depth::diffuse, Lobes::gathered}, out);
-    else if (!is_black(out.diffuse) && model == DiffuseModel::oren_nayar)
-        add({OrenNayar{out.diffuse, {at.roughness}}, Depth::diffuse, Lobes::gathered}, out);
-    else if (!is_black(out.diffuse))
-        add({Lambert{out.diffuse}, Depth::diffuse, Lobes::gathered}, out);
+    out.diffuse = below * bounded_base(of, out.layers) * (1 - passed);
+    if (!is_black(out.diffuse))
+        add(diffuse_lobe(of.material.diffuse_model, out.diffuse, at.roughness), out);
     out.diffuse_transmitted = below * passed * at.diffuse_transmission_color;
     if (!is_black(out.diffuse_transmitted))
         add({DiffuseTransmission{out.diffuse_transmitted}, Depth::diffuse, Lobes::gathered}, out);
@@ -126,13 +209,13 @@ void add_glass(const MetallicRoughness& of, Bsdf& out)
     const Rgb reflection = glm::min(of.at.specular_color, Rgb(1)) * of.at.specular;
     out.dispersion = of.material.dispersion;
     out.rough_glass = of.facets.alpha > 0;
+    const Rgb tint = of.material.tint_by_root ? glm::sqrt(of.at.base_color) : of.at.base_color;
     if (out.rough_glass)
-        add({RoughDielectric{of.glass, of.at.base_color, reflection, of.facets}, Depth::reflection,
+        add({RoughDielectric{of.glass, tint, reflection, of.facets}, Depth::reflection,
              Lobes::followed},
             out);
     else
-        add({SmoothDielectric{of.glass, of.at.base_color, reflection}, Depth::reflection,
-             Lobes::specular},
+        add({SmoothDielectric{of.glass, tint, reflection}, Depth::reflection, Lobes::specular},
             out);
 }
 
@@ -147,7 +230,7 @@ void add_clearcoat(const MetallicRoughness& of, Bsdf& out)
     if (!(out.layers.clearcoat > 0))
         return;
     const Lobes handled = handled_at(clearcoat_roughness(of.material, of.at));
-    const SchlickFresnel fresnel = clearcoat_fresnel(out.layers.clearcoat);
+    const Reflectance fresnel = clear_coat_reflectance(of.material, out.layers.clearcoat);
     if (handled == Lobes::specular)
         add({SmoothMirror{fresnel}, Depth::clearcoat, handled}, out);
     else
@@ -156,8 +239,7 @@ void add_clearcoat(const MetallicRoughness& of, Bsdf& out)
             out);
 }
 
-void make_metallic_roughness(const Material& material, const MaterialPoint& at, DiffuseModel model,
-                             Bsdf& out)
+void make_metallic_roughness(const Material& material, const MaterialPoint& at, Bsdf& out)
 {
     const MetallicRoughness of = metallic_roughness(material, at);
     out.layers = layers_of(of);
@@ -165,7 +247,7 @@ void make_metallic_roughness(const Material& material, const MaterialPoint& at, 
         out.layers.clearcoat_alpha = alpha_of(clearcoat_roughness(material, at));
     finish(out.layers);
     out.ior = of.facets.alpha > 0 ? std::max(material.ior, kLeastRoughIndex) : material.ior;
-    add_diffuse(of, model, out);
+    add_diffuse(of, out);
     add_reflection(of, out);
     add_glass(of, out);
     if (out.layers.sheen > 0)
@@ -198,7 +280,7 @@ void make_schlick(const Material& material, const MaterialPoint& at, Bsdf& out)
     out.diffuse = shares.even * at.base_color;
     if (!is_black(out.diffuse))
         add({Lambert{out.diffuse}, Depth::diffuse, Lobes::gathered}, out);
-    const SchlickFresnel fresnel{at.base_color, Rgb(1)};
+    const Reflectance fresnel{at.base_color, Rgb(1)};
     if (alpha > 0)
         add({Schlick{fresnel, alpha, std::clamp(material.isotropy, kLeastIsotropy, 1.0f)},
              Depth::reflection, handled_at(roughness)},
@@ -217,7 +299,7 @@ bool is_diffuse_alone(const Bsdf& bsdf)
 
 } // namespace
 
-Bsdf make_bsdf(const Material& material, const MaterialPoint& at, DiffuseModel model)
+Bsdf make_bsdf(const Material& material, const MaterialPoint& at)
 {
     Bsdf out;
     if (!material.boundary)
@@ -227,7 +309,7 @@ Bsdf make_bsdf(const Material& material, const MaterialPoint& at, DiffuseModel m
     out.emits_behind = material.double_sided;
     switch (material.reflection_model) {
     case ReflectionModel::metallic_roughness:
-        make_metallic_roughness(material, at, model, out);
+        make_metallic_roughness(material, at, out);
         break;
     case ReflectionModel::phong:
         make_phong(material, at, out);
@@ -240,12 +322,12 @@ Bsdf make_bsdf(const Material& material, const MaterialPoint& at, DiffuseModel m
     return out;
 }
 
-std::vector<Bsdf> make_bsdfs(const std::vector<Material>& materials, DiffuseModel model)
+std::vector<Bsdf> make_bsdfs(const std::vector<Material>& materials)
 {
     std::vector<Bsdf> out;
     out.reserve(materials.size());
     for (const Material& material : materials)
-        out.push_back(make_bsdf(material, material_factors(material), model));
+        out.push_back(make_bsdf(material, material_factors(material)));
     return out;
 }
 

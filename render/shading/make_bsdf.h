@@ -35,9 +35,9 @@ inline Lobes handled_at(float roughness)
 }
 
 /// Makes the lobes and layers of a material at a point.  A material without a boundary has none.
-Bsdf make_bsdf(const Material& material, const MaterialPoint& at, DiffuseModel model);
+Bsdf make_bsdf(const Material& material, const MaterialPoint& at);
 
 /// Makes the lobes and layers of each material of the scene, [M], from its factors alone.
-std::vector<Bsdf> make_bsdfs(const std::vector<Material>& materials, DiffuseModel model);
+std::vector<Bsdf> make_bsdfs(const std::vector<Material>& materials);
 
 } // namespace hipmap

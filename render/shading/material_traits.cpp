@@ -13,13 +13,13 @@ bool may_be_specular(const Material& material, const Bsdf& bsdf)
            find_texture(material.textures, TextureUse::transmission) != nullptr;
 }
 
-bool may_gather_by_direction(const Material& material, const Bsdf& bsdf, DiffuseModel model)
+bool may_gather_by_direction(const Material& material, const Bsdf& bsdf)
 {
     if (!bsdf.is_separable)
         return true;
     if (material.reflection_model != ReflectionModel::metallic_roughness)
         return false;
-    if (model != DiffuseModel::lambert)
+    if (material.diffuse_model != DiffuseModel::lambert)
         return true;
     const bool may_reflect =
         material.metallic > 0 || material.specular * max_channel(material.specular_color) > 0;

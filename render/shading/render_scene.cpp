@@ -37,8 +37,7 @@ SurfaceEmission surface_emission_of(const RenderScene& scene)
 RenderScene::RenderScene(const Scene& from_scene, const Partition& from_partition,
                          EnvironmentMap map)
     : scene(from_scene), partition(from_partition), opacity(opacity_of(from_scene)),
-      rays(from_scene.mesh, opacity),
-      bsdfs(make_bsdfs(from_scene.materials, from_scene.diffuse_model)),
+      rays(from_scene.mesh, opacity), bsdfs(make_bsdfs(from_scene.materials)),
       varying(varying_materials(from_scene)),
       specular_targets(find_specular_targets(from_scene, bsdfs)),
       media(collect_media(from_scene, from_partition, rays)), environment_map(std::move(map)),
@@ -55,8 +54,8 @@ RenderScene::RenderScene(const Scene& from_scene, const Partition& from_partitio
             std::all_of(bsdfs.begin(), bsdfs.end(),
                         [](const Bsdf& bsdf) { return is_black(bsdf.absorption); });
     for (const MaterialId material : mesh().material_of_face)
-        directional = directional || may_gather_by_direction(scene.materials[material],
-                                                             bsdfs[material], scene.diffuse_model);
+        directional =
+            directional || may_gather_by_direction(scene.materials[material], bsdfs[material]);
 }
 
 Rgb emission_at(const RenderScene& scene, FaceId face, const glm::vec2& barycentric)

@@ -114,7 +114,7 @@ class State(ToolsTestCase):
         self.refuse("render", "merge", *image, naming="STATE")
         self.refuse_render("--state", states[0], "--seed", 1, naming="seed=0")
         self.refuse_render("--state", states[0], "--exclude", "Block", naming="")
-        for option in (("--environment", "1"), ("--energy-compensation",), ("--diffuse", "lambert")):
+        for option in (("--environment", "1"), ("--energy-compensation",), ("--look", "gltf")):
             self.refuse_render("--state", states[0], *option, naming="scene=")
         self.refuse_render("--state", states[0], "--effects", "-caustics", naming="caustics=")
 

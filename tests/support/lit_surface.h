@@ -8,11 +8,10 @@
 namespace hipmap::tiny {
 
 /// A point of a flat surface of the material, seen from `back`: in front of it if back.z > 0.
-inline Interaction lit_surface(const Material& material, const glm::vec3& back, bool solid = true,
-                               DiffuseModel model = DiffuseModel::lambert)
+inline Interaction lit_surface(const Material& material, const glm::vec3& back, bool solid = true)
 {
     Interaction at;
-    at.own = make_bsdf(material, material_factors(material), model);
+    at.own = make_bsdf(material, material_factors(material));
     at.ior = at.own->ior;
     at.point.geometric_normal = at.point.shading_normal = {0, 0, 1};
     at.back = glm::normalize(back);

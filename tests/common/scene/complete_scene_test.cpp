@@ -33,21 +33,6 @@ GltfFile two_cameras()
 
 } // namespace
 
-TEST_CASE("diffuse surfaces are those of the program that wrote the file", "[scene][material]")
-{
-    const auto model_of = [](const json& generator) {
-        GltfFile file = tetrahedron();
-        file.root["asset"]["generator"] = generator;
-        return load(file).scene.diffuse_model;
-    };
-    CHECK(load(tetrahedron()).scene.diffuse_model == DiffuseModel::lambert);
-    CHECK(model_of("Khronos glTF Blender I/O v1.8.19") == DiffuseModel::burley);
-    CHECK(model_of("Khronos glTF Blender I/O v3.6.28") == DiffuseModel::burley);
-    CHECK(model_of("Khronos glTF Blender I/O v4.0.44") == DiffuseModel::lambert);
-    CHECK(model_of("FBX2glTF v0.9.7") == DiffuseModel::lambert);
-    CHECK(model_of(3) == DiffuseModel::lambert);
-}
-
 TEST_CASE("without a camera one is supplied that sees every vertex", "[scene][camera]")
 {
     for (const auto& scale :
@@ -184,7 +169,7 @@ TEST_CASE("a fingerprint of the content follows what can be seen, not names",
         [](Scene& s) { s.area_lights.emplace_back(); },
         [](Scene& s) { s.environment.z += 1; },
         [](Scene& s) { s.cameras[0].position.x += 1; },
-        [](Scene& s) { s.diffuse_model = DiffuseModel::burley; }};
+        [](Scene& s) { s.look = Look::blender_4; }};
     std::vector<Fingerprint> found = {content_fingerprint(scene)};
     for (const auto& change : seen) {
         Scene other = scene;

@@ -11,7 +11,7 @@ using namespace hipmap;
 
 namespace {
 
-constexpr SchlickFresnel kGold{{1, 0.8f, 0.3f}, Rgb(1)};
+constexpr Reflectance kGold{{1, 0.8f, 0.3f}, Rgb(1)};
 
 /// At least one of each kind that spreads light.
 const std::vector<Lobe> kLobes{

@@ -11,7 +11,7 @@ namespace {
 
 Bsdf bsdf_of(const Material& material)
 {
-    return make_bsdfs({material}, DiffuseModel::lambert)[0];
+    return make_bsdfs({material})[0];
 }
 
 /// A flat surface seen under an angle.
@@ -144,7 +144,9 @@ TEST_CASE("bsdf: a thin wall lets light through straight", "[shading]")
 TEST_CASE("diffuse shape: reciprocal, closed values for Burley", "[shading]")
 {
     const glm::vec3 normal(0, 0, 1);
-    const Bsdf bsdf = make_bsdfs({tiny::diffuse(Rgb(0.8f))}, DiffuseModel::burley)[0];
+    Material plaster = tiny::diffuse(Rgb(0.8f));
+    plaster.diffuse_model = DiffuseModel::burley;
+    const Bsdf bsdf = bsdf_of(plaster);
     const auto burley = [&](const glm::vec3& wi, const glm::vec3& wo) {
         return std::get<Burley>(bsdf.all[0].lobe).shape({normal, wo, wo.z}, wi);
     };

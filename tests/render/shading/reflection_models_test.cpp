@@ -168,7 +168,7 @@ TEST_CASE("reflection models: what becomes of the lobe goes by the roughness it 
           "[shading]")
 {
     const auto made = [](const Material& material) {
-        return make_bsdf(material, material_factors(material), DiffuseModel::lambert);
+        return make_bsdf(material, material_factors(material));
     };
     CHECK(phong_roughness(0) == 1);
     CHECK(reflects(made(phong(Rgb(1), Rgb(0.5f), 61)), Lobes::gathered));

@@ -41,6 +41,12 @@ struct Case {
     Interaction at;
 };
 
+Material as_in_blender_3(Material material)
+{
+    shade_like(Look::blender_3_4, material);
+    return material;
+}
+
 /// Surfaces of every lobe, seen steeply, aslant and nearly along the surface.
 std::vector<Case> all_surfaces()
 {
@@ -50,8 +56,9 @@ std::vector<Case> all_surfaces()
         const glm::vec3 below(back.x, back.y, -back.z);
         const Material gold = rough(tiny::mirror({1, 0.8f, 0.3f}), 0.45f);
         out.push_back({"plastic", tiny::lit_surface(plastic(0.5f), back)});
-        out.push_back({"plastic in Burley's model",
-                       tiny::lit_surface(plastic(0.7f), back, true, DiffuseModel::burley)});
+        out.push_back(
+            {"plastic of Blender 3", tiny::lit_surface(as_in_blender_3(plastic(0.7f)), back)});
+        out.push_back({"gold of Blender 3", tiny::lit_surface(as_in_blender_3(gold), back)});
         out.push_back({"smoother plastic", tiny::lit_surface(plastic(0.3f), back)});
         out.push_back({"gold", tiny::lit_surface(gold, back)});
         out.push_back({"smoother gold", tiny::lit_surface(rough(gold, 0.25f), back)});
