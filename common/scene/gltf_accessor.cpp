@@ -185,6 +185,14 @@ glm::dvec4 GltfAccessor::vec4(std::size_t i) const
     return {value(i, 0), value(i, 1), value(i, 2), value(i, 3)};
 }
 
+glm::dmat4 GltfAccessor::mat4(std::size_t i) const
+{
+    glm::dmat4 out(0.0);
+    for (int c = 0; c < 16; ++c)
+        out[c / 4][c % 4] = value(i, c);
+    return out;
+}
+
 std::uint32_t GltfAccessor::index(std::size_t i) const
 {
     return static_cast<std::uint32_t>(value(i, 0));

@@ -47,6 +47,8 @@ class GltfAccessor {
     glm::dvec2 vec2(std::size_t i) const;
     glm::dvec3 vec3(std::size_t i) const;
     glm::dvec4 vec4(std::size_t i) const;
+    /// Returns element `i` < size() of a MAT4 of floats.
+    glm::dmat4 mat4(std::size_t i) const;
     /// Returns element `i` < size() of a SCALAR; `index` reads unsigned integers.
     double scalar(std::size_t i) const { return value(i, 0); }
     std::uint32_t index(std::size_t i) const;

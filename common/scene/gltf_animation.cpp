@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
 
 namespace hipmap {
@@ -38,31 +39,80 @@ class ChannelReader {
             return NodePart::translation;
         if (path == "rotation")
             return NodePart::rotation;
+        if (path == "weights")
+            return NodePart::weight;
         return path == "scale" ? std::optional(NodePart::scale) : std::nullopt;
     }
 
-    AnimationChannel read(const json& channel, NodePart part) const
+    /// The channels of all morph targets for weights, else one.
+    std::vector<AnimationChannel> read(const json& channel, NodePart part) const
     {
-        AnimationChannel out;
+        if (part != NodePart::weight)
+            return {read_transform(channel, part)};
+        AnimationChannel first;
+        const std::string place = read_keys(channel, first);
+        const std::size_t each = values_of_key(first), targets = target_count(first.node);
+        const int output = animation_["samplers"][channel["sampler"].get<std::size_t>()]["output"];
+        const GltfAccessor values(model_, output, document_.path);
+        if (values.type() != TINYGLTF_TYPE_SCALAR)
+            fail(place, "has values of the wrong type for its target");
+        if (first.times.empty() || values.size() != each * first.times.size() * targets)
+            fail(place, "has a different number of values, times and morph targets");
+        std::vector<AnimationChannel> out(targets, first);
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            AnimationChannel& of = out[i % targets];
+            of.part = part;
+            of.target = i % targets;
+            of.values.emplace_back(values.scalar(i), 0, 0, 0);
+            if (!std::isfinite(of.values.back().x))
+                fail(place, "has a value that is not finite");
+        }
+        return out;
+    }
+
+  private:
+    static std::size_t values_of_key(const AnimationChannel& channel)
+    {
+        return channel.interpolation == Interpolation::cubic ? 3 : 1;
+    }
+
+    std::size_t target_count(std::size_t node) const
+    {
+        const int mesh = model_.nodes[node].mesh;
+        if (mesh < 0)
+            return 0;
+        const auto& primitives = model_.meshes[static_cast<std::size_t>(mesh)].primitives;
+        return primitives.empty() ? 0 : primitives[0].targets.size();
+    }
+
+    /// Reads node, interpolation and times; returns the place of the sampler.
+    std::string read_keys(const json& channel, AnimationChannel& out) const
+    {
         out.node = channel["target"]["node"];
-        out.part = part;
         const std::size_t index = channel["sampler"];
         const std::string place = place_ + ".samplers[" + std::to_string(index) + "]";
         if (!animation_.contains("samplers") || index >= animation_["samplers"].size())
             fail(place, "is not in the file");
         const json& sampler = animation_["samplers"][index];
         out.interpolation = interpolation_of(sampler, place);
+        out.times = read_times(sampler["input"], place);
+        return place;
+    }
+
+    AnimationChannel read_transform(const json& channel, NodePart part) const
+    {
+        AnimationChannel out;
+        out.part = part;
+        const std::string place = read_keys(channel, out);
         if (model_.nodes[out.node].matrix.size() == 16)
             fail("nodes[" + std::to_string(out.node) + "]", "is animated and has a matrix");
-        out.times = read_times(sampler["input"], place);
-        out.values = read_values(sampler["output"], part, place);
-        const std::size_t each = out.interpolation == Interpolation::cubic ? 3 : 1;
-        if (out.times.empty() || out.values.size() != each * out.times.size())
+        const int output = animation_["samplers"][channel["sampler"].get<std::size_t>()]["output"];
+        out.values = read_values(output, part, place);
+        if (out.times.empty() || out.values.size() != values_of_key(out) * out.times.size())
             fail(place, "has a different number of values and times");
         return out;
     }
 
-  private:
     Interpolation interpolation_of(const json& sampler, const std::string& place) const
     {
         const std::string name = sampler.value("interpolation", std::string("LINEAR"));
@@ -182,13 +232,16 @@ GltfAnimation read_gltf_animation(const GltfDocument& document, const tinygltf::
                 unread.insert(channel["target"]["path"]);
                 continue;
             }
-            AnimationChannel read = reader.read(channel, *part);
-            if (!driven.insert({read.node, *part}).second) {
+            std::vector<AnimationChannel> read = reader.read(channel, *part);
+            if (read.empty())
+                continue;
+            const std::size_t node = read.front().node;
+            if (!driven.insert({node, *part}).second) {
                 second.push_back(out.names.back());
                 continue;
             }
-            out.moved.push_back(name_of(document.json["nodes"][read.node], "node", read.node));
-            out.channels.push_back(std::move(read));
+            out.moved.push_back(name_of(document.json["nodes"][node], "node", node));
+            std::move(read.begin(), read.end(), std::back_inserter(out.channels));
         }
     }
     note(out, audit, second, unread);
@@ -226,10 +279,21 @@ void pose_nodes(const GltfAnimation& animation, double time, tinygltf::Model& mo
     for (const AnimationChannel& channel : animation.channels) {
         tinygltf::Node& node = model.nodes[channel.node];
         const glm::dvec4 v = value_at(channel, time);
-        if (channel.part == NodePart::rotation)
+        switch (channel.part) {
+        case NodePart::rotation:
             node.rotation = {v.x, v.y, v.z, v.w};
-        else
-            (channel.part == NodePart::scale ? node.scale : node.translation) = {v.x, v.y, v.z};
+            break;
+        case NodePart::weight:
+            node.weights.resize(std::max(node.weights.size(), channel.target + 1), 0.0);
+            node.weights[channel.target] = v.x;
+            break;
+        case NodePart::translation:
+            node.translation = {v.x, v.y, v.z};
+            break;
+        case NodePart::scale:
+            node.scale = {v.x, v.y, v.z};
+            break;
+        }
     }
 }
 

@@ -10,16 +10,18 @@
 
 namespace hipmap {
 
-enum class NodePart : std::uint8_t { translation, rotation, scale };
+enum class NodePart : std::uint8_t { translation, rotation, scale, weight };
 enum class Interpolation : std::uint8_t { linear, step, cubic };
 
-/// The animation of one part of a node's transform.
+/// The animation of one part of a node's transform, or of the weight of one morph target.
 struct AnimationChannel {
     std::size_t node = 0;
     NodePart part = NodePart::translation;
+    std::size_t target = 0; ///< of weights: the morph target
     Interpolation interpolation = Interpolation::linear;
     std::vector<double> times; ///< [K] s, never falling, at least one
-    /// [K], or of cubic [3 K]: tangent in, value, tangent out; w: of rotations alone.
+    /// [K], or of cubic [3 K]: tangent in, value, tangent out; w: of rotations alone; x: of
+    /// weights.
     std::vector<glm::dvec4> values;
 };
 
@@ -31,10 +33,10 @@ struct GltfAnimation {
     double first = 0.0, last = 0.0;         ///< of all times
 };
 
-/// Reads the animations of nodes' transforms and warns of other animations.  If several drive the
-/// same part of a node, the first in the file counts.  Throws InputError, naming the place: a
-/// sampler or accessor that is missing or of another shape, times that fall, numbers that are not
-/// finite, a node that has a matrix.
+/// Reads the animations of nodes' transforms and of morph targets, and warns of other animations.
+/// If several drive the same part of a node, the first in the file counts.  Throws InputError,
+/// naming the place: a sampler or accessor that is missing or of another shape, times that fall,
+/// numbers that are not finite, a node that has a matrix.
 GltfAnimation read_gltf_animation(const GltfDocument& document, const tinygltf::Model& model,
                                   SceneAudit& audit);
 
@@ -43,7 +45,7 @@ GltfAnimation read_gltf_animation(const GltfDocument& document, const tinygltf::
 /// appendix C).
 glm::dvec4 value_at(const AnimationChannel& channel, double time);
 
-/// Sets the transforms of the animated nodes to those of `time`.
+/// Sets the transforms and weights of the animated nodes to those of `time`.
 void pose_nodes(const GltfAnimation& animation, double time, tinygltf::Model& model);
 
 /// Returns the bounds of each object's faces, the lights and the cameras over the animation, from

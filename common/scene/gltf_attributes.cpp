@@ -63,44 +63,6 @@ bool is_finite_vector(const glm::dvec4& v)
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z) && std::isfinite(v.w);
 }
 
-class AttributeReader {
-  public:
-    AttributeReader(const PrimitivePlace& at, std::size_t vertex_count,
-                    std::span<const std::uint32_t> used)
-        : at_(at), vertex_count_(vertex_count), used_(used)
-    {
-    }
-
-    /// Calls `take` with the value of each vertex, if the primitive has the attribute.
-    template <typename Take>
-    void read(const char* name, std::initializer_list<int> types, Take take) const
-    {
-        const auto accessor = at_.primitive.attributes.find(name);
-        if (accessor == at_.primitive.attributes.end())
-            return;
-        const GltfAccessor values(at_.model, accessor->second, at_.path);
-        const std::string place = at_.place + "." + name;
-        if (std::find(types.begin(), types.end(), values.type()) == types.end() ||
-            values.component_type() == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT ||
-            values.size() != vertex_count_)
-            throw scene_error(at_.path, place,
-                              "is of a type or count that glTF does not allow; the file is "
-                              "damaged, export it again");
-        for (const std::uint32_t vertex : used_) {
-            const glm::dvec4 value = vector_at(values, vertex);
-            if (!is_finite_vector(value))
-                throw scene_error(at_.path, place + ", vertex " + std::to_string(vertex),
-                                  "is not finite; repair the mesh and export it again");
-            take(value);
-        }
-    }
-
-  private:
-    const PrimitivePlace& at_;
-    std::size_t vertex_count_;
-    std::span<const std::uint32_t> used_;
-};
-
 } // namespace
 
 WantedAttributes find_wanted_attributes(const GltfDocument& document)
@@ -127,22 +89,47 @@ WantedAttributes find_wanted_attributes(const GltfDocument& document)
     return wanted;
 }
 
+std::vector<glm::dvec4> read_vertex_values(const PrimitivePlace& at, const AttributeSource& from,
+                                           const UsedVertices& used)
+{
+    const GltfAccessor values(at.model, from.accessor, at.path);
+    const std::string place = at.place + "." + from.name;
+    if (std::find(from.types.begin(), from.types.end(), values.type()) == from.types.end() ||
+        values.component_type() == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT || values.size() != used.of)
+        throw scene_error(at.path, place,
+                          "is of a type or count that glTF does not allow; the file is "
+                          "damaged, export it again");
+    std::vector<glm::dvec4> out;
+    out.reserve(used.vertices.size());
+    for (const std::uint32_t vertex : used.vertices) {
+        out.push_back(vector_at(values, vertex));
+        if (!is_finite_vector(out.back()))
+            throw scene_error(at.path, place + ", vertex " + std::to_string(vertex),
+                              "is not finite; repair the mesh and export it again");
+    }
+    return out;
+}
+
 VertexAttributes read_attributes(const PrimitivePlace& at, const WantedAttributes& wanted,
-                                 std::size_t vertex_count, std::span<const std::uint32_t> used)
+                                 const UsedVertices& used)
 {
     VertexAttributes out;
-    const AttributeReader reader(at, vertex_count, used);
+    const auto read = [&](const char* name, const std::vector<int>& types) {
+        const auto found = at.primitive.attributes.find(name);
+        return found == at.primitive.attributes.end()
+                   ? std::vector<glm::dvec4>{}
+                   : read_vertex_values(at, {name, found->second, types}, used);
+    };
     constexpr std::array<const char*, 2> kUvNames = {"TEXCOORD_0", "TEXCOORD_1"};
     for (std::size_t set = 0; set < kUvNames.size(); ++set)
         if (wanted.uv[set])
-            reader.read(kUvNames[set], {TINYGLTF_TYPE_VEC2},
-                        [&](const glm::dvec4& uv) { out.uv[set].emplace_back(uv); });
+            for (const glm::dvec4& uv : read(kUvNames[set], {TINYGLTF_TYPE_VEC2}))
+                out.uv[set].emplace_back(uv);
     if (wanted.tangents)
-        reader.read("TANGENT", {TINYGLTF_TYPE_VEC4},
-                    [&](const glm::dvec4& tangent) { out.tangents.emplace_back(tangent); });
-    reader.read("COLOR_0", {TINYGLTF_TYPE_VEC3, TINYGLTF_TYPE_VEC4}, [&](const glm::dvec4& colour) {
+        for (const glm::dvec4& tangent : read("TANGENT", {TINYGLTF_TYPE_VEC4}))
+            out.tangents.emplace_back(tangent);
+    for (const glm::dvec4& colour : read("COLOR_0", {TINYGLTF_TYPE_VEC3, TINYGLTF_TYPE_VEC4}))
         out.colours.emplace_back(glm::clamp(colour, 0.0, 1.0));
-    });
     return out;
 }
 

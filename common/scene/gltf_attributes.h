@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace hipmap {
 
@@ -28,12 +29,31 @@ struct PrimitivePlace {
     const std::string& place;
 };
 
-/// Reads the wanted attributes and the colours of the vertices `used`, in their order; arrays are
+/// The vertices of a primitive that its faces use.
+struct UsedVertices {
+    std::size_t of = 0;                      ///< vertices that the primitive has
+    std::span<const std::uint32_t> vertices; ///< their numbers, in the order of their use
+};
+
+/// An accessor that holds a value for each vertex of a primitive.
+struct AttributeSource {
+    std::string name; ///< for errors
+    int accessor = 0;
+    std::vector<int> types; ///< TINYGLTF_TYPE_ that glTF allows
+};
+
+/// Returns the value of each vertex used, [V]; components that the accessor lacks are 1.  Throws
+/// InputError, naming the primitive: a damaged accessor, a type that is not allowed, a count that
+/// is not that of the vertices, a number that is not finite.
+std::vector<glm::dvec4> read_vertex_values(const PrimitivePlace& at, const AttributeSource& from,
+                                           const UsedVertices& used);
+
+/// Reads the wanted attributes and the colours of the vertices used, in their order; arrays are
 /// empty where the primitive has none.  Colours are clamped to 0 to 1, tangents left as they are.
-/// vertex_count: of the primitive's positions.  Throws InputError, naming the primitive: damaged
+/// Throws InputError, naming the primitive: damaged
 /// accessors, a type that glTF does not allow, a count that is not vertex_count, a number that is
 /// not finite.
 VertexAttributes read_attributes(const PrimitivePlace& at, const WantedAttributes& wanted,
-                                 std::size_t vertex_count, std::span<const std::uint32_t> used);
+                                 const UsedVertices& used);
 
 } // namespace hipmap

@@ -118,8 +118,9 @@ GltfPrimitive GltfMeshReader::read_primitive(const tinygltf::Primitive& primitiv
                               "a position or normal is not finite; repair the mesh and export it "
                               "again");
     }
-    out.attributes =
-        read_attributes({model_, primitive, scene_.path, place}, wanted_, positions.size(), used);
+    const PrimitivePlace at{model_, primitive, scene_.path, place};
+    out.attributes = read_attributes(at, wanted_, {positions.size(), used});
+    out.deformation = read_deformation(at, {positions.size(), used});
     return out;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "common/scene/gltf_attributes.h"
+#include "common/scene/gltf_deformation.h"
 #include "common/scene/mesh.h"
 #include "common/scene/raw_scene.h"
 
@@ -17,6 +18,7 @@ struct GltfPrimitive {
     std::vector<glm::dvec3> positions;
     std::vector<glm::dvec3> normals; ///< as authored; empty if there are none
     VertexAttributes attributes;
+    GltfDeformation deformation;
     std::vector<glm::uvec3> corners;
     int material = -1; ///< -1: none
 };

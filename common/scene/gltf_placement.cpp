@@ -3,6 +3,9 @@
 #include "common/scene/gltf_instances.h"
 #include "common/scene/gltf_material.h"
 #include "common/scene/gltf_mesh.h"
+#include "common/scene/gltf_pose.h"
+#include "common/scene/gltf_skin.h"
+#include "common/scene/placement.h"
 #include "common/scene/scene_names.h"
 
 #include <unistd.h>
@@ -32,50 +35,6 @@ void append_or_fill(std::vector<T>& all, std::size_t count, const std::vector<T>
         return;
     all.resize(count, filler);
     all.insert(all.end(), some.begin(), some.end());
-}
-
-/// What turns a primitive's vertices into the world's.
-struct Placement {
-    glm::dmat4 points{1.0};
-    glm::dmat3 normals{1.0}; ///< inverse transpose up to a positive factor
-    bool mirrored = false;
-};
-
-/// The matrix of cofactors: the inverse transpose times the determinant, and defined without one.
-glm::dmat3 cofactors(const glm::dmat3& m)
-{
-    return {glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])};
-}
-
-Placement placement_of(const glm::dmat4& to_world)
-{
-    double largest = 0.0;
-    for (int column = 0; column < 3; ++column)
-        for (int row = 0; row < 3; ++row)
-            largest = std::max(largest, std::abs(to_world[column][row]));
-    // Scaled first, so that the products below neither overflow nor vanish.
-    const glm::dmat3 linear = largest > 0 ? glm::dmat3(to_world) / largest : glm::dmat3(0.0);
-    Placement placement;
-    placement.points = to_world;
-    placement.normals = cofactors(linear);
-    placement.mirrored = glm::dot(linear[0], placement.normals[0]) < 0;
-    if (placement.mirrored)
-        placement.normals = -placement.normals;
-    return placement;
-}
-
-glm::vec3 unit_or_zero(const glm::dvec3& v)
-{
-    const double length = glm::length(v);
-    return length > 0 && std::isfinite(length) ? glm::vec3(v / length) : glm::vec3(0.0f);
-}
-
-glm::vec4 place_tangent(const glm::vec4& tangent, const Placement& placement)
-{
-    const glm::vec3 turned = unit_or_zero(glm::dmat3(placement.points) * glm::dvec3(tangent));
-    // A mirror image turns a right-handed frame into a left-handed one.
-    const bool left_handed = (tangent.w < 0) != placement.mirrored;
-    return turned == glm::vec3(0.0f) ? glm::vec4(0.0f) : glm::vec4(turned, left_handed ? -1 : 1);
 }
 
 /// Appends to the attributes of [count] vertices; afterwards each array may be shorter than the
@@ -115,21 +74,29 @@ void append(const GltfPrimitive& primitive, MaterialId material, const Placement
 class MeshPlacer {
   public:
     MeshPlacer(const tinygltf::Model& model, const WantedAttributes& wanted, RawScene& scene)
-        : model_(model), scene_(scene), reader_(model, wanted, scene), meshes_(model.meshes.size())
+        : model_(model), scene_(scene), skins_(read_gltf_skins(model, scene.path)),
+          reader_(model, wanted, scene), meshes_(model.meshes.size())
     {
     }
 
     void place(const std::vector<PlacedNode>& nodes)
     {
+        nodes_ = &nodes;
         reserve(nodes);
         for (const PlacedNode& at : nodes)
             if (model_.nodes[at.node].mesh >= 0)
                 place_mesh(at);
         append_attributes({}, scene_.positions.size(), {}, scene_.attributes);
+        if (!skinned_.empty())
+            scene_.audit.found.push_back("armature (skin) of " + list_names(skinned_));
+        if (!shaped_.empty())
+            scene_.audit.found.push_back("shape keys (morph targets) of " + list_names(shaped_));
         if (!without_material_.empty())
-            scene_.audit.assumed.push_back("no material on " + list_names(without_material_) +
-                                           ": using white rough metal, glTF's default; give them a "
-                                           "material with a Principled BSDF");
+            scene_.audit.assumed.push_back(
+                "no material on " + list_names(without_material_) + ": using " +
+                (is_blender(scene_.look) ? "matte grey 0.8, as Cycles does"
+                                         : "white rough metal, glTF's default") +
+                "; give them a material with a Principled BSDF");
     }
 
   private:
@@ -153,14 +120,47 @@ class MeshPlacer {
         for (const GltfPrimitive& primitive : mesh_of(node.mesh))
             if (primitive.material < 0)
                 without_material_.push_back(name);
+        const std::vector<glm::dmat4> joints = joints_of(node, name);
+        const MeshPose pose{morph_weights(model_, node), joints};
         for (const glm::dmat4& to_world : place_instances(model_, at, scene_.path)) {
             const Placement placement = placement_of(to_world);
             for (const GltfPrimitive& primitive : mesh_of(node.mesh))
-                append(primitive,
-                       primitive.material < 0 ? default_material()
-                                              : static_cast<MaterialId>(primitive.material),
-                       placement, scene_);
+                append_posed(primitive, pose, placement);
         }
+    }
+
+    /// The transforms of the joints of a node's skin; none if it has none.
+    std::vector<glm::dmat4> joints_of(const tinygltf::Node& node, const std::string& name)
+    {
+        if (node.skin < 0)
+            return {};
+        const GltfSkin& skin = skins_[static_cast<std::size_t>(node.skin)];
+        std::vector<glm::dmat4> joints = place_joints(skin, *nodes_);
+        if (joints.empty())
+            scene_.audit.warnings.push_back("skin of " + quote_name(name) +
+                                            " is ignored: the scene lacks some of its joints");
+        for (const GltfPrimitive& primitive : mesh_of(node.mesh))
+            for (const JointShare& share : primitive.deformation.shares)
+                if (share.joint >= skin.joints.size())
+                    throw scene_error(scene_.path, "object " + quote_name(name),
+                                      "follows joint " + std::to_string(share.joint) + " of " +
+                                          std::to_string(skin.joints.size()) +
+                                          "; the file is damaged, export it again");
+        return joints;
+    }
+
+    /// A mesh that follows joints is placed by them alone (glTF 2.0, section 3.7.3.3).
+    void append_posed(const GltfPrimitive& primitive, const MeshPose& pose,
+                      const Placement& placement)
+    {
+        const MaterialId material = primitive.material < 0
+                                        ? default_material()
+                                        : static_cast<MaterialId>(primitive.material);
+        if (!deforms(pose, primitive))
+            return append(primitive, material, placement, scene_);
+        const bool follows = follows_joints(pose, primitive);
+        append(posed(primitive, pose), material, follows ? Placement{} : placement, scene_);
+        (follows ? skinned_ : shaped_).push_back(scene_.objects.back().name);
     }
 
     MaterialId default_material()
@@ -212,9 +212,11 @@ class MeshPlacer {
 
     const tinygltf::Model& model_;
     RawScene& scene_;
+    std::vector<GltfSkin> skins_;
+    const std::vector<PlacedNode>* nodes_ = nullptr; ///< borrowed while placing
     GltfMeshReader reader_;
     std::vector<std::optional<std::vector<GltfPrimitive>>> meshes_;
-    std::vector<std::string> without_material_;
+    std::vector<std::string> without_material_, skinned_, shaped_; ///< names of objects
     MaterialId default_material_ = kNone;
 };
 

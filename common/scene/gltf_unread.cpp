@@ -160,13 +160,12 @@ void collect_meshes(const json& root, UnreadThings& unread)
         for (const json& primitive : mesh["primitives"]) {
             if (primitive.value("mode", 4) < 4)
                 unread.add("points and lines of meshes", name);
-            if (primitive.contains("targets"))
-                unread.add("shape keys (morph targets) of meshes", name);
             for (const auto& [key, value] : primitive["attributes"].items())
                 if (key == "COLOR_0")
                     unread.add_colours(name);
                 else if (key != "POSITION" && key != "NORMAL" && key != "TANGENT" &&
-                         !key.starts_with("TEXCOORD_"))
+                         !key.starts_with("TEXCOORD_") && !key.starts_with("JOINTS_") &&
+                         !key.starts_with("WEIGHTS_"))
                     unread.add("attribute " + clean_name(key) + " of meshes", name);
         }
     }
@@ -177,8 +176,6 @@ void collect_nodes(const json& root, UnreadThings& unread)
     std::size_t index = 0;
     for (const json& node : members(root, "nodes")) {
         const std::string name = name_of(node, "node", index++);
-        if (node.contains("skin"))
-            unread.add("skins (armatures), shown in rest pose, of objects", name);
         for (const auto& [key, value] : members(node, "extensions").items())
             if (!is_in(kRead, key))
                 unread.add(clean_name(key) + " of objects", name);
