@@ -119,8 +119,11 @@ void choose_sky(LoadedScene& loaded, bool has_light, const SceneOptions& options
         loaded.audit.found.push_back("sky colour of the scene (world_color)");
         return;
     }
-    if (has_light)
+    if (has_light) {
+        loaded.audit.assumed.push_back("no sky: the file has none (glTF lacks Blender's world); "
+                                       "--environment RADIANCE|FILE adds one");
         return;
+    }
     loaded.scene.environment = Rgb(kSkyRadiance);
     loaded.audit.assumed.push_back(
         "no light in the file: using a uniform grey sky of radiance 1 (--environment changes it); "

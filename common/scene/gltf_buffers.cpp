@@ -48,11 +48,35 @@ std::optional<std::string> decode_percent(const std::string& uri)
     return text;
 }
 
-bool is_fallback(const nlohmann::json& buffer)
+constexpr const char* kMeshopt = "EXT_meshopt_compression";
+
+bool has_meshopt(const nlohmann::json& thing)
 {
-    const auto extensions = buffer.find("extensions");
-    return extensions != buffer.end() && extensions->contains("EXT_meshopt_compression") &&
-           (*extensions)["EXT_meshopt_compression"].value("fallback", false);
+    const auto extensions = thing.find("extensions");
+    return extensions != thing.end() && extensions->contains(kMeshopt);
+}
+
+bool says_fallback(const nlohmann::json& buffer)
+{
+    return has_meshopt(buffer) && buffer["extensions"][kMeshopt].value("fallback", false);
+}
+
+/// Returns whether a buffer is only a place for what meshopt decodes: all its bufferViews are
+/// compressed.
+bool has_compressed_views_only(const GltfDocument& document, std::size_t index)
+{
+    const auto views = document.json.find("bufferViews");
+    if (views == document.json.end())
+        return false;
+    bool used = false;
+    for (const nlohmann::json& view : *views) {
+        if (view["buffer"].get<std::size_t>() != index)
+            continue;
+        if (!has_meshopt(view))
+            return false;
+        used = true;
+    }
+    return used;
 }
 
 Bytes load_buffer(const GltfDocument& document, std::size_t index)
@@ -63,10 +87,12 @@ Bytes load_buffer(const GltfDocument& document, std::size_t index)
     Bytes bytes;
     if (buffer.contains("uri"))
         bytes = read_gltf_uri(document, place, buffer["uri"].get<std::string>());
-    else if (is_fallback(buffer))
+    else if (says_fallback(buffer))
         return {};
     else if (index == 0 && document.binary)
         bytes = to_unsigned(document.bin());
+    else if (has_compressed_views_only(document, index))
+        return {};
     else
         throw scene_error(document.path, place, "has neither uri nor data; export it again");
     if (bytes.size() < length)

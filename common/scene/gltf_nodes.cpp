@@ -47,6 +47,13 @@ glm::dmat4 local_transform(const tinygltf::Node& node)
     return to_matrix(parts);
 }
 
+bool is_hidden(const tinygltf::Node& node)
+{
+    const auto found = node.extensions.find("KHR_node_visibility");
+    return found != node.extensions.end() && found->second.Has("visible") &&
+           found->second.Get("visible").IsBool() && !found->second.Get("visible").Get<bool>();
+}
+
 /// How many nodes have each node as a child.
 std::vector<int> count_parents(const tinygltf::Model& model, const std::filesystem::path& path)
 {
@@ -120,9 +127,10 @@ std::vector<PlacedNode> place_nodes(const tinygltf::Model& model, const std::fil
             throw scene_error(path, place_of(at.node),
                               "its transform is not finite or not affine; apply the transform and "
                               "export again");
+        at.visible = at.visible && !is_hidden(node);
         placed.push_back(at);
         for (auto child = node.children.rbegin(); child != node.children.rend(); ++child)
-            waiting.push_back({static_cast<std::size_t>(*child), at.to_world});
+            waiting.push_back({static_cast<std::size_t>(*child), at.to_world, at.visible});
     }
     if (model.scenes.empty() && placed.size() < model.nodes.size())
         throw scene_error(path, "nodes", "contain a loop; the file is damaged, export it again");

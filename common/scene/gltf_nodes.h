@@ -12,6 +12,7 @@ namespace hipmap {
 struct PlacedNode {
     std::size_t node = 0;
     glm::dmat4 to_world{1.0};
+    bool visible = true; ///< false: KHR_node_visibility hides it or an ancestor
 };
 
 /// A transform in parts, applied scale first.

@@ -84,7 +84,7 @@ class MeshPlacer {
         nodes_ = &nodes;
         reserve(nodes);
         for (const PlacedNode& at : nodes)
-            if (model_.nodes[at.node].mesh >= 0)
+            if (at.visible && model_.nodes[at.node].mesh >= 0)
                 place_mesh(at);
         append_attributes({}, scene_.positions.size(), {}, scene_.attributes);
         if (!skinned_.empty())
@@ -178,7 +178,7 @@ class MeshPlacer {
         std::uint64_t faces = 0, vertices = 0;
         for (const PlacedNode& at : nodes) {
             const int mesh = model_.nodes[at.node].mesh;
-            if (mesh < 0)
+            if (mesh < 0 || !at.visible)
                 continue;
             const std::uint64_t instances = count_instances(model_, at.node, scene_.path);
             check_amount(instances, faces, vertices);

@@ -127,6 +127,8 @@ class Sweeper {
         const std::vector<PlacedNode> nodes = place_nodes(model_, path_);
         for (const PlacedNode& at : nodes) {
             const tinygltf::Node& node = model_.nodes[at.node];
+            if (!at.visible)
+                continue;
             if (node.mesh < 0) {
                 sweep.others.add(glm::dvec3(at.to_world[3]));
                 continue;

@@ -24,6 +24,7 @@ constexpr string_view kRead[] = {
     "EXT_mesh_gpu_instancing",      "KHR_texture_transform",
     "KHR_materials_sheen",          "KHR_materials_dispersion",
     "KHR_materials_anisotropy",     "KHR_materials_diffuse_transmission",
+    "KHR_node_visibility",
 };
 
 constexpr string_view kRenderedTextures[] = {"baseColorTexture",

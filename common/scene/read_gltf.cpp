@@ -1,5 +1,6 @@
 #include "common/scene/read_gltf.h"
 
+#include "common/scene/blender_losses.h"
 #include "common/scene/gltf_animation.h"
 #include "common/scene/gltf_extras.h"
 #include "common/scene/gltf_light_camera.h"
@@ -26,6 +27,8 @@ void add_lights_and_cameras(const GltfDocument& document, const tinygltf::Model&
                             const std::vector<PlacedNode>& nodes, RawScene& scene)
 {
     for (const PlacedNode& at : nodes) {
+        if (!at.visible)
+            continue;
         const tinygltf::Node& node = model.nodes[at.node];
         if (node.camera >= 0) {
             const auto camera = static_cast<std::size_t>(node.camera);
@@ -59,6 +62,18 @@ void note_scenes(const tinygltf::Model& model, SceneAudit& audit)
         quote_name(first_name({model.scenes[scene].name, "scene " + std::to_string(scene)})));
 }
 
+void note_hidden(const tinygltf::Model& model, const std::vector<PlacedNode>& nodes,
+                 SceneAudit& audit)
+{
+    std::vector<std::string> hidden;
+    for (const PlacedNode& at : nodes)
+        if (!at.visible)
+            hidden.push_back(
+                first_name({model.nodes[at.node].name, "node " + std::to_string(at.node)}));
+    if (!hidden.empty())
+        audit.found.push_back("hidden (KHR_node_visibility), not rendered: " + list_names(hidden));
+}
+
 void note_animation(const GltfAnimation& animation, std::optional<double> time, SceneAudit& audit)
 {
     if (animation.channels.empty())
@@ -88,7 +103,9 @@ GltfSource::GltfSource(const std::filesystem::path& path, LookChoice look)
     : document_(read_gltf_document(path)), model_(parse_gltf(document_)), rest_(model_.nodes)
 {
     timeless_.path = path;
-    timeless_.look = choose_look(look, generator_of(document_.json.at("asset")));
+    const std::string generator = generator_of(document_.json.at("asset"));
+    by_blender_ = look_of_generator(generator).has_value();
+    timeless_.look = choose_look(look, generator);
     read_gltf_materials(document_, model_, timeless_);
     animation_ = read_gltf_animation(document_, model_, timeless_.audit);
 }
@@ -108,6 +125,9 @@ RawScene GltfSource::at(std::optional<double> time, bool last)
     add_lights_and_cameras(document_, model_, nodes, scene);
     read_world_extras(document_, scene);
     note_scenes(model_, scene.audit);
+    note_hidden(model_, nodes, scene.audit);
+    if (by_blender_)
+        note_blender_losses(document_, nodes, scene);
     note_animation(animation_, time, scene.audit);
     warn_of_unread_gltf(document_, scene.audit);
     return scene;

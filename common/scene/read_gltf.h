@@ -32,6 +32,7 @@ class GltfSource {
     GltfAnimation animation_;
     std::optional<SceneSweep> sweep_;
     bool swept_ = false;
+    bool by_blender_ = false; ///< Blender's exporter wrote the file
 };
 
 } // namespace hipmap

@@ -78,6 +78,18 @@ TEST_CASE("meshopt views equal plain ones up to quantisation", "[scene][gltf][co
     check_same_sheet(load(meshopt_file(sheet, "INDICES")).scene, sheet, 1e-5);
 }
 
+TEST_CASE("meshopt's fallback buffer needs neither uri nor flag", "[scene][gltf][compressed]")
+{
+    const Sheet sheet = bumpy_sheet();
+    GltfFile file = meshopt_file(sheet, "TRIANGLES");
+    file.root["buffers"][1].erase("extensions");
+    check_same_sheet(load(file).scene, sheet, 1e-5);
+    GltfFile plain = meshopt_file(sheet, "TRIANGLES");
+    plain.root["buffers"][1].erase("extensions");
+    plain.root["bufferViews"][2].erase("extensions"); // of the buffer without data
+    CHECK_THROWS_WITH(load(plain), Catch::Contains("buffers[1]: has neither uri nor data"));
+}
+
 TEST_CASE("plain data beside Draco's is taken as it is", "[scene][gltf][compressed]")
 {
     const Sheet sheet = bumpy_sheet();
