@@ -5,6 +5,7 @@
 #include "common/stopwatch.h"
 #include "preprocess/colouring/coloured_glb.h"
 #include "preprocess/colouring/partition_pictures.h"
+#include "preprocess/open_glass.h"
 #include "preprocess/partition/previous_frame.h"
 #include "preprocess/summary.h"
 
@@ -74,6 +75,8 @@ int preprocess(const PreprocessArguments& arguments, SceneSource& source,
     PartitionResult& result = frame->result;
     result.summary.passes.insert(result.summary.passes.begin(), {"load scene", load_seconds});
     print_summary(result.summary, arguments.angle_deg, report);
+    for (const std::string& sentence : describe_open_glass(scene, result.partition))
+        report.line("assumed: " + sentence);
     write_partition(arguments.output, result.partition);
     report.line("wrote " + arguments.output.string());
 

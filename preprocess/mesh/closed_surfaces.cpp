@@ -14,16 +14,22 @@ namespace {
 /// 1 m2 and 1 um thickness 4e-7; the sums below are good to about 1e-15 per face.
 constexpr double kLeastVolume = 1e-9;
 
+/// Length of the border over area^(1/2), up to which a surface counts as closed: all holes of a
+/// sphere that fills an image of 1000 pixels are then, together, about half a pixel around.
+constexpr double kWidestPinhole = 1e-3;
+
 struct Surface {
     FaceId first_face = 0;
     std::size_t faces = 0;
     double area = 0.0;
     double volume = 0.0;
-    bool open = false;
+    double border = 0.0; ///< length
+    bool open = false;   ///< it ends elsewhere than at a border
 
     bool closed() const
     {
-        return !open && faces >= 4 && std::abs(volume) > kLeastVolume * std::pow(area, 1.5);
+        return !open && border <= kWidestPinhole * std::sqrt(area) && faces >= 4 &&
+               std::abs(volume) > kLeastVolume * std::pow(area, 1.5);
     }
 };
 
@@ -36,6 +42,19 @@ void add_face(Surface& surface, const TriangleMesh& mesh, FaceId face, bool flip
     ++surface.faces;
     surface.area += 0.5 * glm::length(normal);
     surface.volume += flipped ? -volume : volume;
+}
+
+/// Adds an edge at which the surface ends.
+void add_end(Surface& surface, const TriangleMesh& mesh, const HalfEdges& edges, std::uint32_t edge)
+{
+    const glm::uvec3& corners = mesh.corners[edge / 3];
+    const auto corner = static_cast<glm::length_t>(edge % 3);
+    const glm::dvec3 from(mesh.positions[corners[corner]]);
+    const glm::dvec3 to(mesh.positions[corners[(corner + 1) % 3]]);
+    if (edges.edge_class[edge] == EdgeClass::border)
+        surface.border += glm::length(to - from);
+    else
+        surface.open = true;
 }
 
 /// The ends of the edges of faces without area but with three vertices, sorted.
@@ -121,7 +140,8 @@ std::vector<std::uint8_t> find_closed_surfaces(const TriangleMesh& mesh, const W
         Surface& surface = surfaces[surface_of_face[face]];
         add_face(surface, mesh, face, edges.flipped[face] != 0);
         for (std::uint32_t c = 0; c < 3; ++c)
-            surface.open |= beyond[std::size_t{3} * face + c] == kNone;
+            if (beyond[std::size_t{3} * face + c] == kNone)
+                add_end(surface, mesh, edges, 3 * face + c);
     }
     std::vector<std::uint8_t> closed(mesh.face_count());
     for (FaceId face = 0; face < mesh.face_count(); ++face)

@@ -9,7 +9,8 @@ namespace hipmap {
 /// more, and with a volume that is not lost in the rounding of its area (so a sheet with two
 /// coincident sides is open).  Surfaces that only touch stay whole: on an edge of several faces,
 /// the two faces of one object belong together.  A border along a face without area is a crack
-/// without width and does not count. edges: all but `closed` is read.  Returns [F].  Near linear,
+/// without width and does not count, nor do pinholes: borders of at most 1e-3 times the square root
+/// of the area, all together. edges: all but `closed` is read.  Returns [F].  Near linear,
 /// one thread.
 std::vector<std::uint8_t> find_closed_surfaces(const TriangleMesh& mesh, const WeldedFaces& faces,
                                                const EdgeGroups& groups, const HalfEdges& edges);

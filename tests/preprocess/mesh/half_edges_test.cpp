@@ -127,6 +127,24 @@ TEST_CASE("half edges: two boxes that share an edge are closed if they are two o
     CHECK(all_closed(edges));
 }
 
+TEST_CASE("half edges: pinholes far below a pixel do not open a surface", "[mesh]")
+{
+    // The tip of a tetrahedron is cut off: its border is about 4.2 times as long as the cut.
+    const auto blunt = [](float cut) {
+        return tiny::make_mesh(
+            {{0, 0, 0},
+             {1, 0, 0},
+             {0, 1, 0},
+             {0, 0, 1 - cut},
+             {cut, 0, 1 - cut},
+             {0, cut, 1 - cut}},
+            {{0, 2, 1}, {0, 1, 4}, {0, 4, 3}, {0, 3, 5}, {0, 5, 2}, {1, 2, 5}, {1, 5, 4}});
+    };
+    CHECK_FALSE(any_closed(half_edges(blunt(0.1f))));
+    CHECK_FALSE(any_closed(half_edges(blunt(1e-3f))));
+    CHECK(all_closed(half_edges(blunt(1e-4f))));
+}
+
 TEST_CASE("half edges: a sliver without area does not open a closed surface", "[mesh]")
 {
     // The edge from 0 to 1 of a tetrahedron is split by vertex 4 in one of its faces only, and the
