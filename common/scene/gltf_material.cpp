@@ -2,6 +2,7 @@
 
 #include "common/scene/gltf_extras.h"
 #include "common/scene/gltf_factors.h"
+#include "common/scene/gltf_specular_glossiness.h"
 #include "common/scene/gltf_texture.h"
 #include "common/scene/gltf_volume.h"
 #include "common/scene/scene_names.h"
@@ -99,6 +100,7 @@ Material read_material(const json& material, FactorReader& read)
     read_extensions(material, read, out);
     read_layers(material, read, out);
     read_alpha(material, base, read, out);
+    read_specular_glossiness(material, read, out);
     return out;
 }
 

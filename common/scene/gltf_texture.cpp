@@ -1,6 +1,7 @@
 #include "common/scene/gltf_texture.h"
 
 #include "common/scene/gltf_buffers.h"
+#include "common/scene/gltf_specular_glossiness.h"
 #include "common/scene/scene_names.h"
 
 #include <algorithm>
@@ -84,6 +85,9 @@ const GltfTextureReader::SlotKind GltfTextureReader::kSlotKinds[] = {
     {"", "normalTexture", TextureUse::normal, kLinear},
     {"", "occlusionTexture", TextureUse::occlusion, kLinear},
     {"", "emissiveTexture", TextureUse::emission, kColour},
+    {kSpecularGlossiness, "diffuseTexture", TextureUse::base_color, kColour},
+    {kSpecularGlossiness, "specularGlossinessTexture", TextureUse::specular_color, kColour},
+    {kSpecularGlossiness, "specularGlossinessTexture", TextureUse::metallic_roughness, kLinear},
     {"KHR_materials_transmission", "transmissionTexture", TextureUse::transmission, kLinear},
     {"KHR_materials_volume", "thicknessTexture", TextureUse::thickness, kLinear},
     {"KHR_materials_specular", "specularTexture", TextureUse::specular, kLinear},
@@ -110,12 +114,41 @@ std::vector<TextureSlot> GltfTextureReader::read(const json& material, const std
                          : holder.starts_with("KHR_")
                              ? member(member(material, "extensions"), kind.holder)
                              : member(material, kind.holder);
-        if (!at.contains(kind.key))
+        if (!at.contains(kind.key) ||
+            (holder == "pbrMetallicRoughness" && is_specular_glossy(material)))
             continue;
-        if (const std::optional<TextureSlot> slot = read_slot(kind, at[kind.key], name))
-            slots.push_back(*slot);
+        std::optional<TextureSlot> slot = read_slot(kind, at[kind.key], name);
+        if (!slot)
+            continue;
+        if (holder == kSpecularGlossiness && kind.use == TextureUse::metallic_roughness) {
+            const auto made = add_roughness(slot->image, at.value("glossinessFactor", 1.0f));
+            if (!made)
+                continue;
+            slot->image = *made;
+        }
+        slots.push_back(*slot);
     }
     return slots;
+}
+
+std::optional<std::uint32_t> GltfTextureReader::add_roughness(std::uint32_t image, float glossiness)
+{
+    const auto found = roughness_images_.find({image, glossiness});
+    if (found != roughness_images_.end())
+        return found->second;
+    const std::uint64_t pixels = scene_.images[image].rgba.size() / 4;
+    if (pixels > pixels_left_) {
+        scene_.audit.warnings.push_back("glossiness of texture " +
+                                        quote_name(scene_.images[image].name) +
+                                        " is left out: the textures have too many pixels");
+        return std::nullopt;
+    }
+    pixels_left_ -= pixels;
+    TextureImage made =
+        roughness_of_glossiness(scene_.images[image], std::clamp(glossiness, 0.0f, 1.0f));
+    scene_.images.push_back(std::move(made));
+    return roughness_images_[{image, glossiness}] =
+               static_cast<std::uint32_t>(scene_.images.size() - 1);
 }
 
 std::optional<TextureSlot> GltfTextureReader::read_slot(const SlotKind& kind, const json& info,

@@ -6,6 +6,7 @@
 
 #include <tiny_gltf.h>
 
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -29,6 +30,9 @@ class GltfTextureReader {
 
     std::optional<TextureSlot> read_slot(const SlotKind& kind, const nlohmann::json& info,
                                          const std::string& material);
+    /// Adds the roughness that a glossiness texture stands for, once for each factor; nothing, with
+    /// a warning, if that would be too many pixels.
+    std::optional<std::uint32_t> add_roughness(std::uint32_t image, float glossiness);
     Sampler read_sampler(const nlohmann::json& texture) const;
     std::optional<std::uint32_t> image_of(std::size_t index);
     std::optional<std::uint32_t> load_image(std::size_t index);
@@ -40,6 +44,7 @@ class GltfTextureReader {
     const tinygltf::Model& model_;
     RawScene& scene_;
     std::vector<std::optional<std::optional<std::uint32_t>>> images_; ///< by the file's number
+    std::map<std::pair<std::uint32_t, float>, std::uint32_t> roughness_images_;
     std::uint64_t pixels_left_ = kMostPixelsInAll;
 };
 

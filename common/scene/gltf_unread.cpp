@@ -24,7 +24,7 @@ constexpr string_view kRead[] = {
     "EXT_mesh_gpu_instancing",      "KHR_texture_transform",
     "KHR_materials_sheen",          "KHR_materials_dispersion",
     "KHR_materials_anisotropy",     "KHR_materials_diffuse_transmission",
-    "KHR_node_visibility",
+    "KHR_node_visibility",          "KHR_materials_pbrSpecularGlossiness",
 };
 
 constexpr string_view kRenderedTextures[] = {"baseColorTexture",
@@ -32,6 +32,8 @@ constexpr string_view kRenderedTextures[] = {"baseColorTexture",
                                              "transmissionTexture",
                                              "emissiveTexture",
                                              "normalTexture",
+                                             "diffuseTexture",
+                                             "specularGlossinessTexture",
                                              "specularTexture",
                                              "specularColorTexture",
                                              "clearcoatTexture",
@@ -60,7 +62,6 @@ struct Cure {
 
 constexpr Cure kCures[] = {
     {"KHR_meshopt_compression", "export without compression"},
-    {"KHR_materials_pbrSpecularGlossiness", "convert the materials to metallic-roughness"},
 };
 
 template <typename List>
