@@ -1,6 +1,7 @@
 #include "common/scene/obj_material.h"
 
 #include "common/file/output_file.h"
+#include "common/scene/obj_texture.h"
 #include "common/scene/scene_file.h"
 #include "common/scene/scene_names.h"
 
@@ -92,18 +93,6 @@ Material convert(const tinyobj::material_t& mtl)
     return out;
 }
 
-bool has_texture(const tinyobj::material_t& mtl)
-{
-    for (const std::string* name :
-         {&mtl.ambient_texname, &mtl.diffuse_texname, &mtl.specular_texname,
-          &mtl.specular_highlight_texname, &mtl.bump_texname, &mtl.displacement_texname,
-          &mtl.alpha_texname, &mtl.reflection_texname, &mtl.roughness_texname,
-          &mtl.metallic_texname, &mtl.sheen_texname, &mtl.emissive_texname, &mtl.normal_texname})
-        if (!name->empty())
-            return true;
-    return false;
-}
-
 bool has_unread_factor(const tinyobj::material_t& mtl)
 {
     return mtl.sheen > 0 || mtl.clearcoat_thickness > 0 || mtl.anisotropy > 0;
@@ -169,18 +158,13 @@ std::vector<tinyobj::material_t> load_library(const std::string& line, RawScene&
 
 void note_materials(const std::vector<tinyobj::material_t>& materials, SceneAudit& audit)
 {
-    std::vector<std::string> textured, unread, dark_lights;
+    std::vector<std::string> unread, dark_lights;
     for (const tinyobj::material_t& mtl : materials) {
-        if (has_texture(mtl))
-            textured.push_back(mtl.name);
         if (has_unread_factor(mtl))
             unread.push_back(mtl.name);
         if (looks_like_dark_light(mtl))
             dark_lights.push_back(mtl.name);
     }
-    if (!textured.empty())
-        audit.warnings.push_back("not read yet: textures of materials (" + list_names(textured) +
-                                 ")");
     if (!unread.empty())
         audit.warnings.push_back("not read yet: sheen, clearcoat and anisotropy of materials (" +
                                  list_names(unread) + ")");
@@ -196,15 +180,18 @@ std::map<std::string, MaterialId> read_obj_materials(const ObjText& text, RawSce
 {
     std::map<std::string, MaterialId> ids;
     std::vector<tinyobj::material_t> all;
+    ObjTextureReader textures(scene);
     for (const std::string& line : text.material_libs) {
         for (tinyobj::material_t& mtl : load_library(line, scene)) {
             const auto id = static_cast<MaterialId>(scene.materials.size());
             if (mtl.name.empty() || !ids.emplace(mtl.name, id).second)
                 continue; // of equal names the first counts
             scene.materials.push_back(convert(mtl));
+            textures.read(mtl, scene.materials.back());
             all.push_back(std::move(mtl));
         }
     }
+    textures.note_unread();
     note_materials(all, scene.audit);
     return ids;
 }

@@ -18,17 +18,37 @@ namespace {
 /// Cutting ears off a polygon takes quadratic time and more.
 constexpr std::size_t kMostCorners = 10000;
 
+/// What makes a vertex: numbers in the file's lists of positions, normals and texture coordinates.
+struct ObjCorner {
+    std::size_t position, normal, texcoord;
+
+    bool operator==(const ObjCorner&) const = default;
+};
+
+struct HashOfCorner {
+    std::size_t operator()(const ObjCorner& corner) const
+    {
+        constexpr std::size_t kOdd = 0x9e3779b97f4a7c15; // spreads sums over all bits
+        return ((corner.position * kOdd ^ corner.normal) * kOdd ^ corner.texcoord) * kOdd;
+    }
+};
+
 /// Builds the scene from tinyobjloader's callbacks; every index was checked by read_obj_text.
 class ObjBuilder {
   public:
     ObjBuilder(const ObjText& text, RawScene& scene)
         : scene_(scene), groups_are_objects_(!text.has_objects),
-          materials_(read_obj_materials(text, scene))
+          materials_(read_obj_materials(text, scene)), textured_(!scene.images.empty())
     {
     }
 
     void add_vertex(const glm::dvec3& p) { vertices_.push_back(p); }
     void add_normal(const glm::dvec3& n) { normals_.push_back(n); }
+    /// v upwards, as the file has it.
+    void add_texcoord(const glm::dvec2& uv)
+    {
+        texcoords_.emplace_back(static_cast<float>(uv.x), static_cast<float>(1 - uv.y));
+    }
 
     void name_object(const std::string& name) { object_name_ = clean_name(name); }
     void name_group(const std::string& name)
@@ -85,18 +105,24 @@ class ObjBuilder {
                          : count - static_cast<std::size_t>(-static_cast<std::int64_t>(index));
     }
 
-    /// The vertex with this position and this normal; OBJ counts the two apart.
+    /// The vertex with this position, normal and, if there are textures, place in these; OBJ counts
+    /// them apart.
     std::uint32_t corner(const tinyobj::index_t& index)
     {
         const std::size_t position = resolve(index.vertex_index, vertices_.size());
         const std::size_t normal =
             index.normal_index == 0 ? kNone : resolve(index.normal_index, normals_.size());
-        const std::uint64_t key = (static_cast<std::uint64_t>(position) << 32) | normal;
-        const auto [at, added] =
-            corner_of_.try_emplace(key, static_cast<std::uint32_t>(scene_.positions.size()));
+        const std::size_t texcoord = index.texcoord_index == 0 || !textured_
+                                         ? kNone
+                                         : resolve(index.texcoord_index, texcoords_.size());
+        const auto [at, added] = corner_of_.try_emplace(
+            {position, normal, texcoord}, static_cast<std::uint32_t>(scene_.positions.size()));
         if (added) {
             scene_.positions.push_back(vertices_[position]);
             scene_.normals.push_back(normal == kNone ? glm::vec3(0.0f) : unit(normals_[normal]));
+            if (textured_)
+                scene_.attributes.uv[0].push_back(texcoord == kNone ? glm::vec2(0.0f)
+                                                                    : texcoords_[texcoord]);
         }
         return at->second;
     }
@@ -132,8 +158,10 @@ class ObjBuilder {
     RawScene& scene_;
     bool groups_are_objects_;
     std::map<std::string, MaterialId> materials_;
+    bool textured_;
     std::vector<glm::dvec3> vertices_, normals_; ///< as the file lists them
-    std::unordered_map<std::uint64_t, std::uint32_t> corner_of_;
+    std::vector<glm::vec2> texcoords_;           ///< v downwards
+    std::unordered_map<ObjCorner, std::uint32_t, HashOfCorner> corner_of_;
     std::map<std::string, ObjectId> object_of_;
     std::string object_name_;
     MaterialId material_ = kNone;
@@ -154,6 +182,9 @@ tinyobj::callback_t callbacks()
     };
     out.normal_cb = [](void* user, double x, double y, double z) {
         builder(user).add_normal({x, y, z});
+    };
+    out.texcoord_cb = [](void* user, double x, double y, double) {
+        builder(user).add_texcoord({x, y});
     };
     out.index_cb = [](void* user, tinyobj::index_t* indices, int count) {
         builder(user).add_face({indices, static_cast<std::size_t>(count)});

@@ -255,7 +255,7 @@ TEST_CASE("a light without Ke and a textured MTL material are warned of", "[scen
     CHECK(says(load_with_mtl("Ka 20 20 20\nKd 1 1 1\n").audit.warnings, "Ke 20 20 20"));
     CHECK_FALSE(
         says(load_with_mtl("Ka 20 20 20\nKe 5 5 5\n").audit.warnings, "looks like a light"));
-    CHECK(says(load_with_mtl("Kd 1 1 1\nmap_Kd wood.png\n").audit.warnings, "textures"));
+    CHECK(says(load_with_mtl("Kd 1 1 1\nmap_Kd wood.png\n").audit.warnings, "texture 'wood.png'"));
     CHECK_THROWS_WITH(load_with_mtl("Ke 1e999 0 0\n"), Catch::Contains("material 'm'"));
 }
 

@@ -1,0 +1,232 @@
+#include "common/scene/obj_texture.h"
+
+#include "common/file/output_file.h"
+#include "common/scene/scene_file.h"
+#include "common/scene/scene_names.h"
+
+#include <algorithm>
+
+namespace hipmap {
+
+namespace {
+
+/// tinyobjloader's Kd of a material that has a texture and no Kd, whose texture stands alone.
+constexpr float kMissingKd = 0.6f;
+
+/// OBJ's v runs upwards, ours downwards.
+TextureSlot slot_of(TextureUse use, std::uint32_t image, const tinyobj::texture_option_t& option)
+{
+    const auto number = [](tinyobj::real_t value) { return static_cast<float>(value); };
+    TextureSlot slot;
+    slot.use = use;
+    slot.image = image;
+    slot.sampler.srgb = use == TextureUse::base_color || use == TextureUse::emission ||
+                        use == TextureUse::specular_color;
+    if (option.clamp)
+        slot.sampler.wrap_u = slot.sampler.wrap_v = Wrap::clamp;
+    const float scale_u = number(option.scale[0]), scale_v = number(option.scale[1]);
+    const float v = 1 - scale_v - number(option.origin_offset[1]);
+    slot.uv_transform = {glm::vec2(scale_u, 0), glm::vec2(0, scale_v),
+                         glm::vec2(number(option.origin_offset[0]), v)};
+    return slot;
+}
+
+bool is_finite_slot(const TextureSlot& slot)
+{
+    for (int column = 0; column < 3; ++column)
+        if (!std::isfinite(slot.uv_transform[column].x) ||
+            !std::isfinite(slot.uv_transform[column].y))
+            return false;
+    return true;
+}
+
+void add_slot(const TextureSlot& slot, Material& out)
+{
+    if (is_finite_slot(slot))
+        out.textures.push_back(slot);
+}
+
+/// The pixel of `of` at the place of a pixel of a texture of another size.
+std::size_t nearest_pixel(const TextureImage& of, const TextureImage& like, int x, int y)
+{
+    const auto column = static_cast<std::size_t>(x) * static_cast<std::size_t>(of.width) /
+                        static_cast<std::size_t>(like.width);
+    const auto row = static_cast<std::size_t>(y) * static_cast<std::size_t>(of.height) /
+                     static_cast<std::size_t>(like.height);
+    return 4 * (row * static_cast<std::size_t>(of.width) + column);
+}
+
+/// Puts a channel of one texture, read at its nearest pixels, into a channel of another.
+void copy_channel(const TextureImage& from, int from_channel, TextureImage& to, int to_channel)
+{
+    for (int y = 0; y < to.height; ++y)
+        for (int x = 0; x < to.width; ++x)
+            to.rgba[nearest_pixel(to, to, x, y) + static_cast<std::size_t>(to_channel)] =
+                from.rgba[nearest_pixel(from, to, x, y) + static_cast<std::size_t>(from_channel)];
+}
+
+TextureImage white_image(const TextureImage& like)
+{
+    TextureImage out = like;
+    std::fill(out.rgba.begin(), out.rgba.end(), std::uint8_t{255});
+    return out;
+}
+
+/// Opacity maps are grey, or hold it in their alpha.
+int opacity_channel(const TextureImage& image)
+{
+    for (std::size_t i = 3; i < image.rgba.size(); i += 4)
+        if (image.rgba[i] != 255)
+            return 3;
+    return 0;
+}
+
+} // namespace
+
+void ObjTextureReader::read(const tinyobj::material_t& mtl, Material& out)
+{
+    read_colours(mtl, out);
+    read_opacity(mtl, out);
+    read_physical(mtl, out);
+    collect_unread(mtl);
+}
+
+void ObjTextureReader::read_colours(const tinyobj::material_t& mtl, Material& out)
+{
+    const bool is_metal = out.metallic == 1; // of which the colour is Ks
+    const std::string& base = is_metal ? mtl.specular_texname : mtl.diffuse_texname;
+    if (const auto image = image_of(base)) {
+        add_slot(slot_of(TextureUse::base_color, *image,
+                         is_metal ? mtl.specular_texopt : mtl.diffuse_texopt),
+                 out);
+        if (!is_metal && (is_black(out.base_color) || out.base_color == Rgb(kMissingKd)))
+            out.base_color = Rgb(1);
+    }
+    if (const auto image = is_metal ? std::nullopt : image_of(mtl.specular_texname))
+        add_slot(slot_of(TextureUse::specular_color, *image, mtl.specular_texopt), out);
+    if (const auto image = image_of(mtl.emissive_texname)) {
+        add_slot(slot_of(TextureUse::emission, *image, mtl.emissive_texopt), out);
+        if (is_black(out.emission))
+            out.emission = Rgb(1);
+    }
+}
+
+/// Opacity goes into the alpha of the base colour's texture.
+void ObjTextureReader::read_opacity(const tinyobj::material_t& mtl, Material& out)
+{
+    const auto image = image_of(mtl.alpha_texname);
+    if (!image)
+        return;
+    const auto base =
+        std::find_if(out.textures.begin(), out.textures.end(),
+                     [](const TextureSlot& slot) { return slot.use == TextureUse::base_color; });
+    const TextureImage& opacity = scene_.images[*image];
+    TextureImage joined =
+        base == out.textures.end() ? white_image(opacity) : scene_.images[base->image];
+    copy_channel(opacity, opacity_channel(opacity), joined, 3);
+    const auto made = add_image(std::move(joined));
+    if (!made)
+        return;
+    if (base == out.textures.end())
+        add_slot(slot_of(TextureUse::base_color, *made, mtl.alpha_texopt), out);
+    else
+        base->image = *made;
+    out.alpha_mode = AlphaMode::blend;
+    out.transmission = 0; // `d` is the factor of the map, not glass
+}
+
+/// Roughness and metallic share a texture, as in glTF.
+void ObjTextureReader::read_physical(const tinyobj::material_t& mtl, Material& out)
+{
+    const auto rough = image_of(mtl.roughness_texname), metal = image_of(mtl.metallic_texname);
+    if (rough || metal) {
+        TextureImage joined = white_image(scene_.images[rough ? *rough : *metal]);
+        if (rough)
+            copy_channel(scene_.images[*rough], 0, joined, 1);
+        if (metal)
+            copy_channel(scene_.images[*metal], 0, joined, 2);
+        if (const auto made = add_image(std::move(joined))) {
+            add_slot(slot_of(TextureUse::metallic_roughness, *made,
+                             rough ? mtl.roughness_texopt : mtl.metallic_texopt),
+                     out);
+            out.roughness = rough && !(mtl.roughness > 0) ? 1 : out.roughness;
+            out.metallic = metal && !(mtl.metallic > 0) ? 1 : out.metallic;
+        }
+    }
+    if (const auto image = image_of(mtl.normal_texname))
+        add_slot(slot_of(TextureUse::normal, *image, mtl.normal_texopt), out);
+}
+
+void ObjTextureReader::collect_unread(const tinyobj::material_t& mtl)
+{
+    const std::pair<const char*, const std::string*> kinds[] = {
+        {"map_Ns", &mtl.specular_highlight_texname},
+        {"map_Bump", &mtl.bump_texname},
+        {"disp", &mtl.displacement_texname},
+        {"refl", &mtl.reflection_texname},
+        {"map_Ps", &mtl.sheen_texname}};
+    for (const auto& [key, name] : kinds)
+        if (!name->empty())
+            unread_[key].push_back(mtl.name);
+}
+
+void ObjTextureReader::note_unread() const
+{
+    for (const auto& [key, materials] : unread_)
+        scene_.audit.warnings.push_back(
+            "not read yet: " + key + " of materials (" + list_names(materials) + ")" +
+            (key == "map_Bump" ? "; convert it to a normal map (norm)" : ""));
+}
+
+std::optional<std::uint32_t> ObjTextureReader::image_of(const std::string& name)
+{
+    if (name.empty())
+        return std::nullopt;
+    const auto found = images_.find(name);
+    if (found != images_.end())
+        return found->second;
+    return images_[name] = load_image(name);
+}
+
+/// Windows' separators and folders of another machine are usual: then the bare name counts.
+std::optional<std::uint32_t> ObjTextureReader::load_image(const std::string& name)
+{
+    std::string path = name;
+    std::replace(path.begin(), path.end(), '\\', '/');
+    const std::string bare = path.substr(path.find_last_of('/') + 1);
+    std::string problem;
+    for (const std::string& candidate : {path, bare}) {
+        try {
+            const std::vector<std::byte> bytes =
+                read_file(file_beside(scene_.path, "texture " + quote_name(name), candidate));
+            const auto* const first = reinterpret_cast<const unsigned char*>(bytes.data());
+            DecodedTexture decoded =
+                decode_texture({first, bytes.size()}, std::min(kMostPixels, pixels_left_));
+            problem = decoded.problem;
+            decoded.image.name = clean_name(bare);
+            if (problem.empty())
+                return add_image(std::move(decoded.image));
+            break;
+        } catch (const InputError&) {
+            problem = "cannot be read";
+        }
+    }
+    scene_.audit.warnings.push_back("texture " + quote_name(name) + " " + problem +
+                                    "; using plain colours instead");
+    return std::nullopt;
+}
+
+std::optional<std::uint32_t> ObjTextureReader::add_image(TextureImage image)
+{
+    const std::uint64_t pixels = image.rgba.size() / 4;
+    if (pixels > pixels_left_) {
+        scene_.audit.warnings.push_back("texture " + quote_name(image.name) +
+                                        " is left out: the textures have too many pixels");
+        return std::nullopt;
+    }
+    pixels_left_ -= pixels;
+    scene_.images.push_back(std::move(image));
+    return static_cast<std::uint32_t>(scene_.images.size() - 1);
+}
+
+} // namespace hipmap

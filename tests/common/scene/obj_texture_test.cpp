@@ -1,0 +1,108 @@
+#include "tests/support/gltf_file.h"
+#include "tests/support/temporary_folder.h"
+
+#include <catch2/catch.hpp>
+#include <stb/stb_image_write.h>
+
+namespace hipmap::tiny {
+
+namespace {
+
+void append_bytes(void* to, void* data, int size)
+{
+    static_cast<std::string*>(to)->append(static_cast<const char*>(data),
+                                          static_cast<std::size_t>(size));
+}
+
+/// A PNG of one row of grey or coloured pixels.
+std::string png_of(const std::vector<unsigned char>& rgba)
+{
+    std::string png;
+    const int width = static_cast<int>(rgba.size() / 4);
+    stbi_write_png_to_func(append_bytes, &png, width, 1, 4, rgba.data(), 4 * width);
+    return png;
+}
+
+/// A square with texture coordinates and its material, beside textures of two and of one pixel.
+LoadedScene load_textured(const std::string& mtl)
+{
+    static const TemporaryFolder folder;
+    write_text(folder / "two.png", png_of({255, 0, 0, 255, 0, 255, 0, 255}));
+    write_text(folder / "grey.png", png_of({51, 51, 51, 255}));
+    write_text(folder / "scene.mtl", "newmtl m\n" + mtl);
+    write_text(folder / "scene.obj", "mtllib scene.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
+                                     "vt 0 0\nvt 1 0\nvt 1 0.75\nvt 0 1\nusemtl m\n"
+                                     "f 1/1 2/2 3/3 4/4\n");
+    return load_scene(folder / "scene.obj", {});
+}
+
+const TextureImage& image_of(const LoadedScene& loaded, TextureUse use)
+{
+    const TextureSlot* const slot = find_texture(loaded.scene.materials.at(0).textures, use);
+    REQUIRE(slot != nullptr);
+    return loaded.scene.images.at(slot->image);
+}
+
+} // namespace
+
+TEST_CASE("MTL textures: map_Kd is the base colour, with v downwards", "[scene][obj]")
+{
+    const LoadedScene loaded = load_textured("Kd 0.5 0.5 0.5\nmap_Kd two.png\n");
+    const Scene& scene = loaded.scene;
+    CHECK(loaded.audit.warnings.empty());
+    CHECK(scene.materials[0].base_color == Rgb(0.5f));
+    CHECK(scene.materials[0].textures.at(0).sampler.srgb);
+    CHECK(image_of(loaded, TextureUse::base_color).width == 2);
+    CHECK(scene.mesh.attributes.uv[0] ==
+          std::vector<glm::vec2>{{0, 1}, {1, 1}, {1, 0.25f}, {0, 0}});
+    CHECK(load_textured("Kd 0 0 0\nmap_Kd two.png\n").scene.materials[0].base_color == Rgb(1));
+    CHECK(load_textured("map_Kd two.png\n").scene.materials[0].base_color == Rgb(1));
+}
+
+TEST_CASE("MTL textures: scale and offset count from the lower left", "[scene][obj]")
+{
+    const LoadedScene loaded = load_textured("Kd 1 1 1\nmap_Kd -s 2 4 1 -o 0.25 0.5 0 two.png\n");
+    const TextureSlot& slot = loaded.scene.materials[0].textures.at(0);
+    // (u, v upwards) = (0.5, 0.25) is (0.5, 0.75) downwards, and becomes (1.25, 1.5) upwards.
+    const glm::vec2 at = slot.uv_transform * glm::vec3(0.5f, 0.75f, 1);
+    CHECK(at.x == Approx(1.25));
+    CHECK(at.y == Approx(1 - 1.5));
+}
+
+TEST_CASE("MTL textures: opacity joins the base colour's alpha", "[scene][obj]")
+{
+    const LoadedScene loaded = load_textured("Kd 1 1 1\nmap_Kd two.png\nmap_d grey.png\n");
+    const TextureImage& image = image_of(loaded, TextureUse::base_color);
+    CHECK(image.rgba == std::vector<std::uint8_t>{255, 0, 0, 51, 0, 255, 0, 51});
+    CHECK(loaded.scene.materials[0].alpha_mode == AlphaMode::blend);
+    const LoadedScene alone = load_textured("Kd 1 1 1\nmap_d grey.png\n");
+    CHECK(image_of(alone, TextureUse::base_color).rgba ==
+          std::vector<std::uint8_t>{255, 255, 255, 51});
+}
+
+TEST_CASE("MTL textures: roughness and metallic share one, emission and normals have theirs",
+          "[scene][obj]")
+{
+    const LoadedScene loaded =
+        load_textured("Kd 1 1 1\nmap_Pr grey.png\nmap_Pm two.png\nmap_Ke two.png\nnorm two.png\n");
+    CHECK(image_of(loaded, TextureUse::metallic_roughness).rgba ==
+          std::vector<std::uint8_t>{255, 51, 255, 255});
+    const Material& material = loaded.scene.materials[0];
+    CHECK(material.roughness == 1);
+    CHECK(material.metallic == 1);
+    CHECK(material.emission == Rgb(1));
+    CHECK_FALSE(find_texture(material.textures, TextureUse::normal)->sampler.srgb);
+    CHECK(loaded.scene.images.size() == 3); // each file once, and what was joined
+}
+
+TEST_CASE("MTL textures: a path of another machine means the file of that name", "[scene][obj]")
+{
+    CHECK(load_textured("Kd 1 1 1\nmap_Kd C:\\art\\two.png\n").scene.images.size() == 1);
+    const LoadedScene lost = load_textured("Kd 1 1 1\nmap_Kd ../../gone.png\n");
+    CHECK(lost.scene.images.empty());
+    CHECK(lost.audit.warnings.at(0).find("'../../gone.png' cannot be read") != std::string::npos);
+    const LoadedScene bump = load_textured("Kd 1 1 1\nmap_Bump grey.png\n");
+    CHECK(bump.audit.warnings.at(0).find("map_Bump of materials ('m')") != std::string::npos);
+}
+
+} // namespace hipmap::tiny
