@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # Compares the bundled scene with Blender's Cycles: as glTF means matt surfaces, as Blender does, and
-# with rough metal and glass in it.  Needs blender on the PATH and both tools built (./pipeline.sh).
+# with rough metal and glass in it; or, with scenes named, .glb files with --look auto (same_light.py).
+# Needs blender on the PATH and both tools built (./pipeline.sh).
 #
-#   bench/compare_with_cycles.sh [OUTDIR [SAMPLES]]
+#   bench/compare_with_cycles.sh [OUTDIR [SAMPLES [SCENE.glb...]]]
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -17,6 +18,9 @@ command -v blender > /dev/null || {
 }
 mkdir -p "$out"
 cmake --build "$root/build/release" --target preprocess render compare_images > /dev/null
+if [ $# -gt 2 ]; then
+    exec /usr/bin/python3 -B "$root/bench/same_light.py" "$bin" "$out" "${@:3}" --samples "$samples"
+fi
 for model in lambert burley glossy; do
     [ "$model" = glossy ] && scene=$out/glossy.glb
     # Debian's Blender takes the first python3 on the PATH, which must be Debian's too.
