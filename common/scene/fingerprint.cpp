@@ -136,9 +136,10 @@ void add_image(Hasher& hasher, const TextureImage& texture)
 
 void add_light(Hasher& hasher, const PunctualLight& light)
 {
-    const auto& [name, kind, position, direction, intensity, cos_inner, cos_outer, radius,
+    const auto& [name, kind, position, direction, intensity, cos_inner, cos_outer, falloff, radius,
                  half_angle] = light;
-    hasher.add(kind, position, direction, intensity, cos_inner, cos_outer, radius, half_angle);
+    hasher.add(kind, position, direction, intensity, cos_inner, cos_outer, falloff, radius,
+               half_angle);
 }
 
 void add_light(Hasher& hasher, const AreaLight& light)

@@ -34,6 +34,19 @@ glm::dvec3 any_perpendicular(const glm::dvec3& v)
     return glm::normalize(axis - v * glm::dot(axis, v));
 }
 
+/// Blender's exporter writes an inner angle that is not where Blender's rim begins,
+/// docs/light_transport.md (39).
+void take_blenders_rim(Look look, RawLight& out)
+{
+    const bool has_cosine = look == Look::blender_3_4;
+    if (has_cosine) // below zero the cosine ends the light
+        out.outer_angle = std::min(out.outer_angle, kPiDouble / 2);
+    const double blend = std::clamp(1 - out.inner_angle / out.outer_angle, 0.0, 1.0);
+    const double cos_outer = std::cos(out.outer_angle);
+    out.inner_angle = std::acos(std::min(1.0, cos_outer + (1 - cos_outer) * blend));
+    out.falloff = has_cosine ? SpotFalloff::smooth_cosine : SpotFalloff::smooth;
+}
+
 void read_cone(const tinygltf::Light& light, RawLight& out, const RawScene& scene,
                const std::string& place)
 {
@@ -42,6 +55,8 @@ void read_cone(const tinygltf::Light& light, RawLight& out, const RawScene& scen
     if (!(out.outer_angle > 0 && out.outer_angle < kPiDouble && out.inner_angle >= 0))
         throw scene_error(scene.path, place,
                           "its cone angles are out of range; set a spot size above 0");
+    if (is_blender(scene.look))
+        take_blenders_rim(scene.look, out);
 }
 
 bool read_projection(const tinygltf::Camera& camera, RawCamera& out, const RawScene& scene,

@@ -27,6 +27,7 @@ struct RawLight {
     glm::dvec3 intensity{1.0};      ///< colour times intensity
     double inner_angle = 0.0;       ///< radians from the axis; spot
     double outer_angle = 0.0;
+    SpotFalloff falloff = SpotFalloff::gltf;
     double radius = 0.0;     ///< metres; point, spot
     double half_angle = 0.0; ///< radians; directional
 };

@@ -4,6 +4,7 @@
 #include "common/scene/look.h"
 #include "common/scene/medium.h"
 #include "common/scene/mesh.h"
+#include "common/scene/spot_falloff.h"
 #include "common/scene/texture.h"
 
 #include <cstdint>
@@ -104,10 +105,11 @@ struct PunctualLight {
     Rgb intensity{0.0f};           ///< point, spot: W/sr divided by metres_per_unit^2, so that
                                    ///<   intensity / distance^2 in scene units is W/m2;
                                    ///< directional: W/m2 on a plane across the direction
-    float cos_inner = 1.0f;        ///< spot: full intensity within, cos_inner > cos_outer
+    float cos_inner = 1.0f;        ///< spot: where the rim begins, cos_inner > cos_outer
     float cos_outer = 0.0f;        ///< spot: none beyond
-    float radius = 0.0f;           ///< point, spot: of the sphere that emits, scene units
-    float half_angle = 0.0f;       ///< directional: half the angle it fills, radians
+    SpotFalloff falloff = SpotFalloff::gltf;
+    float radius = 0.0f;     ///< point, spot: of the sphere that emits, scene units
+    float half_angle = 0.0f; ///< directional: half the angle it fills, radians
 };
 
 /// A flat light that emits to one side, Lambertian.

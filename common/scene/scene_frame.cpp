@@ -130,6 +130,7 @@ class UnitConverter {
         // A sharp edge (Blender's blend of 0) still needs room to fall off in.
         out.cos_inner = std::max(static_cast<float>(std::cos(metres.inner_angle)),
                                  std::nextafter(out.cos_outer, 1.0f));
+        out.falloff = metres.falloff;
         out.radius = static_cast<float>(metres.radius / frame_.metres_per_unit);
         out.half_angle = static_cast<float>(metres.half_angle);
         demand(is_finite(out.position) && is_finite(out.direction) && is_finite(out.intensity) &&

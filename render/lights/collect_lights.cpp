@@ -24,7 +24,7 @@ Light light_from(const PunctualLight& light, const SceneSphere& sphere)
 {
     if (light.kind == LightKind::directional)
         return SunLight{light.direction, light.intensity, light.half_angle, sphere};
-    const SpotCone cone{light.direction, light.cos_inner, light.cos_outer};
+    const SpotCone cone{light.direction, light.cos_inner, light.cos_outer, light.falloff};
     const bool is_spot = light.kind == LightKind::spot;
     if (light.radius > 0)
         return SphereLight{light.position, light.radius, light.intensity,
