@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Lights: KHR_lights_punctual, and the custom properties for what glTF lacks."""
+
+import math
+
+from .losses import label
+
+# The exporter's Standard mode, which hipmap takes by default: lumens of a watt.
+_LUMENS_PER_WATT = 683
+_KINDS = {"POINT": "point", "SPOT": "spot", "SUN": "directional"}
+_DISCS = ("DISK", "ELLIPSE")
+_WITH_HEIGHT = ("RECTANGLE", "ELLIPSE")
+
+# Blender's own limit: a spread of 180 degrees is none.
+_WHOLE_SPREAD = math.radians(179.9)
+
+
+def _emission_node(light):
+    """The Emission node at the surface output of a light with nodes; None: there is none."""
+    if not light.use_nodes or not light.node_tree:
+        return None
+    output = next((node for node in light.node_tree.nodes
+                   if node.bl_idname == "ShaderNodeOutputLight" and node.is_active_output), None)
+    if output is None or not output.inputs["Surface"].is_linked:
+        return None
+    node = output.inputs["Surface"].links[0].from_node
+    return node if node.bl_idname == "ShaderNodeEmission" else None
+
+
+def _radiant_colour(light):
+    """Colour times power, three numbers: Cycles multiplies the light's own by its nodes'."""
+    colour = [c * light.energy for c in light.color]
+    emission = _emission_node(light)
+    if emission is None:
+        return colour
+    tint, strength = emission.inputs["Color"], emission.inputs["Strength"]
+    if not tint.is_linked:
+        colour = [c * t for c, t in zip(colour, tint.default_value)]
+    if not strength.is_linked:
+        colour = [c * strength.default_value for c in colour]
+    return colour
+
+
+def _split(colour):
+    """A colour whose greatest channel is 1, and the factor it was divided by."""
+    most = max(colour)
+    return ([c / most for c in colour], most) if most > 0 else ([1.0, 1.0, 1.0], 0.0)
+
+
+def punctual_light(light):
+    """Returns the entry of KHR_lights_punctual for a point, spot or sun; None for an area light,
+    which glTF lacks.  A negative power becomes 0."""
+    if light.type not in _KINDS:
+        return None
+    colour, power = _split([max(c, 0.0) for c in _radiant_colour(light)])
+    per_lumen = 1 if light.type == "SUN" else 4 * math.pi
+    entry = {"name": light.name, "type": _KINDS[light.type], "color": colour,
+             "intensity": power / per_lumen * _LUMENS_PER_WATT}
+    if light.type == "SPOT":
+        outer = 0.5 * light.spot_size
+        entry["spot"] = {"innerConeAngle": outer * (1 - light.spot_blend), "outerConeAngle": outer}
+    return entry
+
+
+def light_extras(light):
+    """Returns the custom property `hipmap` of a light's object: its size, and all of an area
+    light.  hipmap's area lights have the power pi area radiance, Cycles' 4 area radiance."""
+    if light.type == "SUN":
+        return {"angle_deg": math.degrees(light.angle)}
+    if light.type != "AREA":
+        return {"radius": light.shadow_soft_size}
+    colour, power = _split([max(c, 0.0) for c in _radiant_colour(light)])
+    return {"area_power": power * math.pi / 4, "area_color": colour,
+            "area_width": light.size,
+            "area_height": light.size_y if light.shape in _WITH_HEIGHT else light.size,
+            "area_shape": "disc" if light.shape in _DISCS else "rectangle"}
+
+
+def _node_losses(light):
+    if not light.use_nodes or not light.node_tree:
+        return
+    emission = _emission_node(light)
+    if emission is None:
+        yield "its nodes are not one Emission node: rendered without them"
+        return
+    for name in ("Color", "Strength"):
+        if emission.inputs[name].is_linked:
+            node = emission.inputs[name].links[0].from_node
+            yield f"node {label(node)} at the {name.lower()} of its Emission is not rendered"
+
+
+def light_losses(light):
+    """Yields what hipmap does not render of a light, one line each."""
+    name = f"light '{light.name}': "
+    for loss in _node_losses(light):
+        yield name + loss
+    if min(_radiant_colour(light)) < 0:
+        yield name + "its power is negative: rendered as 0"
+    if light.type == "AREA" and getattr(light, "spread", math.pi) < _WHOLE_SPREAD:
+        yield name + "its spread is not rendered: it emits to its whole side"
+    cycles = getattr(light, "cycles", None)
+    if not getattr(light, "use_shadow", True) or not getattr(cycles, "cast_shadow", True):
+        yield name + "it casts shadows, although its shadows are switched off"
+    if getattr(cycles, "is_portal", False):
+        yield name + "it is a portal, which emits nothing"

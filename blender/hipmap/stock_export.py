@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Blender's own glTF exporter with the boxes that hipmap needs, and what that exporter drops."""
+
+import os
+
+import bpy
+
+from .cameras import camera_extras, camera_losses
+from .glb_file import read_glb, write_glb
+from .lights import light_extras, light_losses, punctual_light
+from .losses import without_repeats
+from .world import world_extras, world_losses
+
+_BOXES = {"export_format": "GLB", "export_cameras": True, "export_lights": True,
+          "export_apply": True, "export_extras": True, "export_yup": True,
+          "use_renderable": True, "use_active_scene": True,
+          "export_import_convert_lighting_mode": "SPEC", "export_draco_mesh_compression_enable":
+          False}
+
+
+def _boxes():
+    """The boxes that this version of the exporter has."""
+    known = bpy.ops.export_scene.gltf.get_rna_type().properties.keys()
+    return {name: value for name, value in _BOXES.items() if name in known}
+
+
+def _add_extras(owner, values):
+    """Adds values to the custom property `hipmap`; the user's own of the same name stay."""
+    if not values:
+        return
+    extras = owner.setdefault("extras", {})
+    if isinstance(extras.get("hipmap"), str):
+        return  # written by hand as text: the user decides
+    extras["hipmap"] = {**values, **extras.get("hipmap", {})}
+
+
+def _complete_light(gltf, node, light):
+    """Cycles multiplies the light's colour by its nodes'; the exporter takes one of them."""
+    punctual = node.get("extensions", {}).get("KHR_lights_punctual")
+    if punctual:
+        entry = gltf["extensions"]["KHR_lights_punctual"]["lights"][punctual["light"]]
+        entry.update(punctual_light(light))
+    _add_extras(node, light_extras(light))
+
+
+def _complete_nodes(gltf, scene):
+    for node in gltf.get("nodes", []):
+        item = scene.objects.get(node.get("name", ""))
+        if item is None:
+            continue
+        if item.type == "LIGHT":
+            _complete_light(gltf, node, item.data)
+        elif item.type == "CAMERA" and "camera" in node:
+            _add_extras(node, camera_extras(item, item.matrix_world))
+
+
+def _holds(gltf, index, name):
+    """Whether a node or one below it has this name and a camera."""
+    node = gltf["nodes"][index]
+    if node.get("name") == name and "camera" in node:
+        return True
+    return any(_holds(gltf, child, name) for child in node.get("children", []))
+
+
+def _put_first(gltf, camera):
+    """hipmap takes the first camera of the file."""
+    roots = gltf["scenes"][gltf.get("scene", 0)].get("nodes", [])
+    roots.sort(key=lambda index: not _holds(gltf, index, camera.name))
+
+
+def losses_of(scene):
+    """Returns what hipmap does not render of a scene's lights, camera and world, one line each."""
+    lines = []
+    for item in scene.objects:
+        if item.type == "LIGHT" and not item.hide_render:
+            lines += light_losses(item.data)
+    if scene.camera is not None:
+        lines += camera_losses(scene.camera)
+    return without_repeats(lines + list(world_losses(scene.world)))
+
+
+def export_scene(scene, path):
+    """Writes the active scene to a .glb, by the stock exporter, with lights' sizes, area lights,
+    the lens and the world.  Returns what hipmap does not render of them, one line each.  Throws
+    WorldError if the world could not be rendered to an environment map."""
+    path = os.path.abspath(path)
+    bpy.ops.export_scene.gltf(filepath=path, **_boxes())
+    gltf, buffer = read_glb(path)
+    _complete_nodes(gltf, scene)
+    if scene.camera is not None:
+        _put_first(gltf, scene.camera)
+    taken = gltf["scenes"][gltf.get("scene", 0)]
+    _add_extras(taken, world_extras(scene.world, os.path.dirname(path)))
+    write_glb(path, gltf, buffer)
+    return losses_of(scene)

@@ -1,0 +1,141 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The world: a plain colour, or an environment map that Cycles renders of its nodes."""
+
+import hashlib
+import os
+import subprocess
+
+import bpy
+
+from .losses import label
+
+_BAKE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "bake_world.py")
+_DEFAULT_WIDTH = 2048
+_GREATEST_WIDTH = 4096
+_SECONDS_TO_BAKE = 120
+
+
+class WorldError(RuntimeError):
+    """The environment map could not be made.  Its text is one line for the user."""
+
+
+def _surface_node(world):
+    output = next((node for node in world.node_tree.nodes
+                   if node.bl_idname == "ShaderNodeOutputWorld" and node.is_active_output), None)
+    if output is None or not output.inputs["Surface"].is_linked:
+        return None
+    return output.inputs["Surface"].links[0].from_node
+
+
+def _plain_colour(world):
+    """The radiance of a world of one colour; None: its nodes must be rendered."""
+    if world is None:
+        return (0.0, 0.0, 0.0)
+    if not world.use_nodes:
+        return tuple(world.color)
+    node = _surface_node(world)
+    if node is None:
+        return (0.0, 0.0, 0.0)
+    if node.bl_idname != "ShaderNodeBackground" or any(s.is_linked for s in node.inputs):
+        return None
+    strength = node.inputs["Strength"].default_value
+    return tuple(c * strength for c in node.inputs["Color"].default_value[:3])
+
+
+def _all_nodes(tree):
+    for node in tree.nodes:
+        yield node
+        if node.bl_idname == "ShaderNodeGroup" and node.node_tree:
+            yield from _all_nodes(node.node_tree)
+
+
+def _map_width(world):
+    """As wide as the widest image of the world, so that no detail of it is lost."""
+    widths = [node.image.size[0] for node in _all_nodes(world.node_tree)
+              if node.bl_idname == "ShaderNodeTexEnvironment" and node.image]
+    return min(max(widths, default=_DEFAULT_WIDTH), _GREATEST_WIDTH) or _DEFAULT_WIDTH
+
+
+def _values(thing):
+    """The plain values of a node, socket or image, for the digest."""
+    for prop in thing.bl_rna.properties:
+        if prop.type in {"BOOLEAN", "INT", "FLOAT", "STRING", "ENUM"}:
+            value = getattr(thing, prop.identifier)
+            yield prop.identifier, tuple(value) if hasattr(value, "__len__") else value
+
+
+def _image_values(image):
+    path = bpy.path.abspath(image.filepath)
+    changed = os.path.getmtime(path) if os.path.isfile(path) else 0
+    return path, changed, image.colorspace_settings.name, tuple(image.size), image.is_dirty
+
+
+def digest(world):
+    """Returns a hash of everything that an environment map of the world depends on."""
+    found = []
+    for node in _all_nodes(world.node_tree):
+        # Where a node stands and whether it is selected changes no picture.
+        found.append((node.bl_idname, node.mute,
+                      sorted(pair for pair in _values(node) if not pair[0].startswith(
+                          ("location", "select", "show_", "hide", "width", "height", "bl_")))))
+        found += [tuple(_values(socket)) for socket in node.inputs]
+        if getattr(node, "image", None):
+            found.append(_image_values(node.image))
+        if hasattr(node, "color_ramp"):
+            found += [(stop.position, tuple(stop.color)) for stop in node.color_ramp.elements]
+        if hasattr(node, "mapping") and hasattr(node.mapping, "curves"):
+            found += [tuple(point.location) for curve in node.mapping.curves
+                      for point in curve.points]
+    found += [(link.from_node.name, link.from_socket.identifier, link.to_node.name,
+               link.to_socket.identifier) for link in world.node_tree.links]
+    return hashlib.sha256(repr(found).encode()).hexdigest()[:16]
+
+
+def _bake(world, path):
+    """Renders the world to an environment map in a Blender of its own: a render cannot start
+    another one in the same program."""
+    blend = path + ".blend"
+    bpy.data.libraries.write(blend, {world}, path_remap="ABSOLUTE")
+    command = [bpy.app.binary_path, "--background", "--factory-startup", "--python-exit-code", "1",
+               "--python", _BAKE, "--", blend, path, str(_map_width(world))]
+    try:
+        done = subprocess.run(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                              stderr=subprocess.STDOUT, text=True, check=False,
+                              timeout=_SECONDS_TO_BAKE)
+    except (OSError, subprocess.TimeoutExpired) as error:
+        raise WorldError(f"world '{world.name}': Blender could not render it to an environment "
+                         f"map: {error}") from error
+    finally:
+        os.remove(blend)
+    if done.returncode != 0 or not os.path.isfile(path):
+        last = (done.stdout.strip().splitlines() or ["no message"])[-1]
+        raise WorldError(f"world '{world.name}': Blender could not render it to an environment "
+                         f"map: {last}")
+
+
+def world_extras(world, folder):
+    """Returns the custom property `hipmap` of a scene for its world (None: black).  Writes an
+    environment map into `folder`, where the .glb is, if the world has more than one colour; a map
+    that is there already is used again.  Throws WorldError."""
+    colour = _plain_colour(world)
+    if colour is not None:
+        return {"world_color": [max(c, 0.0) for c in colour], "world_strength": 1.0}
+    name = f"world_{digest(world)}.exr"
+    path = os.path.join(folder, name)
+    if not os.path.isfile(path):
+        _bake(world.original, path)
+    return {"world_hdri": name, "world_strength": 1.0}
+
+
+def world_losses(world):
+    """Yields what hipmap does not render of a world, one line each."""
+    if world is None or not world.use_nodes:
+        return
+    for node in _all_nodes(world.node_tree):
+        if node.bl_idname == "ShaderNodeLightPath":
+            yield (f"world '{world.name}': node {label(node)}: the camera and reflections see the "
+                   "same world")
+    output = next((node for node in world.node_tree.nodes
+                   if node.bl_idname == "ShaderNodeOutputWorld" and node.is_active_output), None)
+    if output is not None and output.inputs["Volume"].is_linked:
+        yield f"world '{world.name}': its volume is not rendered"
