@@ -13,8 +13,8 @@ Ray camera_ray(const Camera& camera, const glm::vec2& picture, float aspect, con
         camera.projection == Projection::perspective ? camera.tan_half_height : camera.half_height;
     if (aspect < own_aspect)
         half_height *= own_aspect / aspect;
-    const glm::vec2 plane(half_height * aspect * (2 * picture.x - 1),
-                          half_height * (1 - 2 * picture.y));
+    const glm::vec2 plane(half_height * (aspect * (2 * picture.x - 1) + 2 * camera.shift.x),
+                          half_height * (1 - 2 * picture.y + 2 * camera.shift.y));
     const glm::vec3 across = camera.right * plane.x + camera.up * plane.y;
 
     Ray ray;

@@ -151,9 +151,9 @@ void add_light(Hasher& hasher, const AreaLight& light)
 void add_camera(Hasher& hasher, const Camera& camera)
 {
     const auto& [name, projection, position, right, up, forward, tan_half_height, half_height,
-                 aspect, near_clip, far_clip, aperture_radius, focus_distance] = camera;
+                 aspect, shift, near_clip, far_clip, aperture_radius, focus_distance] = camera;
     hasher.add(projection, position, right, up, forward, tan_half_height, half_height, aspect,
-               near_clip, far_clip, aperture_radius, focus_distance);
+               shift, near_clip, far_clip, aperture_radius, focus_distance);
 }
 
 template <typename T, typename Add>

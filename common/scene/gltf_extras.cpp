@@ -16,6 +16,7 @@ namespace {
 using nlohmann::json;
 
 constexpr double kWidestAngle = 180.0; ///< degrees
+constexpr double kMostShift = 100.0;   ///< heights of an image
 
 std::string name_of(const json& thing, const char* kind, std::size_t index)
 {
@@ -38,6 +39,8 @@ void read_lens(HipmapExtras extras, RawCamera& camera)
 {
     camera.aperture_radius = extras.positive("aperture_radius").value_or(camera.aperture_radius);
     camera.focus_distance = extras.positive("focus_distance").value_or(camera.focus_distance);
+    camera.shift.x = extras.within("shift_right", kMostShift).value_or(camera.shift.x);
+    camera.shift.y = extras.within("shift_up", kMostShift).value_or(camera.shift.y);
     extras.finish("");
 }
 

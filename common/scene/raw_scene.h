@@ -50,6 +50,7 @@ struct RawCamera {
     double tan_half_height = 0.5;
     double half_height = 1.0;                           ///< metres
     double aspect = 0.0;                                ///< 0: as the image
+    glm::dvec2 shift{0.0};                              ///< right and up, in heights of the image
     double near_clip = 0.0;                             ///< metres
     double far_clip = 0.0;                              ///< 0: none
     double aperture_radius = 0.0, focus_distance = 0.0; ///< metres

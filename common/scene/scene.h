@@ -135,6 +135,7 @@ struct Camera {
     float tan_half_height = 0.5f; ///< perspective: tangent of half the vertical angle of view
     float half_height = 1.0f;     ///< orthographic: half the height seen, scene units
     float aspect = 0.0f;          ///< width over height; 0: as the image
+    glm::vec2 shift{0.0f};        ///< of the image in its plane, right and up, in its heights
     float near_clip = 0.0f;       ///< along forward, scene units
     float far_clip = 0.0f;        ///< 0: none
     float aperture_radius = 0.0f; ///< of the lens, scene units; 0: a pinhole

@@ -183,6 +183,7 @@ class UnitConverter {
         out.tan_half_height = static_cast<float>(metres.tan_half_height);
         out.half_height = static_cast<float>(metres.half_height / frame_.metres_per_unit);
         out.aspect = static_cast<float>(metres.aspect);
+        out.shift = glm::vec2(metres.shift);
         out.near_clip = static_cast<float>(metres.near_clip / frame_.metres_per_unit);
         out.far_clip = static_cast<float>(metres.far_clip / frame_.metres_per_unit);
         out.aperture_radius = static_cast<float>(metres.aperture_radius / frame_.metres_per_unit);

@@ -42,6 +42,26 @@ TEST_CASE("camera ray: orthographic rays are parallel and half_height apart from
     CHECK(top.direction == glm::vec3(0, 0, -1));
 }
 
+TEST_CASE("camera ray: a shifted image is a part of a larger one", "[rays]")
+{
+    Camera whole;
+    whole.tan_half_height = 0.6f;
+    Camera part = whole; // its right third above the middle
+    part.tan_half_height = 0.3f;
+    part.shift = {1.0f, 0.5f};
+    for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
+        whole.projection = part.projection = projection;
+        whole.half_height = 2;
+        part.half_height = 1;
+        for (const glm::vec2 at : {glm::vec2(0, 0), glm::vec2(1, 1), glm::vec2(0.2f, 0.7f)}) {
+            const Ray small = camera_ray(part, at, 1);
+            const Ray large = camera_ray(whole, {2.0f / 3 + at.x / 3, at.y / 2}, 1.5f);
+            CHECK(glm::distance(small.origin, large.origin) < 1e-6f);
+            CHECK(glm::distance(small.direction, large.direction) < 1e-6f);
+        }
+    }
+}
+
 TEST_CASE("camera ray: clipping planes are measured along the view", "[rays]")
 {
     Camera camera;

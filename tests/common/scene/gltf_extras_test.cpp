@@ -45,7 +45,7 @@ TEST_CASE("what glTF lacks is read from extras as an object and as JSON text",
         nodes[1]["extras"] = extras({{"radius", 0.5}}, as_text);
         nodes[2]["extras"] = extras({{"angle_deg", 2}}, as_text);
         file.root["cameras"][0]["extras"] = extras({{"aperture_radius", 0.02}}, as_text);
-        nodes[3]["extras"] = extras({{"focus_distance", 4}}, as_text);
+        nodes[3]["extras"] = extras({{"focus_distance", 4}, {"shift_up", -0.25}}, as_text);
         nodes[4]["extras"] =
             extras({{"area_power", 100}, {"area_width", 2}, {"area_height", 3}}, as_text);
         file.root["materials"][0]["extras"] = extras({{"boundary", false},
@@ -68,6 +68,7 @@ TEST_CASE("what glTF lacks is read from extras as an object and as JSON text",
         CHECK(scene.lights.at(1).half_angle == Approx(std::numbers::pi / 180));
         CHECK(scene.cameras.at(0).aperture_radius == Approx(0.01));
         CHECK(scene.cameras.at(0).focus_distance == 2.0f);
+        CHECK(scene.cameras.at(0).shift == glm::vec2(0, -0.25f));
         CHECK(scene.materials.at(0).absorption == Rgb(2, 4, 6));
         CHECK(scene.materials.at(0).scattering == Rgb(8, 10, 12));
         CHECK(scene.materials.at(0).medium_emission == Rgb(14, 16, 18));
