@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <csignal>
+#include <iostream>
 
 namespace hipmap {
 
@@ -53,8 +54,14 @@ int render(const RenderArguments& request, SceneSource& source, PreviousFrame* p
     print_preparation(frame, report);
     std::signal(SIGINT, ask_to_stop);
     std::signal(SIGTERM, ask_to_stop);
-    const RenderedFrame rendered = render_frame(frame, source, previous, g_stop, report);
+    std::optional<ProgressLines> lines;
+    if (request.progress == ProgressFormat::json)
+        lines.emplace(std::cout, frame.arguments);
+    const FrameControl control = {g_stop, lines ? &*lines : nullptr};
+    const RenderedFrame rendered = render_frame(frame, source, previous, control, report);
     write_results(frame, rendered, report);
+    if (lines)
+        lines->end(rendered.result, rendered.state);
     if (rendered.result.reason == StopReason::caller) {
         report.line("stopped by a signal after " +
                     std::to_string(count(rendered.state.film.passes)) +

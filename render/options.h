@@ -28,6 +28,9 @@ struct OutputFiles {
     std::optional<float> exposure_ev;  ///< of 8-bit images; none: auto
 };
 
+/// How a render tells its progress.
+enum class ProgressFormat : std::uint8_t { text, json };
+
 /// The options of a `render` run.
 struct RenderArguments {
     std::vector<std::string> command; ///< the tool and its arguments as typed
@@ -51,6 +54,7 @@ struct RenderArguments {
     std::optional<std::uint64_t> photons; ///< of a pass; none: as many as it has samples
     PictureSize size{512, 0};
     unsigned threads = 0; ///< 0: all cores
+    ProgressFormat progress = ProgressFormat::text;
 };
 
 /// Returns the arguments of one frame: its time and its own file names.

@@ -32,17 +32,21 @@ std::string describe_stops(const StopRules& stops)
 }
 
 RunResult render_with_progress(const RenderArguments& arguments, const PassSource& source,
-                               const std::atomic<bool>& stop, RenderState& state, Report& report)
+                               const FrameControl& frame, RenderState& state, Report& report)
 {
     RunControl control;
-    control.progress = [&report](const RunProgress& progress) {
+    control.progress = [&report, lines = frame.lines](const RunProgress& progress) {
+        if (lines != nullptr)
+            lines->progress(progress);
         std::string note =
             std::to_string(progress.passes) + (progress.passes == 1 ? " pass" : " passes");
         if (progress.error)
             note += ", error " + percent(progress.error->error);
         report.progress(progress.done, note);
     };
-    control.stop = &stop;
+    control.stop = &frame.stop;
+    if (frame.lines != nullptr)
+        control.pass = [lines = frame.lines](const RenderState& now) { lines->pass(now); };
     if (!arguments.files.state.empty())
         control.save = [&](const RenderState& now) { write_state(arguments.files.state, now); };
     report.begin("rendering " + std::to_string(source.width) + "x" + std::to_string(source.height) +
@@ -77,7 +81,7 @@ PhotonCache* find_cache(const PreparedFrame& frame, PreviousFrame* previous)
 }
 
 RenderedFrame render_passes(PreparedFrame& frame, SceneSource& source, PreviousFrame* previous,
-                            const std::atomic<bool>& stop, Report& report)
+                            const FrameControl& control, Report& report)
 {
     PhotonCache* const cache = find_cache(frame, previous);
     RenderedFrame out;
@@ -86,7 +90,7 @@ RenderedFrame render_passes(PreparedFrame& frame, SceneSource& source, PreviousF
     out.seconds_rays = building.seconds();
     const PassSource passes = make_source(frame, scene, source, out.statistics, cache);
     out.state = begin_or_resume(frame, passes, report);
-    out.result = render_with_progress(frame.arguments, passes, stop, out.state, report);
+    out.result = render_with_progress(frame.arguments, passes, control, out.state, report);
     if (cache != nullptr && cache->served > 0)
         report.line("only the camera moved: reused the photon maps of " +
                     std::to_string(cache->served) + " passes");
@@ -96,10 +100,10 @@ RenderedFrame render_passes(PreparedFrame& frame, SceneSource& source, PreviousF
 } // namespace
 
 RenderedFrame render_frame(PreparedFrame& frame, SceneSource& source, PreviousFrame* previous,
-                           const std::atomic<bool>& stop, Report& report)
+                           const FrameControl& control, Report& report)
 {
     if (previous == nullptr)
-        return render_passes(frame, source, previous, stop, report);
+        return render_passes(frame, source, previous, control, report);
     if (previous->rendered && previous->settings == frame.settings && !frame.found) {
         report.line("frame unchanged: reusing the previous image");
         if (!frame.arguments.files.state.empty())
@@ -108,7 +112,7 @@ RenderedFrame render_frame(PreparedFrame& frame, SceneSource& source, PreviousFr
         out.seconds_rays = 0;
         return out;
     }
-    RenderedFrame out = render_passes(frame, source, previous, stop, report);
+    RenderedFrame out = render_passes(frame, source, previous, control, report);
     previous->settings = frame.settings;
     previous->rendered.reset();
     if (!frame.found && out.result.reason != StopReason::caller)

@@ -24,6 +24,9 @@ constexpr Choice<LookChoice> kLooks[] = {{"auto", LookChoice::automatic},
                                          {"blender", LookChoice::blender},
                                          {"blender3", LookChoice::blender3}};
 
+constexpr Choice<ProgressFormat> kProgressFormats[] = {{"text", ProgressFormat::text},
+                                                       {"json", ProgressFormat::json}};
+
 constexpr double kMostPhotons = 4e9;
 constexpr double kMostNeighbours = 1e6;
 constexpr double kMostSamples = 65536;
@@ -250,7 +253,12 @@ std::vector<OptionRow> speed_rows(RenderArguments& arguments)
             {.name = "photon-cache",
              .section = kRunSection,
              .field = number_field(arguments.photon_cache_mib, {0, kMostMib}, "MIB"),
-             .help = "MiB for photon maps that further frames reuse while only the camera moves"}};
+             .help = "MiB for photon maps that further frames reuse while only the camera moves"},
+            {.name = "progress",
+             .section = kRunSection,
+             .field = choice_field<ProgressFormat>(arguments.progress, kProgressFormats, "FORMAT"),
+             .help = "text, or json: also lines of JSON on standard output, for a program that "
+                     "shows the render, with linear images rewritten after passes"}};
 }
 
 OptionRow shutter_row(RenderArguments& arguments)

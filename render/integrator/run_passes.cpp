@@ -170,6 +170,8 @@ RunResult run_passes(const PassSource& source, const StopRules& rules, const Run
             break;
         }
         run.add(pass, rendered.images, watch.seconds());
+        if (control.pass)
+            control.pass(state);
         run.save_if_due();
     }
     out.reason = *reason;

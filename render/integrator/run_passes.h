@@ -34,6 +34,8 @@ struct RunControl {
     /// Saves the state.  Called between passes, often enough that little is lost and rarely enough
     /// to cost little time; not at the end.  May be empty.
     std::function<void(const RenderState&)> save;
+    /// Called after each pass that was added.  May be empty.
+    std::function<void(const RenderState&)> pass;
 };
 
 struct RunResult {

@@ -1,0 +1,116 @@
+#include "render/progress_lines.h"
+
+#include "common/image/write_image.h"
+#include "render/outputs.h"
+
+#include <string>
+
+namespace hipmap {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr double kSecondsBetweenLines = 0.1;
+
+/// The share of the time that rewriting images may take.
+constexpr double kWritingShare = 0.05;
+
+double seconds_between(std::chrono::steady_clock::time_point from,
+                       std::chrono::steady_clock::time_point to)
+{
+    return std::chrono::duration<double>(to - from).count();
+}
+
+json last_error(const RenderState& state)
+{
+    return state.checks.empty() ? json() : json(state.checks.back().error.error);
+}
+
+const char* name_of(StopReason reason)
+{
+    switch (reason) {
+    case StopReason::passes:
+        return "passes";
+    case StopReason::time:
+        return "time";
+    case StopReason::error:
+        return "error";
+    case StopReason::caller:
+        return "signal";
+    }
+    return "";
+}
+
+/// Rewrites the images that need no exposure.  Returns their names.
+json rewrite_linear(const OutputFiles& files, const Film& film)
+{
+    json names = json::array();
+    const Image image = film_image(film);
+    for (const std::filesystem::path& path : files.images) {
+        if (is_exposed(path))
+            continue;
+        write_image(path, image, {});
+        names.push_back(path.string());
+    }
+    return names;
+}
+
+} // namespace
+
+ProgressLines::ProgressLines(std::ostream& to, const RenderArguments& arguments)
+    : to_(to), arguments_(arguments)
+{
+}
+
+void ProgressLines::progress(const RunProgress& progress)
+{
+    const std::lock_guard lock(mutex_);
+    const Clock::time_point now = Clock::now();
+    if (seconds_between(shown_, now) < kSecondsBetweenLines)
+        return;
+    shown_ = now;
+    print({{"event", "progress"},
+           {"passes", progress.passes},
+           {"done", progress.done ? json(*progress.done) : json()},
+           {"error", progress.error ? json(progress.error->error) : json()}});
+}
+
+void ProgressLines::pass(const RenderState& state)
+{
+    const std::lock_guard lock(mutex_);
+    json images = json::array();
+    const Clock::time_point begun = Clock::now();
+    if (writing_ <= kWritingShare * seconds_between(written_, begun)) {
+        images = rewrite_linear(arguments_.files, state.film);
+        written_ = Clock::now();
+        writing_ = seconds_between(begun, written_);
+    }
+    print({{"event", "pass"},
+           {"passes", count(state.film.passes)},
+           {"error", last_error(state)},
+           {"images", std::move(images)}});
+}
+
+void ProgressLines::end(const RunResult& result, const RenderState& state)
+{
+    const std::lock_guard lock(mutex_);
+    json images = json::array();
+    for (const std::filesystem::path& path : arguments_.files.images)
+        images.push_back(path.string());
+    print({{"event", "end"},
+           {"reason", name_of(result.reason)},
+           {"passes", count(state.film.passes)},
+           {"error", last_error(state)},
+           {"images", std::move(images)}});
+}
+
+void ProgressLines::print(json line)
+{
+    line["seconds"] = seconds_between(begun_, Clock::now());
+    if (arguments_.frames.asked())
+        line["frame"] = arguments_.frames.first;
+    to_ << line.dump() + '\n' << std::flush;
+}
+
+} // namespace hipmap

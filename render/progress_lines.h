@@ -1,0 +1,41 @@
+#pragma once
+
+#include "render/integrator/run_passes.h"
+#include "render/options.h"
+
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <mutex>
+#include <ostream>
+
+namespace hipmap {
+
+/// Prints the progress of a render as lines of JSON for a program that shows it, and rewrites the
+/// linear images after passes (docs/progress.md).  Thread-safe.
+class ProgressLines {
+  public:
+    /// to: borrowed; each line is flushed.  arguments: of one frame.
+    ProgressLines(std::ostream& to, const RenderArguments& arguments);
+
+    /// Prints how far the pass is, ten times a second at most.
+    void progress(const RunProgress& progress);
+    /// Rewrites the linear images, unless writing takes too much of the time, and prints the pass.
+    void pass(const RenderState& state);
+    /// Prints the end, when all files are written.
+    void end(const RunResult& result, const RenderState& state);
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    void print(nlohmann::json line);
+
+    std::ostream& to_;
+    const RenderArguments& arguments_;
+    std::mutex mutex_;
+    const Clock::time_point begun_ = Clock::now();
+    Clock::time_point shown_ = begun_;
+    Clock::time_point written_ = begun_;
+    double writing_ = 0; ///< s that writing the images took
+};
+
+} // namespace hipmap
