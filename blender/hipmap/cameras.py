@@ -5,6 +5,8 @@ import math
 
 from mathutils import Vector
 
+from .frame import middle_of_part
+
 _MILLIMETRE = 1e-3
 
 
@@ -18,21 +20,47 @@ def _sensor(camera):
     return camera.sensor_height if camera.sensor_fit == "VERTICAL" else camera.sensor_width
 
 
-def gltf_camera(camera, aspect):
-    """Returns the entry of a perspective or orthographic camera; None: glTF has no such camera.
-    aspect: width / height of the picture, with the pixels' own."""
-    clip = {"znear": camera.clip_start, "zfar": camera.clip_end}
+def _half_height(camera, picture):
+    """Half the height that the whole picture shows: at distance 1, or orthographic in metres."""
+    aspect = _aspect(picture)
     wide = _is_wide(camera, aspect)
+    half = 0.5 * (camera.ortho_scale if camera.type == "ORTHO" else _sensor(camera) / camera.lens)
+    return half / aspect if wide else half
+
+
+def _aspect(picture):
+    return picture.width * picture.pixel_aspect / picture.height
+
+
+def gltf_camera(camera, picture):
+    """Returns the entry of a perspective or orthographic camera for the part of a Picture; None:
+    glTF has no such camera."""
+    clip = {"znear": camera.clip_start, "zfar": camera.clip_end}
+    part = picture.part_height / picture.height
+    half_height = _half_height(camera, picture) * part
+    aspect = picture.part_width * picture.pixel_aspect / picture.part_height
     if camera.type == "PERSP":
-        half = 0.5 * _sensor(camera) / camera.lens
-        yfov = 2 * math.atan(half / aspect if wide else half)
         return {"name": camera.name, "type": "perspective",
-                "perspective": {"yfov": yfov, "aspectRatio": aspect, **clip}}
+                "perspective": {"yfov": 2 * math.atan(half_height), "aspectRatio": aspect, **clip}}
     if camera.type == "ORTHO":
-        half_height = 0.5 * camera.ortho_scale / (aspect if wide else 1)
         return {"name": camera.name, "type": "orthographic",
                 "orthographic": {"xmag": half_height * aspect, "ymag": half_height, **clip}}
     return None
+
+
+def shift_extras(camera, picture):
+    """Returns the custom properties for the camera's shift, and for the place of the part in the
+    Picture, in heights of the part."""
+    right, up = middle_of_part(picture)
+    aspect = _aspect(picture)
+    # Blender's shift is a share of the side that the sensor's size belongs to.
+    side = picture.width if _is_wide(camera, aspect) else picture.height / picture.pixel_aspect
+    right += camera.shift_x * side
+    up += camera.shift_y * side * picture.pixel_aspect
+    if right == 0 and up == 0:
+        return {}
+    return {"shift_right": right * picture.pixel_aspect / picture.part_height,
+            "shift_up": up / picture.part_height}
 
 
 def _focus_distance(item, matrix):
@@ -60,8 +88,6 @@ def camera_losses(item):
     name = f"camera '{item.name}': "
     if camera.type == "PANO":
         yield name + "it is panoramic, which hipmap does not render"
-    if (camera.shift_x, camera.shift_y) != (0, 0):
-        yield name + "its shift is not rendered"
     if camera.dof.use_dof:
         if camera.type == "ORTHO":
             yield name + "an orthographic camera has no depth of field here"

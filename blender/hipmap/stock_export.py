@@ -2,10 +2,12 @@
 """Blender's own glTF exporter with the boxes that hipmap needs, and what that exporter drops."""
 
 import os
+from dataclasses import replace
 
 import bpy
 
-from .cameras import camera_extras, camera_losses
+from .cameras import camera_extras, camera_losses, shift_extras
+from .frame import picture_of
 from .glb_file import read_glb, write_glb
 from .lights import light_extras, light_losses, punctual_light
 from .losses import without_repeats
@@ -43,6 +45,13 @@ def _complete_light(gltf, node, light):
     _add_extras(node, light_extras(light))
 
 
+def _whole_picture(scene):
+    """The exporter knows no border."""
+    picture = picture_of(scene.render)
+    return replace(picture, left=0, bottom=0, part_width=picture.width,
+                   part_height=picture.height)
+
+
 def _complete_nodes(gltf, scene):
     for node in gltf.get("nodes", []):
         item = scene.objects.get(node.get("name", ""))
@@ -51,7 +60,8 @@ def _complete_nodes(gltf, scene):
         if item.type == "LIGHT":
             _complete_light(gltf, node, item.data)
         elif item.type == "CAMERA" and "camera" in node:
-            _add_extras(node, camera_extras(item, item.matrix_world))
+            _add_extras(node, {**camera_extras(item, item.matrix_world),
+                               **shift_extras(item.data, _whole_picture(scene))})
 
 
 def _holds(gltf, index, name):

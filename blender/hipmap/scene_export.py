@@ -1,0 +1,214 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The evaluated scene as a .glb: what a render of Blender shows, with modifiers and instances."""
+
+import hashlib
+import os
+from dataclasses import dataclass, field
+
+import bpy
+from mathutils import Matrix
+
+from .cameras import camera_extras, camera_losses, gltf_camera, shift_extras
+from .geometry import MeshArrays
+from .glb_file import GlbBuilder
+from .lights import light_extras, light_losses, punctual_light
+from .losses import without_repeats
+from .materials import MaterialWriter
+from .volumes import medium_of
+from .world import world_extras, world_losses
+
+# glTF has +Y up.
+_TO_Y_UP = Matrix(((1, 0, 0, 0), (0, 0, 1, 0), (0, -1, 0, 0), (0, 0, 0, 1)))
+
+_WITH_MESH = {"MESH", "CURVE", "SURFACE", "FONT", "META"}
+_NOT_RENDERED = {"CURVES": "hair curves are not rendered", "POINTCLOUD": "points are not rendered",
+                 "VOLUME": "a volume object is not rendered",
+                 "GPENCIL": "grease pencil is not rendered",
+                 "GREASEPENCIL": "grease pencil is not rendered"}
+
+
+class SceneError(RuntimeError):
+    """The scene cannot be rendered.  Its text is one line for the user."""
+
+
+@dataclass
+class ExportedScene:
+    """A .glb that was written."""
+
+    path: str
+    geometry: str  # a hash of all faces: equal ones have the same partition
+    triangles: int
+    losses: list = field(default_factory=list)
+
+
+def generator():
+    """Returns the asset's generator.  Materials have the terms of Blender's own exporter, so the
+    file names it first: hipmap then takes the reflection models of that Blender."""
+    version = ".".join(map(str, bpy.app.version))
+    return f"Khronos glTF Blender I/O v{version} (its terms; written by hipmap for Blender)"
+
+
+def _matrix(to_world):
+    """16 numbers, column by column."""
+    return [x for column in (_TO_Y_UP @ to_world).transposed() for x in column]
+
+
+class _Writer:
+    """One export under way."""
+
+    def __init__(self):
+        self.glb = GlbBuilder(generator())
+        self.materials = MaterialWriter(self.glb)
+        self.losses = []
+        self.meshes = {}  # key -> index, or None for a mesh without faces
+        self.hash = hashlib.sha256()
+        self.triangles_of = {}
+        self.triangles = 0
+
+    def add(self, instance):
+        """Adds one instance of the evaluated scene."""
+        item = instance.object
+        if item.type == "LIGHT":
+            self._add_light(item, instance.matrix_world)
+        elif item.type in _WITH_MESH:
+            self._add_mesh(item, instance)
+        elif item.type in _NOT_RENDERED:
+            self.losses.append(f"object '{item.name}': {_NOT_RENDERED[item.type]}")
+
+    def _add_mesh(self, item, instance):
+        key = _mesh_key(item)
+        if key not in self.meshes:
+            self.meshes[key] = self._write_mesh(item)
+            self._name_losses(item)
+        mesh = self.meshes[key]
+        if mesh is None:
+            return
+        matrix = _matrix(instance.matrix_world)
+        self.triangles += self.triangles_of[mesh]
+        self.hash.update(repr((mesh, matrix)).encode())
+        self.glb.add_root({"name": item.name, "mesh": mesh, "matrix": matrix})
+
+    def _write_mesh(self, item):
+        mesh = item.to_mesh()
+        if mesh is None:
+            return None
+        try:
+            arrays = MeshArrays(mesh)
+            primitives = [self._write_part(arrays, slot, item) for slot in arrays.used_slots()]
+        finally:
+            item.to_mesh_clear()
+        if not primitives:
+            return None
+        index = self.glb.add("meshes", {"name": item.data.name, "primitives": primitives})
+        self.triangles_of[index] = len(arrays.corners)
+        return index
+
+    def _write_part(self, arrays, slot, item):
+        material = self.materials.write(_material(item, arrays.mesh, slot))
+        part = arrays.part(slot, material.uv_names, material.colour_layer)
+        self.hash.update(part.positions.tobytes())
+        self.hash.update(part.indices.tobytes())
+        self.hash.update(part.normals.tobytes())
+        attributes = {"POSITION": self.glb.add_array(part.positions, bounds=True),
+                      "NORMAL": self.glb.add_array(part.normals)}
+        for index, uv in enumerate(part.uvs):
+            attributes[f"TEXCOORD_{index}"] = self.glb.add_array(uv)
+        if len(part.uvs) < len(material.uv_names):
+            missing = material.uv_names[len(part.uvs)] or "UVMap"
+            self.losses.append(f"object '{item.name}': it lacks the UV map '{missing}' of its "
+                               "material")
+        if part.colours is not None:
+            attributes["COLOR_0"] = self.glb.add_array(part.colours)
+        return {"attributes": attributes, "indices": self.glb.add_array(part.indices),
+                "material": material.index}
+
+    def _name_losses(self, item):
+        for system in item.particle_systems:
+            if system.settings.render_type == "PATH":
+                self.losses.append(f"object '{item.name}': its hair '{system.name}' is not "
+                                   "rendered")
+        for name, what in (("is_holdout", "a holdout"), ("is_shadow_catcher", "a shadow catcher")):
+            if getattr(item, name, False):
+                self.losses.append(f"object '{item.name}': it is rendered like any other, although "
+                                   f"it is {what}")
+
+    def _add_light(self, item, matrix):
+        light = item.data
+        entry = punctual_light(light)
+        node = {"name": item.name, "matrix": _matrix(matrix),
+                "extras": {"hipmap": light_extras(light)}}
+        if entry is not None:
+            self.glb.use_extension("KHR_lights_punctual")
+            lights = self.glb.json.setdefault("extensions", {}).setdefault(
+                "KHR_lights_punctual", {"lights": []})["lights"]
+            lights.append(entry)
+            node["extensions"] = {"KHR_lights_punctual": {"light": len(lights) - 1}}
+        self.glb.add_root(node)
+        self.losses += light_losses(light)
+
+    def add_camera(self, item, picture):
+        """Adds the scene's camera for a Picture.  Throws SceneError if hipmap has no such camera."""
+        entry = gltf_camera(item.data, picture)
+        if entry is None:
+            raise SceneError(f"camera '{item.name}': hipmap renders no panoramic cameras; set its "
+                             "type to Perspective or Orthographic")
+        extras = {**camera_extras(item, item.matrix_world), **shift_extras(item.data, picture)}
+        self.glb.add_root({"name": item.name, "camera": self.glb.add("cameras", entry),
+                           "matrix": _matrix(item.matrix_world), "extras": {"hipmap": extras}})
+        self.losses += camera_losses(item)
+
+    def add_world(self, world, folder):
+        """Adds the world and its medium."""
+        extras = world_extras(world, folder)
+        self.losses += world_losses(world)
+        output = _world_output(world)
+        if output is not None:
+            medium, losses = medium_of(output.inputs["Volume"])
+            self.losses += [f"world '{world.name}': {loss}" for loss in losses]
+            if medium:
+                extras["medium"] = medium
+        self.glb.json["scenes"][0]["extras"] = {"hipmap": extras}
+
+
+def _world_output(world):
+    if world is None or not world.use_nodes:
+        return None
+    return next((node for node in world.node_tree.nodes
+                 if node.bl_idname == "ShaderNodeOutputWorld" and node.is_active_output), None)
+
+
+def _materials(item, mesh):
+    slots = [slot.material for slot in item.material_slots]
+    return slots or list(mesh.materials)
+
+
+def _material(item, mesh, slot):
+    materials = _materials(item, mesh)
+    if not materials:
+        return None
+    return materials[min(slot, len(materials) - 1)]  # as Blender takes a slot that is not there
+
+
+def _mesh_key(item):
+    """Equal for objects that have the same triangles and materials."""
+    owner = item.data if item.type == "MESH" else item.original
+    materials = tuple(m.name_full if m else None for m in _materials(item, item.data))
+    return owner.as_pointer(), materials
+
+
+def export_depsgraph(depsgraph, path, picture):
+    """Writes the evaluated scene to a .glb, and an environment map beside it if the world has
+    nodes.  Returns the ExportedScene.  picture: what the camera shows.  Throws SceneError or
+    WorldError.  Cost: linear in the triangles of distinct meshes, 1 s for a million."""
+    scene = depsgraph.scene
+    if scene.camera is None:
+        raise SceneError("the scene has no camera: add one, and make it the active camera")
+    writer = _Writer()
+    writer.add_camera(scene.camera.evaluated_get(depsgraph), picture)
+    for instance in depsgraph.object_instances:
+        if instance.show_self:
+            writer.add(instance)
+    writer.add_world(scene.world, os.path.dirname(path))
+    writer.glb.write(path)
+    return ExportedScene(path, writer.hash.hexdigest(), writer.triangles,
+                         without_repeats(writer.losses + writer.materials.losses))

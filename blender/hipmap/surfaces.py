@@ -1,0 +1,274 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The shader nodes of a material as one Surface: the terms of glTF's material."""
+
+from dataclasses import dataclass, field
+
+from .losses import label
+from .sockets import Source, Unknown, follow, origin
+
+_BLACK = Source((0.0, 0.0, 0.0, 1.0))
+_ONE, _ZERO = Source((1.0,)), Source((0.0,))
+
+
+@dataclass
+class Surface:
+    """Every term is a Source; numbers are floats."""
+
+    base: Source = Source((0.8, 0.8, 0.8, 1.0))
+    metallic: Source = _ZERO
+    roughness: Source = _ONE
+    specular: tuple = (0.0, 0.0, 0.0)  # factor of the reflection that the ior has head-on
+    ior: float = 1.5
+    transmission: Source = _ZERO
+    diffuse_transmission: float = 0.0
+    emission: Source = _BLACK
+    alpha: Source = _ONE
+    coat: Source = _ZERO
+    coat_roughness: Source = _ZERO
+    sheen: tuple = (0.0, 0.0, 0.0)
+    sheen_roughness: float = 0.0
+    normal: object = None  # a Texture
+    normal_scale: float = 1.0
+    losses: list = field(default_factory=list)
+
+
+class _Reader:
+    """Reads the inputs of a shader node; what it cannot follow it names and takes as unlinked."""
+
+    def __init__(self, node, path, losses):
+        self.node, self.path, self.losses = node, path, losses
+
+    def socket(self, *names):
+        """The first input of these names that the node has; Blender 4 renamed many."""
+        return next((self.node.inputs[name] for name in names if name in self.node.inputs), None)
+
+    def source(self, *names, default=0.0):
+        socket = self.socket(*names)
+        if socket is None:
+            return Source((default,))
+        try:
+            return follow(socket, self.path)
+        except Unknown as unknown:
+            self.losses.append(f"node {unknown} at {socket.name} cannot be expressed: rendered "
+                               "with the input's own value")
+        value = socket.default_value
+        return Source(tuple(value) if hasattr(value, "__len__") else (float(value),))
+
+    def number(self, *names, default=0.0):
+        """A plain number; of a texture its factor, and the loss of the texture is named."""
+        source = self.source(*names, default=default)
+        if not source.is_plain:
+            self.losses.append(f"an image at {names[0]} cannot be expressed: rendered with the "
+                               "input's own value")
+            return float(self.socket(*names).default_value)
+        return source.value[0]
+
+    def refuse(self, name, what):
+        """Names an input that is in use and not rendered."""
+        socket = self.socket(name)
+        if socket is not None and (socket.is_linked or socket.default_value > 0):
+            self.losses.append(what)
+
+
+def _scaled(source, factor):
+    return Source(tuple(c * factor for c in source.value[:3]) + (1.0,), source.texture,
+                  source.colour_layer)
+
+
+def _emission(reader, strength_name):
+    colour = reader.source("Emission Color", "Emission", "Color", default=0.0)
+    return _scaled(colour, reader.number(strength_name))
+
+
+def _read_normal(reader, surface):
+    socket = reader.socket("Normal")
+    output, path = origin(socket, reader.path) if socket is not None else (None, ())
+    if output is None:
+        return
+    node = output.node
+    if node.bl_idname != "ShaderNodeNormalMap" or node.space != "TANGENT":
+        surface.losses.append(f"node {label(node)} at Normal cannot be expressed: rendered with "
+                              "the mesh's own normals")
+        return
+    inner = _Reader(node, path, surface.losses)
+    surface.normal = inner.source("Color").texture
+    surface.normal_scale = inner.number("Strength")
+
+
+def _specular(reader, surface, transmission):
+    """Factor of the head-on reflection, so that it is as in Blender."""
+    if reader.socket("Specular IOR Level") is not None:  # Blender 4: relative to the ior
+        level = 2 * reader.number("Specular IOR Level")
+        tint = reader.source("Specular Tint").numbers()
+        return tuple(level * c for c in tint)
+    level, tint = reader.number("Specular"), reader.number("Specular Tint")
+    base = surface.base.value[:3]
+    light = 0.3 * base[0] + 0.6 * base[1] + 0.1 * base[2]
+    tinted = [1 - tint + tint * (c / light if light > 0 else 0) for c in base]
+    # 8 % at 1, whatever the ior, which glTF's factor is relative to.
+    head_on = ((surface.ior - 1) / (surface.ior + 1)) ** 2
+    opaque = 0.08 * level / head_on if head_on > 0 else 1
+    return tuple(((1 - transmission) * opaque + transmission) * c for c in tinted)
+
+
+def _principled(node, path):
+    surface = Surface()
+    reader = _Reader(node, path, surface.losses)
+    surface.base = reader.source("Base Color")
+    surface.metallic = reader.source("Metallic")
+    surface.roughness = reader.source("Roughness")
+    surface.transmission = reader.source("Transmission Weight", "Transmission")
+    transmits = surface.transmission.value[0]
+    if transmits > 0 or reader.socket("Specular IOR Level") is not None:
+        surface.ior = reader.number("IOR", default=1.5)
+    surface.specular = _specular(reader, surface, transmits)
+    surface.emission = _emission(reader, "Emission Strength")
+    surface.alpha = reader.source("Alpha", default=1.0)
+    surface.coat = reader.source("Coat Weight", "Clearcoat")
+    surface.coat_roughness = reader.source("Coat Roughness", "Clearcoat Roughness")
+    _read_sheen(reader, surface)
+    _read_normal(reader, surface)
+    for name in ("Subsurface", "Subsurface Weight"):
+        reader.refuse(name, "its subsurface scattering is rendered as diffuse")
+    for name in ("Anisotropic", "Transmission Roughness", "Thin Film Thickness"):
+        reader.refuse(name, f"its {name.lower()} is not rendered")
+    return surface
+
+
+def _read_sheen(reader, surface):
+    if reader.socket("Sheen Weight") is None:
+        reader.refuse("Sheen", "its sheen is not rendered")
+        return
+    weight = reader.number("Sheen Weight")
+    surface.sheen = tuple(weight * c for c in reader.source("Sheen Tint").numbers())
+    surface.sheen_roughness = reader.number("Sheen Roughness")
+
+
+def _diffuse(node, path):
+    surface = Surface()
+    reader = _Reader(node, path, surface.losses)
+    surface.base = reader.source("Color")
+    reader.refuse("Roughness", "the roughness of its Diffuse BSDF is not rendered")
+    _read_normal(reader, surface)
+    return surface
+
+
+def _glossy(node, path):
+    surface = Surface(metallic=_ONE, specular=(1.0, 1.0, 1.0))
+    reader = _Reader(node, path, surface.losses)
+    surface.base = reader.source("Color")
+    surface.roughness = reader.source("Roughness")
+    _read_normal(reader, surface)
+    return surface
+
+
+def _glass(node, path):
+    surface = Surface(transmission=_ONE, specular=(1.0, 1.0, 1.0))
+    reader = _Reader(node, path, surface.losses)
+    surface.base = reader.source("Color")
+    surface.roughness = reader.source("Roughness")
+    surface.ior = reader.number("IOR")
+    _read_normal(reader, surface)
+    if node.bl_idname == "ShaderNodeBsdfRefraction":
+        surface.losses.append(f"node {label(node)} is rendered as glass, which reflects too")
+    return surface
+
+
+def _translucent(node, path):
+    surface = Surface(diffuse_transmission=1.0)
+    surface.base = _Reader(node, path, surface.losses).source("Color")
+    return surface
+
+
+def _transparent(node, path):
+    surface = Surface(alpha=_ZERO)
+    colour = _Reader(node, path, surface.losses).source("Color")
+    if not colour.is_plain or min(colour.value) < 1:
+        surface.losses.append(f"the colour of node {label(node)} is not rendered")
+    return surface
+
+
+def _light(node, path):
+    surface = Surface(base=_BLACK)
+    surface.emission = _emission(_Reader(node, path, surface.losses), "Strength")
+    return surface
+
+
+def _is_invisible(surface):
+    return surface.alpha == _ZERO
+
+
+def _mix(node, path):
+    first, second = (_read(socket, path) for socket in node.inputs[1:3])
+    losses = first.losses + second.losses
+    factor = _Reader(node, path, losses).source("Fac", "Factor")
+    if factor.is_plain and factor.value[0] in (0, 1):
+        return second if factor.value[0] == 1 else first
+    if _is_invisible(first) and second.alpha == _ONE:
+        second.alpha, second.losses = factor, losses
+        return second
+    if _is_invisible(second) and first.alpha == _ONE and factor.is_plain:
+        first.alpha, first.losses = Source((1 - factor.value[0],)), losses
+        return first
+    greater = second if factor.value[0] >= 0.5 else first
+    greater.losses = losses + [f"node {label(node)} cannot be expressed: the shader of greater "
+                               "weight is rendered alone"]
+    return greater
+
+
+def _add(node, path):
+    first, second = (_read(socket, path) for socket in node.inputs[:2])
+    for light, other in ((first, second), (second, first)):
+        if light.base == _BLACK and other.emission.value[:3] == (0, 0, 0):
+            other.emission = light.emission
+            other.losses = light.losses + other.losses
+            return other
+    first.losses += second.losses + [f"node {label(node)} cannot be expressed: its first shader "
+                                     "is rendered alone"]
+    return first
+
+
+def _unknown(node, path):
+    surface = Surface()
+    if "Color" in node.inputs:
+        surface.base = _Reader(node, path, surface.losses).source("Color")
+    surface.losses.append(f"node {label(node)} cannot be expressed: rendered as diffuse")
+    return surface
+
+
+_READERS = {
+    "ShaderNodeBsdfPrincipled": _principled, "ShaderNodeBsdfDiffuse": _diffuse,
+    "ShaderNodeBsdfGlossy": _glossy, "ShaderNodeBsdfAnisotropic": _glossy,
+    "ShaderNodeBsdfGlass": _glass, "ShaderNodeBsdfRefraction": _glass,
+    "ShaderNodeBsdfTranslucent": _translucent, "ShaderNodeBsdfTransparent": _transparent,
+    "ShaderNodeEmission": _light, "ShaderNodeMixShader": _mix, "ShaderNodeAddShader": _add,
+}
+
+
+def _read(socket, path):
+    output, outer = origin(socket, path)
+    if output is None:
+        return Surface(base=_BLACK)
+    return _READERS.get(output.node.bl_idname, _unknown)(output.node, outer)
+
+
+def material_output(material):
+    """Returns the output node that Cycles takes; None: there is none."""
+    tree = material.node_tree
+    return tree.get_output_node("CYCLES") if material.use_nodes and tree else None
+
+
+def surface_of(material):
+    """Returns the Surface of a material; None: it has a volume and no surface.  A material without
+    nodes is diffuse, as Cycles renders it."""
+    if not material.use_nodes:
+        return Surface(base=Source(tuple(material.diffuse_color)))
+    output = material_output(material)
+    if output is None:
+        return Surface(base=_BLACK)
+    if not output.inputs["Surface"].is_linked and output.inputs["Volume"].is_linked:
+        return None
+    surface = _read(output.inputs["Surface"], ())
+    if output.inputs["Displacement"].is_linked:
+        surface.losses.append("its displacement is not rendered")
+    return surface
