@@ -12,13 +12,19 @@ bl_info = {
 }
 
 
+def _modules():
+    """What is registered, in order.  Imported late: export_hipmap.py needs the menu alone."""
+    from . import engine, export_menu, panels, properties
+    return (properties, engine, panels, export_menu)
+
+
 def register():
     """Called by Blender when the add-on is enabled."""
-    from . import export_menu
-    export_menu.register()
+    for module in _modules():
+        module.register()
 
 
 def unregister():
     """Called by Blender when the add-on is disabled."""
-    from . import export_menu
-    export_menu.unregister()
+    for module in reversed(_modules()):
+        module.unregister()

@@ -8,6 +8,7 @@ import subprocess
 import bpy
 
 from .losses import label
+from .run import end_with_parent
 
 _BAKE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "bake_world.py")
 _DEFAULT_WIDTH = 2048
@@ -101,7 +102,7 @@ def _bake(world, path):
     try:
         done = subprocess.run(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                               stderr=subprocess.STDOUT, text=True, check=False,
-                              timeout=_SECONDS_TO_BAKE)
+                              timeout=_SECONDS_TO_BAKE, preexec_fn=end_with_parent)
     except (OSError, subprocess.TimeoutExpired) as error:
         raise WorldError(f"world '{world.name}': Blender could not render it to an environment "
                          f"map: {error}") from error

@@ -1,0 +1,166 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The render engine: F12."""
+
+import os
+import time
+
+import bpy
+
+from .job import (has_partition, make_job, preprocess_command, render_command,
+                  write_notes)
+from .run import Child, ToolError, read_pfm, warnings_of
+from .scene_export import SceneError
+from .world import WorldError
+
+_SECONDS_BETWEEN_LOOKS = 0.05
+_STOPPED_BY_SIGNAL = 3
+_BAD_INPUT = 2
+
+
+class _Cancelled(Exception):
+    """The user cancelled the render."""
+
+
+def _percent(error):
+    return f"{100 * error:.2g} %"
+
+
+def _fill(passes, pixels):
+    """Writes pixels [n, 4] into the pass Combined."""
+    if len(passes) == 1:
+        passes.foreach_set("rect", pixels.ravel())
+    else:  # slower: by lists
+        passes["Combined"].rect = pixels.tolist()
+
+
+class HipmapEngine(bpy.types.RenderEngine):
+    """Renders by hipmap's programs, as child processes"""
+
+    bl_idname = "HIPMAP"
+    bl_label = "hipmap"
+    bl_use_preview = False
+    bl_use_eevee_viewport = True
+    bl_use_shading_nodes_custom = False
+
+    job = None
+    told = ""
+
+    def update(self, data=None, depsgraph=None):
+        """Exports the scene: the only place where Blender's data may be read."""
+        self.job = None
+        self._tell_state("exporting the scene")
+        try:
+            self.job = make_job(bpy.context, depsgraph)
+        except (SceneError, WorldError, ToolError) as error:
+            self._fail(str(error))
+            return
+        for line in self.job.losses:
+            self.report({"WARNING"}, line)
+
+    def render(self, depsgraph):
+        """Runs the programs and shows every pass."""
+        if self.job is None:
+            return
+        layer = depsgraph.view_layer.name
+        try:
+            self._make_partition()
+            self._render_passes(layer)
+        except ToolError as error:
+            self._fail(str(error))
+        except _Cancelled:
+            pass
+
+    def _fail(self, line):
+        self.report({"ERROR"}, line)
+        self.error_set(line)
+
+    def _watch(self, command, on_event):
+        """Runs a program to its end.  Returns it, and its exit code.  Throws _Cancelled."""
+        child = Child(command)
+        while child.running():
+            if self.test_break():
+                child.stop()
+                for event in child.events():
+                    on_event(event)
+                raise _Cancelled
+            for event in child.events():
+                on_event(event)
+            time.sleep(_SECONDS_BETWEEN_LOOKS)
+        code = child.finish()
+        for event in child.events():
+            on_event(event)
+        return child, code
+
+    def _make_partition(self, again=False):
+        job = self.job
+        if has_partition(job) and not again:
+            return
+        self._tell_state("finding faces that share photons")
+        write_notes(job, partition="")
+        child, code = self._watch(preprocess_command(job), lambda event: None)
+        if code != 0:
+            raise ToolError(child.last_error())
+        write_notes(job, partition=job.partition_key)
+
+    def _render_passes(self, layer):
+        job = self.job
+        if not job.proceed:
+            self._forget_passes()
+        self._tell_state("starting")
+        child, code = self._watch(render_command(job), lambda event: self._show(event, layer))
+        if code == _BAD_INPUT and "scene.state" in child.last_error():
+            self.report({"INFO"}, "the scene or its settings have changed: rendering from the "
+                                  "first pass")
+            self._forget_passes()
+            child, code = self._watch(render_command(job), lambda event: self._show(event, layer))
+        if code not in (0, _STOPPED_BY_SIGNAL):
+            raise ToolError(child.last_error())
+        self._tell(child.messages)
+
+    def _forget_passes(self):
+        write_notes(self.job, passes=0)
+        if os.path.exists(self.job.path("scene.state")):
+            os.remove(self.job.path("scene.state"))
+
+    def _tell(self, messages):
+        for line in warnings_of(messages):
+            self.report({"WARNING"}, line)
+        for line in messages:
+            if line.startswith(("accuracy: ", "cost: ")):
+                self.report({"INFO"}, line)
+
+    def _show(self, event, layer):
+        """Shows what an event tells: progress, a pass, the end."""
+        parts = [f"{event['passes']} passes" if event["passes"] != 1 else "1 pass"]
+        if event["error"] is not None:
+            parts.append("error " + _percent(event["error"]))
+        self._tell_state(", ".join(parts))
+        if event.get("done") is not None:
+            self.update_progress(event["done"])
+        if event.get("images"):
+            self._show_image(layer)
+        if event["event"] == "end":
+            write_notes(self.job, passes=event["passes"])
+
+    def _tell_state(self, text):
+        if text != self.told:
+            self.told = text
+            self.update_stats("", "hipmap: " + text)
+
+    def _show_image(self, layer):
+        pixels, width, height = read_pfm(self.job.path("scene.pfm"))
+        result = self.begin_result(0, 0, width, height, layer=layer)
+        try:
+            _fill(result.layers[0].passes, pixels)
+        finally:  # a result that is left open crashes Blender
+            self.end_result(result)
+
+
+def register():
+    """Adds the engine to Blender's list."""
+    bpy.utils.register_class(HipmapEngine)
+
+
+def unregister():
+    """Removes the engine."""
+    bpy.utils.unregister_class(HipmapEngine)

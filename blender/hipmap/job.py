@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What one render of Blender asks of hipmap's programs: files and command lines."""
+
+import json
+import os
+from dataclasses import dataclass, field
+
+import bpy
+
+from .frame import picture_of
+from .properties import programs_folder
+from .run import find_tool
+from .scene_export import SceneError, export_depsgraph
+
+
+@dataclass
+class Job:
+    """One render, with everything that it needs of Blender's data."""
+
+    folder: str
+    preprocess: str  # the programs
+    render: str
+    picture: object
+    options: list  # of `render`
+    partition_options: list
+    partition_key: str  # of the faces and the options: what the partition must be of
+    proceed: bool
+    passes: int  # to add; 0: another rule ends the render
+    losses: list = field(default_factory=list)
+
+    def path(self, name):
+        """The path of one of the job's files."""
+        return os.path.join(self.folder, name)
+
+
+def _folder_of(scene, view_layer):
+    """The folder for a view layer's files.  Throws SceneError if it cannot be made."""
+    chosen = bpy.path.abspath(scene.hipmap.folder)
+    base = chosen or os.path.join(bpy.app.tempdir, "hipmap")
+    folder = os.path.join(base, bpy.path.clean_name(f"{scene.name}_{view_layer.name}"))
+    try:
+        os.makedirs(folder, exist_ok=True)
+    except OSError as error:
+        raise SceneError(f"{folder}: {error.strerror}: set another folder in Render Properties > "
+                         "Running") from error
+    return folder
+
+
+def _render_options(settings, picture):
+    options = ["--size", f"{picture.part_width}x{picture.part_height}",
+               "--integrator", settings.integrator, "--samples", str(settings.samples),
+               "--seed", str(settings.seed), "--threads", str(settings.threads)]
+    if settings.photons > 0:
+        options += ["--photons", str(settings.photons)]
+    if settings.stop_at == "ERROR":
+        options += ["--error", f"{settings.error:g}%"]
+    if settings.stop_at == "TIME":
+        options += ["--time", f"{settings.seconds:g}"]
+    return options
+
+
+def make_job(context, depsgraph):
+    """Exports the evaluated scene, and returns the Job of rendering it.  To be called where
+    Blender's data may be read.  Throws SceneError, WorldError or ToolError."""
+    scene = depsgraph.scene
+    settings = scene.hipmap
+    programs = programs_folder(context)
+    tools = {name: find_tool(name, programs) for name in ("preprocess", "render")}
+    picture = picture_of(scene.render)
+    folder = _folder_of(scene, depsgraph.view_layer)
+    exported = export_depsgraph(depsgraph, os.path.join(folder, "scene.glb"), picture)
+    partition_options = ["--angle", f"{round(settings.angle * 180 / 3.14159265358979, 4):g}"]
+    return Job(folder, tools["preprocess"], tools["render"], picture,
+               _render_options(settings, picture), partition_options,
+               exported.geometry + " ".join(partition_options), settings.proceed,
+               settings.passes if settings.stop_at == "PASSES" else 0, exported.losses)
+
+
+def read_notes(job):
+    """What is known of the files of earlier renders in the job's folder."""
+    try:
+        with open(job.path("notes.json"), encoding="utf-8") as file:
+            return json.load(file)
+    except (OSError, ValueError):
+        return {}
+
+
+def write_notes(job, **values):
+    """Adds to what is known of the files."""
+    notes = {**read_notes(job), **values}
+    with open(job.path("notes.json"), "w", encoding="utf-8") as file:
+        json.dump(notes, file)
+
+
+def has_partition(job):
+    """Whether the partition of an earlier render is of these faces and options."""
+    return (read_notes(job).get("partition") == job.partition_key and
+            os.path.isfile(job.path("scene.hpm")))
+
+
+def preprocess_command(job):
+    """The command line that makes the partition."""
+    return [job.preprocess, job.path("scene.glb"), "-o", job.path("scene.hpm"),
+            *job.partition_options, *_thread_options(job)]
+
+
+def _thread_options(job):
+    at = job.options.index("--threads")
+    return job.options[at:at + 2]
+
+
+def render_command(job):
+    """The command line that renders."""
+    before = read_notes(job).get("passes", 0) if job.proceed else 0
+    ending = ["--passes", str(before + job.passes)] if job.passes else []
+    return [job.render, job.path("scene.glb"), job.path("scene.hpm"), "-o", job.path("scene.pfm"),
+            "--state", job.path("scene.state"), "--progress", "json", *job.options, *ending]

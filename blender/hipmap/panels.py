@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Panels of the render properties, and Blender's own panels that also apply to hipmap."""
+
+import bpy
+
+from .engine import HipmapEngine
+
+_EEVEE = {"EEVEE_MATERIAL_PT_context_material", "EEVEE_MATERIAL_PT_surface",
+          "EEVEE_MATERIAL_PT_volume", "EEVEE_WORLD_PT_surface", "EEVEE_WORLD_PT_volume",
+          "DATA_PT_EEVEE_light"}
+
+
+class HipmapPanel:
+    """A panel of the render properties that is there while hipmap is the engine."""
+
+    bl_space_type = "PROPERTIES"
+    bl_region_type = "WINDOW"
+    bl_context = "render"
+    COMPAT_ENGINES = {HipmapEngine.bl_idname}
+
+    @classmethod
+    def poll(cls, context):
+        """Whether the panel is shown."""
+        return context.engine in cls.COMPAT_ENGINES
+
+    def column(self):
+        """A column of properties in Blender's style."""
+        self.layout.use_property_split = True
+        self.layout.use_property_decorate = False
+        return self.layout.column()
+
+
+class RENDER_PT_hipmap_stop(HipmapPanel, bpy.types.Panel):
+    """When a render ends"""
+
+    bl_label = "Render"
+
+    def draw(self, context):
+        """Shows the panel."""
+        settings = context.scene.hipmap
+        column = self.column()
+        column.prop(settings, "stop_at")
+        column.prop(settings, {"ERROR": "error", "TIME": "seconds",
+                               "PASSES": "passes"}[settings.stop_at])
+        column.prop(settings, "proceed")
+
+
+class RENDER_PT_hipmap_method(HipmapPanel, bpy.types.Panel):
+    """How light is found"""
+
+    bl_label = "Light Transport"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, context):
+        """Shows the panel."""
+        settings = context.scene.hipmap
+        column = self.column()
+        for name in ("integrator", "samples", "photons", "seed"):
+            column.prop(settings, name)
+
+
+class RENDER_PT_hipmap_partition(HipmapPanel, bpy.types.Panel):
+    """Which faces share photons"""
+
+    bl_label = "Photon Maps"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, context):
+        """Shows the panel."""
+        self.column().prop(context.scene.hipmap, "angle")
+
+
+class RENDER_PT_hipmap_running(HipmapPanel, bpy.types.Panel):
+    """How the programs run"""
+
+    bl_label = "Running"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, context):
+        """Shows the panel."""
+        settings = context.scene.hipmap
+        column = self.column()
+        column.prop(settings, "threads")
+        column.prop(settings, "folder")
+
+
+_CLASSES = (RENDER_PT_hipmap_stop, RENDER_PT_hipmap_method, RENDER_PT_hipmap_partition,
+            RENDER_PT_hipmap_running)
+
+
+def _shared_panels():
+    """Blender's panels that apply to hipmap too."""
+    for panel in bpy.types.Panel.__subclasses__():
+        engines = getattr(panel, "COMPAT_ENGINES", None)
+        if engines and ("BLENDER_RENDER" in engines or panel.__name__ in _EEVEE):
+            yield engines
+
+
+def register():
+    """Adds the panels."""
+    for panel in _CLASSES:
+        bpy.utils.register_class(panel)
+    for engines in _shared_panels():
+        engines.add(HipmapEngine.bl_idname)
+
+
+def unregister():
+    """Removes the panels."""
+    for engines in _shared_panels():
+        engines.discard(HipmapEngine.bl_idname)
+    for panel in reversed(_CLASSES):
+        bpy.utils.unregister_class(panel)

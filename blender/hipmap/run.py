@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""hipmap's programs as child processes, which end when Blender ends.  Uses nothing of Blender."""
+
+import ctypes
+import json
+import os
+import queue
+import shutil
+import signal
+import subprocess
+import sys
+import threading
+import time
+
+import numpy
+
+# A render that is asked to stop writes its image and its state; it gets this long for it.
+_SECONDS_TO_STOP = 0.8
+_PR_SET_PDEATHSIG = 1
+_NAMES = {"preprocess": ("hipmap-preprocess", "preprocess"), "render": ("hipmap-render", "render")}
+
+# Loaded before any fork: a child between fork and exec must not take the loader's lock.
+_LIBC = ctypes.CDLL(None) if sys.platform.startswith("linux") else None
+
+
+class ToolError(RuntimeError):
+    """A program is missing or failed.  Its text is one line for the user."""
+
+
+def find_tool(name, folder):
+    """Returns the path of "preprocess" or "render": in `folder` if one is given, else in the
+    add-on's folder `bin`, else hipmap-NAME on the PATH.  Throws ToolError."""
+    inside = os.path.join(os.path.dirname(os.path.abspath(__file__)), "bin")
+    for place in filter(None, (folder, inside)):
+        for file in reversed(_NAMES[name]):
+            path = os.path.join(place, file)
+            if os.access(path, os.X_OK) and not os.path.isdir(path):
+                return path
+    found = shutil.which(_NAMES[name][0])
+    if found and not folder:
+        return found
+    raise ToolError(f"hipmap's program '{name}' is not in {folder or inside}: set the folder in "
+                    "Edit > Preferences > Add-ons > hipmap")
+
+
+def _ask_for_end_with_parent():
+    _LIBC.prctl(_PR_SET_PDEATHSIG, signal.SIGKILL)
+
+
+# For subprocess, as preexec_fn: the child gets SIGKILL when the thread that started it ends, for
+# instance with Blender.  None where the system has no such thing.
+end_with_parent = _ask_for_end_with_parent if _LIBC else None
+
+
+class Child:
+    """A program under way.  Its lines are read by threads, so that nothing here ever waits."""
+
+    def __init__(self, command):
+        try:
+            self._process = subprocess.Popen(
+                command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                text=True, errors="replace", preexec_fn=end_with_parent)
+        except OSError as error:
+            raise ToolError(f"{command[0]}: {error.strerror}") from error
+        self.messages = []  # lines of standard error
+        self._events = queue.SimpleQueue()
+        self._readers = [threading.Thread(target=target, daemon=True)
+                         for target in (self._read_events, self._read_messages)]
+        for reader in self._readers:
+            reader.start()
+
+    def _read_events(self):
+        for line in self._process.stdout:
+            try:
+                self._events.put(json.loads(line))
+            except ValueError:
+                self.messages.append(line.rstrip())
+
+    def _read_messages(self):
+        for line in self._process.stderr:
+            self.messages.append(line.rstrip())
+
+    def events(self):
+        """Returns the events that came since the last call."""
+        out = []
+        while not self._events.empty():
+            out.append(self._events.get())
+        return out
+
+    def running(self):
+        """Whether the program is under way."""
+        return self._process.poll() is None
+
+    def finish(self):
+        """Waits for what the ended program printed.  Returns its exit code."""
+        code = self._process.wait()
+        for reader in self._readers:
+            reader.join()
+        self._process.stdout.close()
+        self._process.stderr.close()
+        return code
+
+    def stop(self):
+        """Asks the program to end, and ends it if it does not within a second."""
+        self._process.terminate()
+        end = time.monotonic() + _SECONDS_TO_STOP
+        while self.running() and time.monotonic() < end:
+            time.sleep(0.01)
+        self._process.kill()
+        self.finish()
+
+    def last_error(self):
+        """The line that says why the program failed."""
+        errors = [line for line in self.messages if line.startswith("error: ")]
+        return (errors or self.messages or ["no message"])[-1]
+
+
+def warnings_of(messages):
+    """Returns the warnings among lines of standard error, without the word."""
+    return [line[len("warning: "):] for line in messages if line.startswith("warning: ")]
+
+
+def read_pfm(path):
+    """Returns the pixels [height * width, 4] of a .pfm with an opacity of 1, from the bottom left
+    as in Blender, and the width and height."""
+    with open(path, "rb") as file:
+        if file.readline().strip() != b"PF":
+            raise ToolError(f"{path}: not an image in colour")
+        width, height = map(int, file.readline().split())
+        order = "<" if float(file.readline()) < 0 else ">"
+        values = numpy.frombuffer(file.read(), f"{order}f4", 3 * width * height)
+    pixels = numpy.ones((width * height, 4), numpy.float32)
+    pixels[:, :3] = values.reshape(-1, 3)
+    return pixels, width, height

@@ -1,0 +1,115 @@
+"""Everything that f12_test.py looks at, in one Blender:
+
+    blender --python f12_inside.py -- ADDON.zip PROGRAMS FOLDER_OF_SCENES OUT
+"""
+
+import json
+import os
+import sys
+
+import bpy
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import install_addon
+from install_addon import render, set_up
+
+ARCHIVE, PROGRAMS, SCENES, OUT = sys.argv[sys.argv.index("--") + 1:]
+SIX = ("modifiers", "instances", "lights", "sky", "text", "glass")
+facts = {}
+
+
+def out(name):
+    return os.path.join(OUT, name)
+
+
+def open_scene(name, folder, **options):
+    bpy.ops.wm.open_mainfile(filepath=os.path.join(SCENES, name + ".blend"))
+    return set_up(out(folder), **options)
+
+
+def time_of_partition(folder):
+    return os.stat(os.path.join(out(folder), "Scene_ViewLayer", "scene.hpm")).st_mtime_ns
+
+
+def six_scenes():
+    for name in SIX:
+        open_scene(name, name)
+        render(out(name + ".f32"))
+
+
+def again():
+    """A scene three times: the second time light and camera have changed, the third time a face."""
+    open_scene("glass", "again")
+    render(out("first.f32"))
+    made = [time_of_partition("again")]
+    bpy.context.scene.world.node_tree.nodes["Background"].inputs["Strength"].default_value = 2
+    bpy.data.objects["Camera"].location.x += 0.1
+    render(out("again.f32"))
+    made.append(time_of_partition("again"))
+    bpy.data.objects["Ball"].location.z += 0.1
+    render(out("moved.f32"))
+    made.append(time_of_partition("again"))
+    facts["partitions"] = made
+
+
+def proceed():
+    """Two passes, and two more of the same; then two after a change, which begin anew."""
+    scene = open_scene("modifiers", "proceed")
+    render(out("proceed_2.f32"))
+    scene.hipmap.proceed = True
+    render(out("proceed_4.f32"))
+    scene.hipmap.seed = 1
+    render(out("proceed_new.f32"))
+
+
+def border():
+    scene = open_scene("text", "border")
+    scene.render.use_border = True
+    scene.render.border_min_x, scene.render.border_max_x = 0.25, 0.75
+    scene.render.border_min_y, scene.render.border_max_y = 0.5, 1.0
+    render(out("border.f32"))
+    scene.render.use_crop_to_border = True
+    render(out("crop.f32"))
+    scene.render.resolution_percentage = 50
+    scene.render.use_border = False
+    render(out("half.f32"))
+
+
+def frames():
+    scene = open_scene("modifiers", "frames")
+    ball = bpy.data.objects["Row"]
+    for frame, x in ((1, -2), (3, -1)):
+        ball.location.x = x
+        ball.keyframe_insert("location", frame=frame)
+    scene.render.filepath = out("frame_")
+    bpy.ops.render.render(animation=True)
+    for frame in (1, 2, 3):
+        install_addon.dump(out(f"frame_{frame:04}.exr"), out(f"frame_{frame}.f32"))
+
+
+def failures():
+    """What goes wrong is one line, and Blender goes on."""
+    scene = open_scene("modifiers", "failures")
+    lines = []
+    for spoil in (lambda: setattr(bpy.data.objects["Camera"].data, "type", "PANO"),
+                  lambda: setattr(scene, "camera", None)):
+        spoil()
+        try:
+            bpy.ops.render.render()
+            lines.append("rendered")
+        except RuntimeError as error:
+            lines.append(str(error))
+    facts["failures"] = lines
+
+
+install_addon.install(ARCHIVE, PROGRAMS)
+six_scenes()
+again()
+proceed()
+border()
+frames()
+failures()
+with open(out("facts.json"), "w", encoding="utf-8") as file:
+    json.dump(facts, file)
+sys.stdout.flush()
+os._exit(0)  # Blender's own code is 1 as soon as an error was reported, here on purpose

@@ -1,0 +1,104 @@
+"""F12 in Blender: the pixels of the command line, bit for bit.
+
+    f12_test.py FOLDER_OF_TOOLS
+"""
+
+import json
+import os
+import subprocess
+import sys
+import time
+
+import inside_blender
+from inside_blender import BLENDER_FOLDER, HERE, BlenderTestCase, Tools
+
+SIX = ("modifiers", "instances", "lights", "sky", "text", "glass")
+OPTIONS = ("--photons", 5000, "--threads", 2)
+WIDTH, HEIGHT = 48, 32
+PIXEL = 12  # bytes
+
+
+class F12(BlenderTestCase):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        this = cls()
+        this.blender("--python", os.path.join(HERE, "six_scenes.py"), "--", cls.folder)
+        subprocess.run([sys.executable, os.path.join(BLENDER_FOLDER, "make_addon.py"),
+                        this.path("hipmap.zip")], check=True, stdout=subprocess.DEVNULL)
+        began = time.monotonic()
+        cls.said = this.blender("--python", os.path.join(HERE, "f12_inside.py"), "--",
+                                this.path("hipmap.zip"), Tools.folder, cls.folder, cls.folder)
+        print(f"17 renders in Blender: {time.monotonic() - began:.1f} s")
+        with open(this.path("facts.json"), encoding="utf-8") as file:
+            cls.facts = json.load(file)
+
+    def content(self, name):
+        with open(self.path(name), "rb") as file:
+            return file.read()
+
+    def by_command_line(self, folder, *options, size=(WIDTH, HEIGHT)):
+        """The pixels of the scene that F12 exported, with a partition of its own."""
+        scene = self.path(os.path.join(folder, "Scene_ViewLayer", "scene.glb"))
+        self.tool("preprocess", scene, "-o", self.path("own.hpm"))
+        self.tool("render", scene, self.path("own.hpm"), "-o", self.path("own.pfm"), *OPTIONS,
+                  "--size", f"{size[0]}x{size[1]}", *options)
+        return self.content("own.pfm")[-size[0] * size[1] * PIXEL:]
+
+    def test_six_scenes(self):
+        for name in SIX:
+            pixels = self.content(name + ".f32")
+            self.assertGreater(len(set(pixels[i:i + PIXEL] for i in range(0, len(pixels), PIXEL))),
+                               100, name)
+            self.assertEqual(pixels, self.by_command_line(name, "--passes", 2), name)
+            print(f"{name}: {len(pixels) // PIXEL} pixels are equal")
+
+    def test_the_partition_serves_until_a_face_moves(self):
+        first, again, moved = self.facts["partitions"]
+        self.assertEqual(first, again)
+        self.assertNotEqual(again, moved)
+        self.assertNotEqual(self.content("again.f32"), self.content("first.f32"))
+        self.assertEqual(self.content("moved.f32"), self.by_command_line("again", "--passes", 2))
+
+    def test_continue_adds_passes(self):
+        self.assertNotEqual(self.content("proceed_2.f32"), self.content("proceed_4.f32"))
+        self.assertEqual(self.content("proceed_4.f32"),
+                         self.by_command_line("proceed", "--passes", 4))
+        self.assertIn("rendering from the first pass", self.said)
+        self.assertEqual(self.content("proceed_new.f32"),
+                         self.by_command_line("proceed", "--passes", 2, "--seed", 1))
+
+    def test_a_border_is_rendered_alone_in_its_place(self):
+        part = self.content("crop.f32")
+        self.assertEqual(len(part), WIDTH // 2 * HEIGHT // 2 * PIXEL)
+        whole = self.content("border.f32")
+        self.assertEqual(len(whole), WIDTH * HEIGHT * PIXEL)
+        for row in range(HEIGHT // 2):
+            begin = ((row + HEIGHT // 2) * WIDTH + WIDTH // 4) * PIXEL
+            length = WIDTH // 2 * PIXEL
+            self.assertEqual(whole[begin:begin + length], part[row * length:(row + 1) * length])
+        self.assertEqual(whole[:WIDTH * HEIGHT // 2 * PIXEL], bytes(WIDTH * HEIGHT // 2 * PIXEL))
+
+    def test_a_percentage_makes_the_image_smaller(self):
+        size = WIDTH // 2, HEIGHT // 2
+        self.assertEqual(self.content("half.f32"),
+                         self.by_command_line("border", "--passes", 2, size=size))
+
+    def test_frames(self):
+        one, two, three = (self.content(f"frame_{frame}.f32") for frame in (1, 2, 3))
+        self.assertNotEqual(one, two)
+        self.assertNotEqual(two, three)
+        self.assertEqual(three, self.by_command_line("frames", "--passes", 2))
+
+    def test_failures_are_one_line(self):
+        panoramic, without = self.facts["failures"]
+        self.assertIn("hipmap renders no panoramic cameras", panoramic)
+        self.assertIn("camera", without)
+
+    def test_what_is_lost_is_named(self):
+        self.assertNotIn("Traceback", self.said)
+        print("\n".join(sorted({line for line in self.said.splitlines() if "Warning:" in line})))
+
+
+if __name__ == "__main__":
+    inside_blender.main(sys.argv)
