@@ -162,18 +162,24 @@ def _write_layers(entry):
         entry.json["normalTexture"] = info
 
 
-def _write_volume(entry, material):
+def _write_volume(entry, material, extras):
     """A closed mesh whose surface transmits, or that has none, holds a medium."""
     output = material_output(material) if material else None
     if output is None:
         return
     medium, losses = medium_of(output.inputs["Volume"])
     entry.surface.losses += losses
-    extras = {}
     if medium:
         extras["medium"] = medium
     if not output.inputs["Surface"].is_linked and output.inputs["Volume"].is_linked:
         extras["boundary"] = False
+
+
+def _write_extras(entry, material):
+    extras = {}
+    if entry.surface.is_lambert:  # Phong's model without its lobe
+        extras.update(reflection="phong", exponent=1.0, specular=[0.0, 0.0, 0.0])
+    _write_volume(entry, material, extras)
     if extras:
         entry.json["extras"] = {"hipmap": extras}
 
@@ -196,7 +202,7 @@ class MaterialWriter:
         return self._written[key]
 
     def _write(self, material):
-        surface = surface_of(material) if material else Surface()
+        surface = surface_of(material) if material else Surface(is_lambert=True)
         entry = _Entry(self._glb, self._textures, surface or Surface())
         pbr = {}
         entry.json.update(name=material.name if material else _NO_MATERIAL, doubleSided=True,
@@ -206,7 +212,7 @@ class MaterialWriter:
         _write_emission(entry)
         _write_transmission(entry)
         _write_layers(entry)
-        _write_volume(entry, material)
+        _write_extras(entry, material)
         if material:
             self.losses += [f"material '{material.name}': {loss}" for loss in
                             entry.surface.losses]

@@ -20,7 +20,9 @@ from .world import world_extras, world_losses
 # glTF has +Y up.
 _TO_Y_UP = Matrix(((1, 0, 0, 0), (0, 0, 1, 0), (0, -1, 0, 0), (0, 0, 0, 1)))
 
-_WITH_MESH = {"MESH", "CURVE", "SURFACE", "FONT", "META"}
+# From 3.0 on the mesh of a curve or a text is an instance of its own.
+_WITH_MESH = ({"MESH", "META"} if bpy.app.version >= (3, 0, 0) else
+              {"MESH", "CURVE", "SURFACE", "FONT", "META"})
 _NOT_RENDERED = {"CURVES": "hair curves are not rendered", "POINTCLOUD": "points are not rendered",
                  "VOLUME": "a volume object is not rendered",
                  "GPENCIL": "grease pencil is not rendered",

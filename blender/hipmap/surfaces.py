@@ -27,6 +27,7 @@ class Surface:
     coat_roughness: Source = _ZERO
     sheen: tuple = (0.0, 0.0, 0.0)
     sheen_roughness: float = 0.0
+    is_lambert: bool = False  # diffuse alone, the same at every roughness
     normal: object = None  # a Texture
     normal_scale: float = 1.0
     losses: list = field(default_factory=list)
@@ -145,7 +146,7 @@ def _read_sheen(reader, surface):
 
 
 def _diffuse(node, path):
-    surface = Surface()
+    surface = Surface(is_lambert=True)
     reader = _Reader(node, path, surface.losses)
     surface.base = reader.source("Color")
     reader.refuse("Roughness", "the roughness of its Diffuse BSDF is not rendered")
@@ -229,7 +230,7 @@ def _add(node, path):
 
 
 def _unknown(node, path):
-    surface = Surface()
+    surface = Surface(is_lambert=True)
     if "Color" in node.inputs:
         surface.base = _Reader(node, path, surface.losses).source("Color")
     surface.losses.append(f"node {label(node)} cannot be expressed: rendered as diffuse")
@@ -262,7 +263,7 @@ def surface_of(material):
     """Returns the Surface of a material; None: it has a volume and no surface.  A material without
     nodes is diffuse, as Cycles renders it."""
     if not material.use_nodes:
-        return Surface(base=Source(tuple(material.diffuse_color)))
+        return Surface(base=Source((*material.diffuse_color[:3], 1.0)), is_lambert=True)
     output = material_output(material)
     if output is None:
         return Surface(base=_BLACK)
