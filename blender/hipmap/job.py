@@ -33,8 +33,8 @@ class Job:
         return os.path.join(self.folder, name)
 
 
-def _folder_of(scene, view_layer):
-    """The folder for a view layer's files.  Throws SceneError if it cannot be made."""
+def folder_of(scene, view_layer):
+    """Returns the folder of a view layer's files, which it makes.  Throws SceneError if it cannot be made."""
     chosen = bpy.path.abspath(scene.hipmap.folder)
     base = chosen or os.path.join(bpy.app.tempdir, "hipmap")
     folder = os.path.join(base, bpy.path.clean_name(f"{scene.name}_{view_layer.name}"))
@@ -67,7 +67,7 @@ def make_job(context, depsgraph):
     programs = programs_folder(context)
     tools = {name: find_tool(name, programs) for name in ("preprocess", "render")}
     picture = picture_of(scene.render)
-    folder = _folder_of(scene, depsgraph.view_layer)
+    folder = folder_of(scene, depsgraph.view_layer)
     exported = export_depsgraph(depsgraph, os.path.join(folder, "scene.glb"), picture)
     partition_options = ["--angle", f"{round(settings.angle * 180 / 3.14159265358979, 4):g}"]
     return Job(folder, tools["preprocess"], tools["render"], picture,

@@ -89,6 +89,11 @@ def _node_losses(light):
             yield f"node {label(node)} at the {name.lower()} of its Emission is not rendered"
 
 
+def is_portal(light):
+    """Whether a light emits nothing, but shows Cycles where the world shines in."""
+    return getattr(getattr(light, "cycles", None), "is_portal", False)
+
+
 def light_losses(light):
     """Yields what hipmap does not render of a light, one line each."""
     name = f"light '{light.name}': "
@@ -98,8 +103,6 @@ def light_losses(light):
         yield name + "its power is negative: rendered as 0"
     if light.type == "AREA" and getattr(light, "spread", math.pi) < _WHOLE_SPREAD:
         yield name + "its spread is not rendered: it emits to its whole side"
-    cycles = getattr(light, "cycles", None)
-    if not getattr(light, "use_shadow", True) or not getattr(cycles, "cast_shadow", True):
+    if not getattr(light, "use_shadow", True) or \
+            not getattr(getattr(light, "cycles", None), "cast_shadow", True):
         yield name + "it casts shadows, although its shadows are switched off"
-    if getattr(cycles, "is_portal", False):
-        yield name + "it is a portal, which emits nothing"

@@ -7,7 +7,9 @@ from .engine import HipmapEngine
 
 _EEVEE = {"EEVEE_MATERIAL_PT_context_material", "EEVEE_MATERIAL_PT_surface",
           "EEVEE_MATERIAL_PT_volume", "EEVEE_WORLD_PT_surface", "EEVEE_WORLD_PT_volume",
-          "DATA_PT_EEVEE_light"}
+          "DATA_PT_EEVEE_light", "EEVEE_NEXT_MATERIAL_PT_surface",
+          "EEVEE_NEXT_MATERIAL_PT_volume"}
+_NOT_RENDERED = {"RENDER_PT_freestyle", "RENDER_PT_gpencil", "RENDER_PT_stereoscopy"}
 
 
 class HipmapPanel:
@@ -57,6 +59,7 @@ class RENDER_PT_hipmap_method(HipmapPanel, bpy.types.Panel):
         column = self.column()
         for name in ("integrator", "samples", "photons", "seed"):
             column.prop(settings, name)
+        column.operator("render.hipmap_effects")
 
 
 class RENDER_PT_hipmap_partition(HipmapPanel, bpy.types.Panel):
@@ -92,7 +95,8 @@ def _shared_panels():
     """Blender's panels that apply to hipmap too."""
     for panel in bpy.types.Panel.__subclasses__():
         engines = getattr(panel, "COMPAT_ENGINES", None)
-        if engines and ("BLENDER_RENDER" in engines or panel.__name__ in _EEVEE):
+        applies = engines and ("BLENDER_RENDER" in engines or panel.__name__ in _EEVEE)
+        if applies and panel.__name__ not in _NOT_RENDERED:
             yield engines
 
 

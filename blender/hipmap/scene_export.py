@@ -11,7 +11,7 @@ from mathutils import Matrix
 from .cameras import camera_extras, camera_losses, gltf_camera, shift_extras
 from .geometry import MeshArrays
 from .glb_file import GlbBuilder
-from .lights import light_extras, light_losses, punctual_light
+from .lights import is_portal, light_extras, light_losses, punctual_light
 from .losses import without_repeats
 from .materials import MaterialWriter
 from .volumes import medium_of
@@ -136,6 +136,8 @@ class _Writer:
 
     def _add_light(self, item, matrix):
         light = item.data
+        if is_portal(light):
+            return
         entry = punctual_light(light)
         node = {"name": item.name, "matrix": _matrix(matrix),
                 "extras": {"hipmap": light_extras(light)}}
@@ -172,6 +174,16 @@ class _Writer:
         self.glb.json["scenes"][0]["extras"] = {"hipmap": extras}
 
 
+def _scene_losses(scene, picture):
+    render = scene.render
+    if render.use_motion_blur:
+        yield "motion blur is not rendered: things stand still"
+    if render.film_transparent:
+        yield "a transparent film is not rendered: the world is behind everything"
+    if picture.pixel_aspect != 1:
+        yield "pixels are square: the aspect of pixels is not rendered"
+
+
 def _world_output(world):
     if world is None or not world.use_nodes:
         return None
@@ -206,6 +218,7 @@ def export_depsgraph(depsgraph, path, picture):
     if scene.camera is None:
         raise SceneError("the scene has no camera: add one, and make it the active camera")
     writer = _Writer()
+    writer.losses += _scene_losses(scene, picture)
     writer.add_camera(scene.camera.evaluated_get(depsgraph), picture)
     for instance in depsgraph.object_instances:
         if instance.show_self:

@@ -9,7 +9,7 @@ import bpy
 from .cameras import camera_extras, camera_losses, shift_extras
 from .frame import picture_of
 from .glb_file import read_glb, write_glb
-from .lights import light_extras, light_losses, punctual_light
+from .lights import is_portal, light_extras, light_losses, punctual_light
 from .losses import without_repeats
 from .world import world_extras, world_losses
 
@@ -57,7 +57,7 @@ def _complete_nodes(gltf, scene):
         item = scene.objects.get(node.get("name", ""))
         if item is None:
             continue
-        if item.type == "LIGHT":
+        if item.type == "LIGHT" and not is_portal(item.data):
             _complete_light(gltf, node, item.data)
         elif item.type == "CAMERA" and "camera" in node:
             _add_extras(node, {**camera_extras(item, item.matrix_world),

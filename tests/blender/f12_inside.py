@@ -102,12 +102,21 @@ def failures():
     facts["failures"] = lines
 
 
+def menu_and_button():
+    """File > Export > hipmap, and the list of effects."""
+    open_scene("lights", "lights")
+    facts["export"] = list(bpy.ops.export_scene.hipmap(filepath=out("menu.glb")))
+    bpy.ops.render.hipmap_effects()
+    facts["effects"] = bpy.data.texts["hipmap effects"].as_string()
+
+
 install_addon.install(ARCHIVE, PROGRAMS)
 six_scenes()
 again()
 proceed()
 border()
 frames()
+menu_and_button()
 failures()
 with open(out("facts.json"), "w", encoding="utf-8") as file:
     json.dump(facts, file)

@@ -90,6 +90,20 @@ class F12(BlenderTestCase):
         self.assertNotEqual(two, three)
         self.assertEqual(three, self.by_command_line("frames", "--passes", 2))
 
+    def test_the_menu_exports(self):
+        self.assertEqual(self.facts["export"], ["FINISHED"])
+        self.assertIn("area light 'Square', 'Rectangle', 'Disk' and 'Ellipse'",
+                      self.tool("preprocess", self.path("menu.glb"), "-o", self.path("menu.hpm")))
+
+    def test_the_button_lists_effects(self):
+        self.assertIn("depth-of-field: on; the camera 'Camera' has a lens", self.facts["effects"])
+
+    def test_the_same_files_make_the_same_zip(self):
+        again = self.path("again.zip")
+        subprocess.run([sys.executable, os.path.join(BLENDER_FOLDER, "make_addon.py"), again],
+                       check=True, stdout=subprocess.DEVNULL)
+        self.assertEqual(self.content("again.zip"), self.content("hipmap.zip"))
+
     def test_failures_are_one_line(self):
         panoramic, without = self.facts["failures"]
         self.assertIn("hipmap renders no panoramic cameras", panoramic)

@@ -108,7 +108,7 @@ def environment_image():
     pixels = []
     for y in range(32):
         for x in range(64):
-            pixels += [0.2 + 2.0 * (x == 20 and y == 24) * 40, 0.3 + y / 64, 0.4 + x / 64, 1]
+            pixels += [0.2 + 80.0 * (18 <= x < 22 and 24 <= y < 26) / 8, 0.3 + y / 64, 0.4 + x / 64, 1]
     image.pixels = pixels
     image.pack()
     return image
@@ -166,7 +166,7 @@ def text():
     letters.body, letters.extrude, letters.size = "hip", 0.1, 1.5
     letters.materials.append(build.node_material("Ink", "ShaderNodeBsdfDiffuse",
                                                  Color=(0.7, 0.2, 0.1, 1)))
-    build.add_object("Letters", letters, (-3, 0, 0), (math.pi / 2, 0, 0))
+    build.add_object("Letters", letters, (-2, 0, 0), (math.pi / 2, 0, 0))
     bpy.ops.curve.primitive_bezier_circle_add(radius=1, location=(1.5, 1, 0.3))
     ring = bpy.context.object
     ring.data.bevel_depth = 0.2

@@ -1,0 +1,139 @@
+"""Materials of many nodes on one cube each, exported by the add-on:
+
+    blender --python materials_inside.py -- BLENDER_FOLDER OUT.glb
+"""
+
+import json
+import os
+import sys
+
+import bpy
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import build_scene as build
+
+FOLDER, OUT = sys.argv[sys.argv.index("--") + 1:]
+sys.path.insert(0, FOLDER)
+from hipmap import frame, scene_export
+
+
+def image(name, colour, colour_space="sRGB"):
+    made = bpy.data.images.new(name, 2, 2)
+    made.colorspace_settings.name = colour_space
+    made.pixels = list(colour) * 4
+    made.pack()
+    return made
+
+
+def image_node(tree, picture):
+    node = tree.nodes.new("ShaderNodeTexImage")
+    node.image = picture
+    return node
+
+
+def link(material, name, output):
+    tree = material.node_tree
+    tree.links.new(output, tree.nodes["Principled BSDF"].inputs[name])
+
+
+def with_image(name, socket, picture, output="Color"):
+    material = build.matte(name)
+    link(material, socket, image_node(material.node_tree, picture).outputs[output])
+    return material
+
+
+def noisy():
+    material = build.matte("Noisy", (0.1, 0.2, 0.3))
+    tree = material.node_tree
+    link(material, "Base Color", tree.nodes.new("ShaderNodeTexNoise").outputs["Color"])
+    link(material, "Normal", tree.nodes.new("ShaderNodeBump").outputs[0])
+    tree.nodes["Principled BSDF"].inputs["Subsurface"].default_value = 0.5
+    return material
+
+
+def packed():
+    """Roughness and metal in two channels of one image, as texture libraries sell them."""
+    material = build.matte("Packed")
+    tree = material.node_tree
+    separate = tree.nodes.new("ShaderNodeSeparateColor")
+    node = image_node(tree, image("ORM", (0, 0.25, 0.75, 1), "Non-Color"))
+    tree.links.new(node.outputs["Color"], separate.inputs[0])
+    link(material, "Roughness", separate.outputs["Green"])
+    link(material, "Metallic", separate.outputs["Blue"])
+    return material
+
+
+def two_images():
+    material = build.matte("Two images")
+    tree = material.node_tree
+    for socket, value in (("Roughness", 0.5), ("Metallic", 1.0)):
+        picture = image(socket, (value, value, value, 1), "Non-Color")
+        link(material, socket, image_node(tree, picture).outputs["Color"])
+    return material
+
+
+def grouped():
+    """The colour comes into a group from outside, and out again."""
+    group = bpy.data.node_groups.new("Tint", "ShaderNodeTree")
+    group.inputs.new("NodeSocketColor", "In")
+    group.outputs.new("NodeSocketColor", "Out")
+    source, sink = group.nodes.new("NodeGroupInput"), group.nodes.new("NodeGroupOutput")
+    mix = group.nodes.new("ShaderNodeMixRGB")
+    mix.blend_type, mix.inputs["Fac"].default_value = "MULTIPLY", 1
+    mix.inputs["Color2"].default_value = (0.5, 0.5, 0.5, 1)
+    group.links.new(source.outputs[0], mix.inputs["Color1"])
+    group.links.new(mix.outputs[0], sink.inputs[0])
+    material = build.matte("Grouped")
+    node = material.node_tree.nodes.new("ShaderNodeGroup")
+    node.node_tree = group
+    node.inputs[0].default_value = (0.8, 0.4, 0.2, 1)
+    link(material, "Base Color", node.outputs[0])
+    return material
+
+
+def painted(cube):
+    layer = cube.data.color_attributes.new("Paint", "BYTE_COLOR", "CORNER")
+    for value in layer.data:
+        value.color = (0.2, 0.4, 0.6, 1)
+    material = build.matte("Painted")
+    node = material.node_tree.nodes.new("ShaderNodeVertexColor")
+    node.layer_name = "Paint"
+    link(material, "Base Color", node.outputs[0])
+    return material
+
+
+def unlinked():
+    material = bpy.data.materials.new("No nodes")
+    material.use_nodes = False
+    material.diffuse_color = (0.3, 0.2, 0.1, 0.5)
+    return material
+
+
+def hairy():
+    ball = build.add_mesh("uv_sphere", "Hairy", build.matte("Skin"), radius=0.2, location=(0, 4, 0))
+    ball.modifiers.new("Hair", "PARTICLE_SYSTEM").particle_system.settings.type = "HAIR"
+
+
+def main():
+    build.empty_scene()
+    build.add_camera((0, -9, 2), (1.4, 0, 0)).data.dof.use_dof = False
+    build.add_light("Narrow", "AREA", 10, spread=0.5)
+    red = (1, 0.25, 0, 1)
+    makers = [noisy, packed, two_images, grouped, unlinked,
+              lambda: with_image("Image", "Base Color", image("Red", red)),
+              lambda: with_image("Linear", "Base Color", image("Flat", (0.5, 0.5, 0.5, 1),
+                                                               "Non-Color")),
+              lambda: with_image("Cut out", "Alpha", image("Mask", (1, 1, 1, 0.5)), "Alpha"),
+              lambda: build.node_material("Velvet", "ShaderNodeBsdfVelvet",
+                                          Color=(0.1, 0.2, 0.3, 1))]
+    for x, make in enumerate(makers):
+        build.add_mesh("cube", f"Cube {x}", make(), size=0.8, location=(x - 4, 0, 0))
+    cube = build.add_mesh("cube", "Painted cube", None, size=0.8, location=(0, 2, 0))
+    cube.data.materials.append(painted(cube))
+    hairy()
+    exported = scene_export.export_depsgraph(bpy.context.evaluated_depsgraph_get(), OUT,
+                                             frame.picture_of(bpy.context.scene.render))
+    print("losses:", json.dumps(exported.losses))
+
+
+main()

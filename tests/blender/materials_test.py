@@ -1,0 +1,109 @@
+"""Materials of the add-on's export: what glTF expresses is there, the rest is named.
+
+    materials_test.py FOLDER_OF_TOOLS
+"""
+
+import json
+import os
+import re
+import struct
+import sys
+import zlib
+
+import inside_blender
+from glb_content import Glb
+from inside_blender import BLENDER_FOLDER, HERE, BlenderTestCase
+
+
+def first_pixel(png):
+    """The first pixel of an 8-bit PNG whose first row has no filter."""
+    at, data, head = 8, b"", None
+    while at < len(png):
+        length, kind = struct.unpack_from(">I4s", png, at)
+        body = png[at + 8:at + 8 + length]
+        head = body if kind == b"IHDR" else head
+        data += body if kind == b"IDAT" else b""
+        at += 12 + length
+    row = zlib.decompress(data)
+    return list(row[1:4 + (head[9] == 6)])
+
+
+class Materials(BlenderTestCase):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        this = cls()
+        said = this.blender("--python", os.path.join(HERE, "materials_inside.py"), "--",
+                            BLENDER_FOLDER, this.path("a.glb"))
+        cls.losses = json.loads(re.search(r"^losses: (.*)$", said, re.MULTILINE)[1])
+        cls.glb = Glb(this.path("a.glb"))
+
+    def pbr(self, name):
+        return self.glb.materials()[name]["pbrMetallicRoughness"]
+
+    def pixel(self, info):
+        texture = self.glb.json["textures"][info["index"]]
+        view = self.glb.json["bufferViews"][
+            self.glb.json["images"][texture["source"]]["bufferView"]]
+        return first_pixel(self.glb.buffer[view["byteOffset"]:
+                                           view["byteOffset"] + view["byteLength"]])
+
+    def test_every_loss_is_named_once(self):
+        self.assertEqual(sorted(self.losses), sorted([
+            "light 'Narrow': its spread is not rendered: it emits to its whole side",
+            "material 'Noisy': node 'Noise Texture' at Base Color cannot be expressed: rendered "
+            "with the input's own value",
+            "material 'Noisy': node 'Bump' at Normal cannot be expressed: rendered with the mesh's "
+            "own normals",
+            "material 'Noisy': its subsurface scattering is rendered as diffuse",
+            "material 'Velvet': node 'Velvet BSDF' cannot be expressed: rendered as diffuse",
+            "object 'Hairy': its hair 'Hair' is not rendered"]))
+
+    def test_an_unknown_node_leaves_the_inputs_own_value(self):
+        self.assertAlmostEqual(self.pbr("Noisy")["baseColorFactor"][2], 0.3, 5)
+        self.assertAlmostEqual(self.pbr("Velvet")["baseColorFactor"][1], 0.2, 5)
+
+    def test_colours_are_srgb(self):
+        self.assertEqual(self.pixel(self.pbr("Image")["baseColorTexture"])[:3], [255, 64, 0])
+        # 0.5 that is no colour becomes the sRGB value of 0.5.
+        self.assertEqual(self.pixel(self.pbr("Linear")["baseColorTexture"])[:3], [188] * 3)
+
+    def test_channels_of_an_image_stay_where_they_are(self):
+        info = self.pbr("Packed")["metallicRoughnessTexture"]
+        self.assertEqual(self.pixel(info)[1:3], [64, 191])
+
+    def test_two_images_become_one(self):
+        info = self.pbr("Two images")["metallicRoughnessTexture"]
+        self.assertEqual(self.pixel(info)[1:3], [128, 255])
+
+    def test_an_image_of_alpha_alone_keeps_the_colour(self):
+        material = self.glb.materials()["Cut out"]
+        self.assertEqual(material["alphaMode"], "BLEND")
+        self.assertEqual(self.pixel(self.pbr("Cut out")["baseColorTexture"]), [255] * 3 + [128])
+        self.assertAlmostEqual(self.pbr("Cut out")["baseColorFactor"][0], 0.8, 5)
+
+    def test_groups_are_looked_into(self):
+        colour = self.pbr("Grouped")["baseColorFactor"]
+        for channel, value in enumerate((0.4, 0.2, 0.1)):
+            self.assertAlmostEqual(colour[channel], value, 5)
+
+    def test_colour_layers_are_written_where_a_node_uses_them(self):
+        used = [primitive for mesh in self.glb.json["meshes"] for primitive in mesh["primitives"]
+                if "COLOR_0" in primitive["attributes"]]
+        self.assertEqual([self.glb.material(primitive) for primitive in used], ["Painted"])
+        colour = self.glb.array(used[0]["attributes"]["COLOR_0"])[0]
+        for channel, value in enumerate((0.2, 0.4, 0.6)):
+            self.assertAlmostEqual(colour[channel], value, 2)
+
+    def test_a_material_without_nodes_is_diffuse(self):
+        self.assertAlmostEqual(self.pbr("No nodes")["baseColorFactor"][0], 0.3, 5)
+        self.assertEqual(self.pbr("No nodes")["baseColorFactor"][3], 1)
+        self.assertEqual(self.pbr("No nodes")["metallicFactor"], 0)
+
+    def test_hipmap_reads_all_of_it(self):
+        said = self.tool("preprocess", self.path("a.glb"), "-o", self.path("a.hpm"))
+        self.assertNotIn("warning:", said)
+
+
+if __name__ == "__main__":
+    inside_blender.main(sys.argv)
