@@ -126,7 +126,7 @@ class HipmapEngine(bpy.types.RenderEngine):
         for line in warnings_of(messages):
             self.report({"WARNING"}, line)
         for line in messages:
-            if line.startswith(("accuracy: ", "cost: ")):
+            if line.startswith("cost: "):
                 self.report({"INFO"}, line)
 
     def _show(self, event, layer):
@@ -141,6 +141,7 @@ class HipmapEngine(bpy.types.RenderEngine):
             self._show_image(layer)
         if event["event"] == "end":
             write_notes(self.job, passes=event["passes"])
+            self.report({"INFO"}, f"{', '.join(parts)}, {event['seconds']:.1f} s")
 
     def _tell_state(self, text):
         if text != self.told:

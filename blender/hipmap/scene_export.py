@@ -28,6 +28,9 @@ _NOT_RENDERED = {"CURVES": "hair curves are not rendered", "POINTCLOUD": "points
                  "GPENCIL": "grease pencil is not rendered",
                  "GREASEPENCIL": "grease pencil is not rendered"}
 
+_TREATED_ALIKE = {"is_holdout": "a holdout", "is_shadow_catcher": "a shadow catcher"}
+_RAYS = ("camera", "diffuse", "glossy", "transmission", "volume_scatter", "shadow")
+
 
 class SceneError(RuntimeError):
     """The scene cannot be rendered.  Its text is one line for the user."""
@@ -129,10 +132,13 @@ class _Writer:
             if system.settings.render_type == "PATH":
                 self.losses.append(f"object '{item.name}': its hair '{system.name}' is not "
                                    "rendered")
-        for name, what in (("is_holdout", "a holdout"), ("is_shadow_catcher", "a shadow catcher")):
+        for name, what in _TREATED_ALIKE.items():
             if getattr(item, name, False):
                 self.losses.append(f"object '{item.name}': it is rendered like any other, although "
                                    f"it is {what}")
+        if not all(getattr(item, "visible_" + kind, True) for kind in _RAYS):
+            self.losses.append(f"object '{item.name}': its ray visibility is not rendered: all "
+                               "rays see it")
 
     def _add_light(self, item, matrix):
         light = item.data
@@ -149,6 +155,9 @@ class _Writer:
             node["extensions"] = {"KHR_lights_punctual": {"light": len(lights) - 1}}
         self.glb.add_root(node)
         self.losses += light_losses(light)
+        if getattr(item, "visible_camera", False):
+            self.losses.append(f"light '{item.name}': the camera does not see it, although its ray "
+                               "visibility says so")
 
     def add_camera(self, item, picture):
         """Adds the scene's camera for a Picture.  Throws SceneError if hipmap has no such camera."""

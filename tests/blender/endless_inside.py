@@ -16,7 +16,7 @@ ARCHIVE, PROGRAMS, SCENE, FOLDER = sys.argv[sys.argv.index("--") + 1:]
 install_addon.install(ARCHIVE, PROGRAMS)
 bpy.ops.wm.open_mainfile(filepath=SCENE)
 scene = install_addon.set_up(FOLDER, passes=1_000_000)
-scene.render.resolution_x, scene.render.resolution_y = 640, 480
+scene.render.resolution_x, scene.render.resolution_y = 480, 360
 scene.hipmap.photons = 200_000
 bpy.ops.render.render()
 print("render returned", flush=True)

@@ -69,7 +69,7 @@ class Processes(BlenderTestCase):
         return None
 
     def test_a_cancelled_render_ends_within_a_second(self):
-        blender = self.start("2 passes")
+        blender = self.start("1 pass")
         programs = children(blender.pid)
         self.assertEqual(len(programs), 1)
         began = time.monotonic()
@@ -84,7 +84,7 @@ class Processes(BlenderTestCase):
         self.assertTrue(os.path.getsize(self.path("files/Scene_ViewLayer/scene.state")) > 0)
 
     def test_no_program_outlives_blender(self):
-        blender = self.start("2 passes")
+        blender = self.start("1 pass")
         programs = children(blender.pid)
         self.assertEqual(len(programs), 1)
         blender.kill()
