@@ -3,6 +3,8 @@
 
 from dataclasses import dataclass
 
+import numpy
+
 
 @dataclass(frozen=True)
 class Picture:
@@ -22,16 +24,20 @@ class Picture:
         return (self.part_width, self.part_height) == (self.width, self.height)
 
 
+def _edge(share, pixels):
+    """The pixel at a share of the picture, rounded as Blender does it in 32 bits."""
+    return int(numpy.float32(share) * numpy.float32(pixels))
+
+
 def picture_of(render):
     """Returns the Picture of a scene's render settings."""
-    scale = render.resolution_percentage / 100
-    width = max(int(render.resolution_x * scale), 1)
-    height = max(int(render.resolution_y * scale), 1)
+    width = max(render.resolution_x * render.resolution_percentage // 100, 1)
+    height = max(render.resolution_y * render.resolution_percentage // 100, 1)
     aspect = render.pixel_aspect_x / render.pixel_aspect_y
     if not render.use_border:
         return Picture(width, height, 0, 0, width, height, aspect)
-    left, bottom = int(render.border_min_x * width), int(render.border_min_y * height)
-    right, top = int(render.border_max_x * width), int(render.border_max_y * height)
+    left, bottom = _edge(render.border_min_x, width), _edge(render.border_min_y, height)
+    right, top = _edge(render.border_max_x, width), _edge(render.border_max_y, height)
     return Picture(width, height, left, bottom, max(right - left, 1), max(top - bottom, 1), aspect)
 
 

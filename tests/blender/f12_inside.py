@@ -5,6 +5,7 @@
 
 import json
 import os
+import random
 import sys
 
 import bpy
@@ -75,6 +76,50 @@ def border():
     render(out("half.f32"))
 
 
+class SizeProbe(bpy.types.RenderEngine):
+    """Compares the size of Blender's result with the add-on's."""
+
+    bl_idname, bl_label = "SIZE_PROBE", "Size Probe"
+
+    def render(self, depsgraph):
+        result = self.begin_result(0, 0, 9999, 9999)  # cut to the size that it has
+        pixels = len(result.layers[0].passes[0].rect)
+        self.end_result(result)
+        picture = sys.modules["hipmap.frame"].picture_of(depsgraph.scene.render)
+        facts["sizes"].append((pixels, picture.part_width * picture.part_height))
+
+
+def sizes():
+    """Borders and percentages at random, as many pixels as Blender has."""
+    facts["sizes"] = []
+    bpy.utils.register_class(SizeProbe)
+    scene = open_scene("text", "sizes")
+    scene.render.engine = "SIZE_PROBE"
+    scene.render.use_border = scene.render.use_crop_to_border = True
+    chance = random.Random(1)
+    for _ in range(60):
+        scene.render.resolution_x, scene.render.resolution_y = (chance.randint(50, 900) for _ in "xy")
+        scene.render.resolution_percentage = chance.choice((100, 57, 50, 33))
+        scene.render.border_min_x, scene.render.border_min_y = (round(chance.uniform(0, 0.4), 2)
+                                                                for _ in "xy")
+        scene.render.border_max_x, scene.render.border_max_y = (round(chance.uniform(0.5, 1), 2)
+                                                                for _ in "xy")
+        bpy.ops.render.render()
+
+
+def layers():
+    """Two view layers, the second without the letters."""
+    scene = open_scene("text", "layers")
+    other = scene.view_layers.new("Other")
+    hidden = bpy.data.collections.new("Hidden")
+    scene.collection.children.link(hidden)
+    letters = bpy.data.objects["Letters"]
+    hidden.objects.link(letters)
+    scene.collection.objects.unlink(letters)
+    other.layer_collection.children["Hidden"].exclude = True
+    render(out("layers.f32"))
+
+
 def frames():
     scene = open_scene("modifiers", "frames")
     ball = bpy.data.objects["Row"]
@@ -115,6 +160,8 @@ six_scenes()
 again()
 proceed()
 border()
+sizes()
+layers()
 frames()
 menu_and_button()
 failures()

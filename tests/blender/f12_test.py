@@ -29,7 +29,7 @@ class F12(BlenderTestCase):
         began = time.monotonic()
         cls.said = this.blender("--python", os.path.join(HERE, "f12_inside.py"), "--",
                                 this.path("hipmap.zip"), Tools.folder, cls.folder, cls.folder)
-        print(f"17 renders in Blender: {time.monotonic() - began:.1f} s")
+        print(f"19 renders in Blender: {time.monotonic() - began:.1f} s")
         with open(this.path("facts.json"), encoding="utf-8") as file:
             cls.facts = json.load(file)
 
@@ -78,6 +78,16 @@ class F12(BlenderTestCase):
             length = WIDTH // 2 * PIXEL
             self.assertEqual(whole[begin:begin + length], part[row * length:(row + 1) * length])
         self.assertEqual(whole[:WIDTH * HEIGHT // 2 * PIXEL], bytes(WIDTH * HEIGHT // 2 * PIXEL))
+
+    def test_borders_have_blenders_size(self):
+        self.assertEqual(len(self.facts["sizes"]), 60)
+        for blender, ours in self.facts["sizes"]:
+            self.assertEqual(blender, ours)
+
+    def test_view_layers_are_rendered_each(self):
+        sizes = [os.path.getsize(self.path(f"layers/Scene_{layer}/scene.glb"))
+                 for layer in ("ViewLayer", "Other")]
+        self.assertGreater(sizes[0], sizes[1] + 1000)
 
     def test_a_percentage_makes_the_image_smaller(self):
         size = WIDTH // 2, HEIGHT // 2
