@@ -4,6 +4,7 @@
 import math
 
 from .losses import label
+from .sockets import Unknown, follow
 
 # The exporter's Standard mode, which hipmap takes by default: lumens of a watt.
 _LUMENS_PER_WATT = 683
@@ -27,17 +28,26 @@ def _emission_node(light):
     return node if node.bl_idname == "ShaderNodeEmission" else None
 
 
+def _plain_source(socket):
+    """The Source of an input without an image; None: it is beyond hipmap."""
+    try:
+        source = follow(socket)
+    except Unknown:
+        return None
+    return source if source.is_plain else None
+
+
 def _radiant_colour(light):
     """Colour times power, three numbers: Cycles multiplies the light's own by its nodes'."""
-    colour = [c * light.energy for c in light.color]
+    power = light.energy * 2 ** getattr(light, "exposure", 0)  # Blender 4.4 and later
+    colour = [c * power for c in light.color]
+    if getattr(light, "use_temperature", False):
+        colour = [c * t for c, t in zip(colour, light.temperature_color)]
     emission = _emission_node(light)
-    if emission is None:
-        return colour
-    tint, strength = emission.inputs["Color"], emission.inputs["Strength"]
-    if not tint.is_linked:
-        colour = [c * t for c, t in zip(colour, tint.default_value)]
-    if not strength.is_linked:
-        colour = [c * strength.default_value for c in colour]
+    for name in ("Color", "Strength") if emission else ():
+        source = _plain_source(emission.inputs[name])
+        if source is not None:
+            colour = [c * t for c, t in zip(colour, source.numbers())]
     return colour
 
 
@@ -84,7 +94,7 @@ def _node_losses(light):
         yield "its nodes are not one Emission node: rendered without them"
         return
     for name in ("Color", "Strength"):
-        if emission.inputs[name].is_linked:
+        if _plain_source(emission.inputs[name]) is None:
             node = emission.inputs[name].links[0].from_node
             yield f"node {label(node)} at the {name.lower()} of its Emission is not rendered"
 

@@ -34,13 +34,16 @@ class _Entry:
         return {**info, "texCoord": index} if index else info
 
     def whole(self, texture, as_srgb=False):
+        """Texture info of an image as it is."""
         return self.place(self.textures.whole(texture, as_srgb), texture)
 
     def extend(self, name, values):
+        """Adds an extension to the material."""
         self.glb.use_extension(name)
         self.json.setdefault("extensions", {})[name] = values
 
     def lose(self, what):
+        """Names what is not rendered."""
         self.surface.losses.append(what)
 
 
@@ -55,6 +58,7 @@ def _base_texture(entry, base, alpha):
     if alpha.texture is None:  # glTF ignores the alpha of an opaque material
         return entry.whole(base.texture, True)
     if base.texture is not None and alpha.texture.image == base.texture.image \
+            and not base.texture.changes and not alpha.texture.changes \
             and alpha.texture.channel == "A":
         return entry.whole(base.texture, True)
     texture = base.texture or alpha.texture
@@ -82,7 +86,7 @@ def _write_base(entry, pbr):
 def _fits_as_it_is(metallic, roughness):
     """Whether an image holds roughness in green and metal in blue already."""
     both = [t for t in (metallic, roughness) if t is not None]
-    return len({t.image.name_full for t in both}) == 1 and all(
+    return len({(t.image.name_full, t.changes) for t in both}) == 1 and all(
         t is None or t.channel == wanted for t, wanted in ((metallic, "B"), (roughness, "G")))
 
 

@@ -5,6 +5,8 @@ import math
 
 import bpy
 
+from .run import ToolError, find_tool
+
 
 class HipmapSettings(bpy.types.PropertyGroup):
     """Settings of hipmap in a scene."""
@@ -65,8 +67,14 @@ class HipmapPreferences(bpy.types.AddonPreferences):
                     "add-on, or hipmap-preprocess and hipmap-render on the PATH")
 
     def draw(self, _context):
-        """Shows the preferences."""
+        """Shows the preferences, and the programs that they lead to."""
         self.layout.prop(self, "programs")
+        try:
+            folder = bpy.path.abspath(self.programs)
+            for name in ("preprocess", "render"):
+                self.layout.label(text=find_tool(name, folder), icon="CHECKMARK")
+        except ToolError as error:
+            self.layout.label(text=str(error), icon="ERROR")
 
 
 def programs_folder(context):

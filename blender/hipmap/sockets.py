@@ -4,8 +4,10 @@
 from dataclasses import dataclass, replace
 
 import bpy
+import numpy
 from mathutils import Euler
 
+from .adjust import adjustment, arithmetic, blackbody, is_adjustment
 from .losses import label
 
 
@@ -19,6 +21,7 @@ class Texture:
     transform: tuple = None  # offset u, v; rotation; scale u, v: of a Mapping node
     wrap: str = "REPEAT"
     nearest: bool = False
+    changes: tuple = ()  # functions of linear colours [n, 3], applied to every pixel in order
 
 
 @dataclass(frozen=True)
@@ -125,15 +128,68 @@ def _mix(node, path):
         return _times(first, second, node)
     if node.blend_type == "MIX" and t in (0, 1):
         return second if t == 1 else first
-    if node.blend_type == "MIX" and first.is_plain and second.is_plain:
-        return Source(tuple(a + t * (b - a) for a, b in zip(first.value, second.value)))
+    if node.blend_type == "MIX" and second.is_plain:
+        end = numpy.array(second.numbers())
+        return _changed(first, lambda c: c + t * (end - c), node)
+    if node.blend_type == "MIX" and first.is_plain:
+        begin = numpy.array(first.numbers())
+        return _changed(second, lambda c: begin + t * (c - begin), node)
     raise Unknown(label(node))
 
 
 def _math(node, path):
-    if node.operation != "MULTIPLY" or node.use_clamp:
+    first, second = follow(node.inputs[0], path), follow(node.inputs[1], path)
+    if node.operation == "MULTIPLY" and not node.use_clamp:
+        return _times(first, second, node)
+    change = arithmetic(node.operation, node.use_clamp, second.value[0])
+    if change is None or not second.is_plain:
         raise Unknown(label(node))
-    return _times(follow(node.inputs[0], path), follow(node.inputs[1], path), node)
+    changed = _changed(first, change, node)
+    return changed if changed.texture else Source(changed.value[:1])
+
+
+_CHANNELS = "RGBA"
+
+
+def _picked(channel):
+    """Each pixel's channel as a grey colour."""
+    at = _CHANNELS.index(channel)
+    return lambda colours: numpy.repeat(colours[:, at:at + 1], 3, axis=1)
+
+
+def _changed(source, change, node):
+    """A source after a function of its colours."""
+    if source.is_plain:
+        colours = numpy.array([source.numbers()], float)
+        return Source((*map(float, change(colours)[0]), 1.0))
+    texture = source.texture
+    if texture is None or texture.channel == "A":
+        raise Unknown(label(node))
+    changes = texture.changes
+    if texture.channel != "COLOR":
+        changes = (*changes, _picked(texture.channel))
+    if any(c != 1 for c in source.value[:3]):
+        factor = numpy.array(source.numbers())
+        changes = (*changes, lambda colours: colours * factor)
+    return Source(_WHITE, replace(texture, channel="COLOR", changes=(*changes, change)))
+
+
+def _adjusted(node, path):
+    def value(name):
+        source = follow(node.inputs[name], path)
+        if not source.is_plain:
+            raise Unknown(f"{label(node)} with an image at {name}")
+        return source.value[0]
+
+    name, change = adjustment(node, value)
+    return _changed(follow(node.inputs[name], path), change, node)
+
+
+def _blackbody(node, path):
+    temperature = follow(node.inputs["Temperature"], path)
+    if not temperature.is_plain:
+        raise Unknown(label(node))
+    return Source((*blackbody(temperature.value[0]), 1.0))
 
 
 def _separate(node, output, path):
@@ -141,8 +197,10 @@ def _separate(node, output, path):
         raise Unknown(label(node))
     source = follow(node.inputs[0], path)
     channel = {"R": 0, "Red": 0, "G": 1, "Green": 1, "B": 2, "Blue": 2}[output.name]
+    if source.colour_layer is not None:
+        raise Unknown(f"{label(node)} of a colour layer")
     if source.texture is None:
-        return Source((source.value[channel],), None, source.colour_layer)
+        return Source((source.numbers()[channel],))
     return Source((source.value[channel],), replace(source.texture, channel="RGB"[channel]))
 
 
@@ -196,6 +254,7 @@ _FOLLOWED = {
     "ShaderNodeMixRGB": lambda node, _, path: _mix(node, path),
     "ShaderNodeMix": lambda node, _, path: _mix(node, path),
     "ShaderNodeMath": lambda node, _, path: _math(node, path),
+    "ShaderNodeBlackbody": lambda node, _, path: _blackbody(node, path),
     "ShaderNodeSeparateColor": _separate,
     "ShaderNodeSeparateRGB": _separate,
     "ShaderNodeVertexColor": _layer,
@@ -209,7 +268,11 @@ def follow(socket, path=()):
     output, outer = origin(socket, path)
     if output is None:
         return _plain(_end(socket, path))
-    follower = _FOLLOWED.get(output.node.bl_idname)
-    if follower is None or output.node.mute:
-        raise Unknown(label(output.node))
-    return follower(output.node, output, outer)
+    node = output.node
+    if node.mute:
+        raise Unknown(f"{label(node)} that is muted")
+    if is_adjustment(node):
+        return _adjusted(node, outer)
+    if node.bl_idname not in _FOLLOWED:
+        raise Unknown(label(node))
+    return _FOLLOWED[node.bl_idname](node, output, outer)

@@ -44,6 +44,7 @@ class _Reader:
         return next((self.node.inputs[name] for name in names if name in self.node.inputs), None)
 
     def source(self, *names, default=0.0):
+        """The Source at an input; `default` where the node has no such input."""
         socket = self.socket(*names)
         if socket is None:
             return Source((default,))

@@ -48,13 +48,19 @@ def _is_encoded(image):
     return image.colorspace_settings.name == "sRGB" and not image.is_float
 
 
-def _pixels(image, as_srgb):
-    """[height, width, 4] of an image, first row on top, sRGB or linear."""
+def _pixels(texture, as_srgb):
+    """[height, width, 4] of a texture, first row on top, sRGB or linear."""
+    image = texture.image
     width, height = image.size
     flat = numpy.empty(width * height * 4, numpy.float32)
     image.pixels.foreach_get(flat)
     pixels = flat.reshape(height, width, 4)[::-1].copy()
-    if _is_encoded(image) != as_srgb:
+    encoded = _is_encoded(image)
+    if texture.changes and encoded:
+        pixels[:, :, :3], encoded = _to_linear(pixels[:, :, :3]), False
+    for change in texture.changes:
+        pixels[:, :, :3] = change(pixels[:, :, :3].reshape(-1, 3)).reshape(height, width, 3)
+    if encoded != as_srgb:
         pixels[:, :, :3] = (_to_srgb if as_srgb else _to_linear)(pixels[:, :, :3])
     return pixels
 
@@ -72,9 +78,15 @@ def _stored_file(image):
         return file.read()
 
 
-def _raw(image, as_srgb):
+def _identity(texture):
+    """What tells one set of pixels from another."""
+    return texture.image.name_full, texture.changes
+
+
+def _raw(texture, as_srgb):
     """(bytes, MIME type) of an image that glTF takes as it is; None: it does not."""
-    if (image.colorspace_settings.name == "sRGB") != as_srgb:
+    image = texture.image
+    if texture.changes or (image.colorspace_settings.name == "sRGB") != as_srgb:
         return None
     data = _stored_file(image)
     kind = next((mime for magic, mime in _MIME.items() if data and data.startswith(magic)), None)
@@ -92,15 +104,14 @@ class TextureWriter:
 
     def whole(self, texture, as_srgb):
         """Returns the texture info of an image as it is, alpha included."""
-        image = texture.image
-        return self._info(texture, ("whole", image.name_full, as_srgb),
-                          lambda: _raw(image, as_srgb) or
-                          (encode_png(_bytes(_pixels(image, as_srgb))), "image/png"))
+        return self._info(texture, ("whole", _identity(texture), as_srgb),
+                          lambda: _raw(texture, as_srgb) or
+                          (encode_png(_bytes(_pixels(texture, as_srgb))), "image/png"))
 
     def opaque(self, texture, as_srgb):
         """Returns the texture info of an image without its alpha."""
-        return self._info(texture, ("opaque", texture.image.name_full, as_srgb),
-                          lambda: (encode_png(_bytes(_pixels(texture.image, as_srgb)[:, :, :3])),
+        return self._info(texture, ("opaque", _identity(texture), as_srgb),
+                          lambda: (encode_png(_bytes(_pixels(texture, as_srgb)[:, :, :3])),
                                    "image/png"))
 
     def packed(self, channels, as_srgb=False):
@@ -110,7 +121,7 @@ class TextureWriter:
         present = [texture for texture in channels if texture is not None]
         if len({tuple(texture.image.size) for texture in present}) > 1:
             raise ValueError("images of two sizes in one texture")
-        key = tuple((x.image.name_full, x.channel) if x else None for x in channels)
+        key = tuple((_identity(x), x.channel) if x else None for x in channels)
         return self._info(present[0], (key, as_srgb),
                           lambda: (encode_png(_pack(channels, as_srgb)), "image/png"))
 
@@ -149,7 +160,7 @@ def _pack(channels, as_srgb):
     for at, texture in enumerate(channels):
         if texture is None:
             continue
-        pixels = _pixels(texture.image, as_srgb and texture.channel == "COLOR")
+        pixels = _pixels(texture, as_srgb and texture.channel == "COLOR")
         if texture.channel == "COLOR" and at == 0:
             out[:, :, :3] = pixels[:, :, :3]
         elif texture.channel == "COLOR":  # Blender turns a colour into a number by its luminance

@@ -102,6 +102,28 @@ def painted(cube):
     return material
 
 
+def adjusted(name, socket, picture, node):
+    material = build.matte(name)
+    tree = material.node_tree
+    change = tree.nodes.new(node)
+    into = "Fac" if node == "ShaderNodeValToRGB" else "Color"
+    tree.links.new(image_node(tree, picture).outputs["Color"], change.inputs[into])
+    link(material, socket, change.outputs[0])
+    return material, change
+
+
+def inverted():
+    return adjusted("Inverted", "Base Color", image("Orange", (1, 0.25, 0, 1)),
+                    "ShaderNodeInvert")[0]
+
+
+def ramp():
+    material, node = adjusted("Ramp", "Roughness", image("Grey", (0.25,) * 3 + (1,), "Non-Color"),
+                              "ShaderNodeValToRGB")
+    node.color_ramp.elements[0].color, node.color_ramp.elements[1].color = (1,) * 4, (0, 0, 0, 1)
+    return material
+
+
 def unlinked():
     material = bpy.data.materials.new("No nodes")
     material.use_nodes = False
@@ -119,7 +141,7 @@ def main():
     build.add_camera((0, -9, 2), (1.4, 0, 0)).data.dof.use_dof = False
     build.add_light("Narrow", "AREA", 10, spread=0.5)
     red = (1, 0.25, 0, 1)
-    makers = [noisy, packed, two_images, grouped, unlinked,
+    makers = [noisy, packed, two_images, grouped, unlinked, inverted, ramp,
               lambda: with_image("Image", "Base Color", image("Red", red)),
               lambda: with_image("Linear", "Base Color", image("Flat", (0.5, 0.5, 0.5, 1),
                                                                "Non-Color")),

@@ -28,6 +28,19 @@ def first_pixel(png):
     return list(row[1:4 + (head[9] == 6)])
 
 
+class Adjustments(BlenderTestCase):
+    def test_colours_change_as_in_cycles(self):
+        said = self.blender("--python", os.path.join(HERE, "adjust_inside.py"), "--",
+                            BLENDER_FOLDER, self.path("a.exr"))
+        found = json.loads(re.search(r"^colours: (.*)$", said, re.MULTILINE)[1])
+        self.assertEqual(len(found), 17)
+        for kind, by_cycles, ours in found:
+            # Cycles' black bodies are fits too.
+            within = 0.03 * max(by_cycles) if kind == "ShaderNodeBlackbody" else 1e-3
+            for a, b in zip(by_cycles, ours):
+                self.assertLess(abs(a - b), within, (kind, by_cycles, ours))
+
+
 class Materials(BlenderTestCase):
     @classmethod
     def setUpClass(cls):
@@ -67,6 +80,12 @@ class Materials(BlenderTestCase):
         self.assertEqual(self.pixel(self.pbr("Image")["baseColorTexture"])[:3], [255, 64, 0])
         # 0.5 that is no colour becomes the sRGB value of 0.5.
         self.assertEqual(self.pixel(self.pbr("Linear")["baseColorTexture"])[:3], [188] * 3)
+
+    def test_adjusted_images_are_written_adjusted(self):
+        # (1, 0.25, 0) in sRGB is (1, 0.0513, 0); inverted (0, 0.949, 1), in sRGB again:
+        self.assertEqual(self.pixel(self.pbr("Inverted")["baseColorTexture"])[:3], [0, 249, 255])
+        # A ramp from 0 to 1 of a grey of 0.25, upside down: 0.75.
+        self.assertEqual(self.pixel(self.pbr("Ramp")["metallicRoughnessTexture"])[1], 191)
 
     def test_channels_of_an_image_stay_where_they_are(self):
         info = self.pbr("Packed")["metallicRoughnessTexture"]
