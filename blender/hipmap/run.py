@@ -15,7 +15,7 @@ import time
 import numpy
 
 # A render that is asked to stop writes its image and its state; it gets this long for it.
-_SECONDS_TO_STOP = 0.8
+_SECONDS_TO_STOP = 0.6
 _PR_SET_PDEATHSIG = 1
 _NAMES = {"preprocess": ("hipmap-preprocess", "preprocess"), "render": ("hipmap-render", "render")}
 
@@ -30,17 +30,30 @@ class ToolError(RuntimeError):
 def find_tool(name, folder):
     """Returns the path of "preprocess" or "render": in `folder` if one is given, else in the
     add-on's folder `bin`, else hipmap-NAME on the PATH.  Throws ToolError."""
-    inside = os.path.join(os.path.dirname(os.path.abspath(__file__)), "bin")
-    for place in filter(None, (folder, inside)):
-        for file in reversed(_NAMES[name]):
-            path = os.path.join(place, file)
-            if os.access(path, os.X_OK) and not os.path.isdir(path):
-                return path
-    found = shutil.which(_NAMES[name][0])
-    if found and not folder:
-        return found
-    raise ToolError(f"hipmap's program '{name}' is not in {folder or inside}: set the folder in "
-                    "Edit > Preferences > Add-ons > hipmap")
+    if folder:
+        found = _program_in(folder, name)
+    else:
+        found = _own_program(name) or shutil.which(_NAMES[name][0])
+    if found is None:
+        raise ToolError(f"no program '{name}' in {folder or 'the add-on or on the PATH'}: set the "
+                        "folder in Edit > Preferences > Add-ons > hipmap")
+    return found
+
+
+def _program_in(folder, name):
+    paths = (os.path.join(folder, file) for file in reversed(_NAMES[name]))
+    return next((path for path in paths
+                 if os.access(path, os.X_OK) and not os.path.isdir(path)), None)
+
+
+def _own_program(name):
+    """The program in the add-on's folder, which loses its mode when Blender unpacks the zip."""
+    path = os.path.join(os.path.dirname(os.path.abspath(__file__)), "bin", name)
+    if not os.path.isfile(path):
+        return None
+    if not os.access(path, os.X_OK):
+        os.chmod(path, 0o755)
+    return path
 
 
 def _ask_for_end_with_parent():

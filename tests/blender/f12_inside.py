@@ -1,6 +1,8 @@
 """Everything that f12_test.py looks at, in one Blender:
 
-    blender --python f12_inside.py -- ADDON.zip PROGRAMS FOLDER_OF_SCENES OUT
+    blender --python f12_inside.py -- ADDON.zip FOLDER_OF_SCENES OUT
+
+The add-on's zip has the programs inside.
 """
 
 import json
@@ -14,7 +16,7 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import install_addon
 from install_addon import render, set_up
 
-ARCHIVE, PROGRAMS, SCENES, OUT = sys.argv[sys.argv.index("--") + 1:]
+ARCHIVE, SCENES, OUT = sys.argv[sys.argv.index("--") + 1:]
 SIX = ("modifiers", "instances", "lights", "sky", "text", "glass")
 facts = {}
 
@@ -155,7 +157,7 @@ def menu_and_button():
     facts["effects"] = bpy.data.texts["hipmap effects"].as_string()
 
 
-install_addon.install(ARCHIVE, PROGRAMS)
+install_addon.install(ARCHIVE, "")
 six_scenes()
 again()
 proceed()

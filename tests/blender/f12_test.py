@@ -25,10 +25,11 @@ class F12(BlenderTestCase):
         this = cls()
         this.blender("--python", os.path.join(HERE, "six_scenes.py"), "--", cls.folder)
         subprocess.run([sys.executable, os.path.join(BLENDER_FOLDER, "make_addon.py"),
-                        this.path("hipmap.zip")], check=True, stdout=subprocess.DEVNULL)
+                        this.path("hipmap.zip"), "--programs", Tools.folder], check=True,
+                       stdout=subprocess.DEVNULL)
         began = time.monotonic()
         cls.said = this.blender("--python", os.path.join(HERE, "f12_inside.py"), "--",
-                                this.path("hipmap.zip"), Tools.folder, cls.folder, cls.folder)
+                                this.path("hipmap.zip"), cls.folder, cls.folder)
         print(f"19 renders in Blender: {time.monotonic() - began:.1f} s")
         with open(this.path("facts.json"), encoding="utf-8") as file:
             cls.facts = json.load(file)
@@ -110,8 +111,8 @@ class F12(BlenderTestCase):
 
     def test_the_same_files_make_the_same_zip(self):
         again = self.path("again.zip")
-        subprocess.run([sys.executable, os.path.join(BLENDER_FOLDER, "make_addon.py"), again],
-                       check=True, stdout=subprocess.DEVNULL)
+        subprocess.run([sys.executable, os.path.join(BLENDER_FOLDER, "make_addon.py"), again,
+                        "--programs", Tools.folder], check=True, stdout=subprocess.DEVNULL)
         self.assertEqual(self.content("again.zip"), self.content("hipmap.zip"))
 
     def test_failures_are_one_line(self):
