@@ -73,8 +73,7 @@ def _base_texture(entry, base, alpha):
 def _write_base(entry, pbr):
     base, alpha = entry.surface.base, entry.surface.alpha
     opacity = alpha.value[0]
-    numbers = base.value[:3] if len(base.value) > 1 else base.value * 3
-    pbr["baseColorFactor"] = [*_clamped(numbers), *_clamped([opacity])]
+    pbr["baseColorFactor"] = [*_clamped(base.numbers()), *_clamped([opacity])]
     if base.texture is not None or alpha.texture is not None:
         pbr["baseColorTexture"] = _base_texture(entry, base, alpha)
     if opacity < 1 or alpha.texture is not None:
@@ -142,9 +141,11 @@ def _write_transmission(entry):
     if surface.specular != (1.0, 1.0, 1.0):
         entry.extend("KHR_materials_specular", {"specularColorFactor": list(surface.specular)})
     if surface.diffuse_transmission > 0:
-        entry.extend("KHR_materials_diffuse_transmission", {
-            "diffuseTransmissionFactor": surface.diffuse_transmission,
-            "diffuseTransmissionColorFactor": _clamped(surface.base.numbers())})
+        values = {"diffuseTransmissionFactor": surface.diffuse_transmission,
+                  "diffuseTransmissionColorFactor": _clamped(surface.base.numbers())}
+        if surface.base.texture is not None:
+            values["diffuseTransmissionColorTexture"] = entry.whole(surface.base.texture, True)
+        entry.extend("KHR_materials_diffuse_transmission", values)
 
 
 def _write_layers(entry):

@@ -9,6 +9,9 @@ from .sockets import Source, Unknown, follow, origin
 _BLACK = Source((0.0, 0.0, 0.0, 1.0))
 _ONE, _ZERO = Source((1.0,)), Source((0.0,))
 
+# glTF has colour layers for the base colour alone.
+_WITH_COLOUR_LAYER = ("Base Color", "Color")
+
 
 @dataclass
 class Surface:
@@ -49,7 +52,10 @@ class _Reader:
         if socket is None:
             return Source((default,))
         try:
-            return follow(socket, self.path)
+            source = follow(socket, self.path)
+            if source.colour_layer is None or names[0] in _WITH_COLOUR_LAYER:
+                return source
+            raise Unknown("'Color Attribute'")
         except Unknown as unknown:
             self.losses.append(f"node {unknown} at {socket.name} cannot be expressed: rendered "
                                "with the input's own value")
@@ -73,8 +79,7 @@ class _Reader:
 
 
 def _scaled(source, factor):
-    return Source(tuple(c * factor for c in source.value[:3]) + (1.0,), source.texture,
-                  source.colour_layer)
+    return Source((*(c * factor for c in source.numbers()), 1.0), source.texture)
 
 
 def _emission(reader, strength_name):
@@ -104,7 +109,7 @@ def _specular(reader, surface, transmission):
         tint = reader.source("Specular Tint").numbers()
         return tuple(level * c for c in tint)
     level, tint = reader.number("Specular"), reader.number("Specular Tint")
-    base = surface.base.value[:3]
+    base = surface.base.numbers()
     light = 0.3 * base[0] + 0.6 * base[1] + 0.1 * base[2]
     tinted = [1 - tint + tint * (c / light if light > 0 else 0) for c in base]
     # 8 % at 1, whatever the ior, which glTF's factor is relative to.
@@ -160,6 +165,7 @@ def _glossy(node, path):
     reader = _Reader(node, path, surface.losses)
     surface.base = reader.source("Color")
     surface.roughness = reader.source("Roughness")
+    reader.refuse("Anisotropy", "its anisotropy is not rendered")
     _read_normal(reader, surface)
     return surface
 

@@ -98,7 +98,8 @@ def painted(cube):
     material = build.matte("Painted")
     node = material.node_tree.nodes.new("ShaderNodeVertexColor")
     node.layer_name = "Paint"
-    link(material, "Base Color", node.outputs[0])
+    for socket in ("Base Color", "Roughness"):
+        link(material, socket, node.outputs[0])
     return material
 
 
@@ -124,6 +125,25 @@ def ramp():
     return material
 
 
+def grey_number():
+    """A number where a colour is meant, for base and emission."""
+    material = build.matte("Grey number")
+    node = material.node_tree.nodes.new("ShaderNodeValue")
+    node.outputs[0].default_value = 0.4
+    for socket in ("Base Color", "Emission"):
+        link(material, socket, node.outputs[0])
+    return material
+
+
+def paper():
+    material = build.node_material("Paper", "ShaderNodeBsdfTranslucent")
+    tree = material.node_tree
+    node = next(x for x in tree.nodes if x.type == "BSDF_TRANSLUCENT")
+    tree.links.new(image_node(tree, image("Print", (0.5, 0.6, 0.7, 1))).outputs["Color"],
+                   node.inputs["Color"])
+    return material
+
+
 def unlinked():
     material = bpy.data.materials.new("No nodes")
     material.use_nodes = False
@@ -141,7 +161,8 @@ def main():
     build.add_camera((0, -9, 2), (1.4, 0, 0)).data.dof.use_dof = False
     build.add_light("Narrow", "AREA", 10, spread=0.5)
     red = (1, 0.25, 0, 1)
-    makers = [noisy, packed, two_images, grouped, unlinked, inverted, ramp,
+    makers = [noisy, packed, two_images, grouped, unlinked, inverted, ramp, grey_number,
+              paper,
               lambda: with_image("Image", "Base Color", image("Red", red)),
               lambda: with_image("Linear", "Base Color", image("Flat", (0.5, 0.5, 0.5, 1),
                                                                "Non-Color")),

@@ -69,6 +69,8 @@ class Materials(BlenderTestCase):
             "material 'Noisy': node 'Bump' at Normal cannot be expressed: rendered with the mesh's "
             "own normals",
             "material 'Noisy': its subsurface scattering is rendered as diffuse",
+            "material 'Painted': node 'Color Attribute' at Roughness cannot be expressed: rendered "
+            "with the input's own value",
             "material 'Velvet': node 'Velvet BSDF' cannot be expressed: rendered as diffuse",
             "object 'Hairy': its hair 'Hair' is not rendered"]))
 
@@ -118,6 +120,16 @@ class Materials(BlenderTestCase):
         self.assertAlmostEqual(self.pbr("No nodes")["baseColorFactor"][0], 0.3, 5)
         self.assertEqual(self.pbr("No nodes")["baseColorFactor"][3], 1)
         self.assertEqual(self.pbr("No nodes")["metallicFactor"], 0)
+
+    def test_a_number_is_grey(self):
+        self.assertEqual([round(c, 5) for c in self.pbr("Grey number")["baseColorFactor"]],
+                         [0.4, 0.4, 0.4, 1])
+        emissive = self.glb.materials()["Grey number"]["emissiveFactor"]
+        self.assertEqual([round(c, 5) for c in emissive], [0.4] * 3)
+
+    def test_a_translucent_surface_keeps_its_image(self):
+        values = self.glb.materials()["Paper"]["extensions"]["KHR_materials_diffuse_transmission"]
+        self.assertEqual(self.pixel(values["diffuseTransmissionColorTexture"])[:3], [128, 153, 179])
 
     def test_hipmap_reads_all_of_it(self):
         said = self.tool("preprocess", self.path("a.glb"), "-o", self.path("a.hpm"))
