@@ -14,7 +14,6 @@ from .glb_file import GlbBuilder
 from .lights import is_portal, light_extras, light_losses, punctual_light
 from .losses import without_repeats
 from .materials import MaterialWriter
-from .volumes import medium_of
 from .world import world_extras, world_losses
 
 # glTF has +Y up.
@@ -174,12 +173,6 @@ class _Writer:
         """Adds the world and its medium."""
         extras = world_extras(world, folder)
         self.losses += world_losses(world)
-        output = _world_output(world)
-        if output is not None:
-            medium, losses = medium_of(output.inputs["Volume"])
-            self.losses += [f"world '{world.name}': {loss}" for loss in losses]
-            if medium:
-                extras["medium"] = medium
         self.glb.json["scenes"][0]["extras"] = {"hipmap": extras}
 
 
@@ -191,13 +184,6 @@ def _scene_losses(scene, picture):
         yield "a transparent film is not rendered: the world is behind everything"
     if picture.pixel_aspect != 1:
         yield "pixels are square: the aspect of pixels is not rendered"
-
-
-def _world_output(world):
-    if world is None or not world.use_nodes:
-        return None
-    return next((node for node in world.node_tree.nodes
-                 if node.bl_idname == "ShaderNodeOutputWorld" and node.is_active_output), None)
 
 
 def _materials(item, mesh):

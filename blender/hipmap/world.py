@@ -9,6 +9,7 @@ import bpy
 
 from .losses import label
 from .run import end_with_parent
+from .volumes import medium_of
 
 _BAKE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "bake_world.py")
 _DEFAULT_WIDTH = 2048
@@ -20,9 +21,15 @@ class WorldError(RuntimeError):
     """The environment map could not be made.  Its text is one line for the user."""
 
 
+def _output(world):
+    if world is None or not world.use_nodes:
+        return None
+    return next((node for node in world.node_tree.nodes
+                 if node.bl_idname == "ShaderNodeOutputWorld" and node.is_active_output), None)
+
+
 def _surface_node(world):
-    output = next((node for node in world.node_tree.nodes
-                   if node.bl_idname == "ShaderNodeOutputWorld" and node.is_active_output), None)
+    output = _output(world)
     if output is None or not output.inputs["Surface"].is_linked:
         return None
     return output.inputs["Surface"].links[0].from_node
@@ -114,18 +121,27 @@ def _bake(world, path):
                          f"map: {last}")
 
 
+def _medium(world):
+    """The medium around everything, None without one, and what is lost of it."""
+    output = _output(world)
+    return (None, []) if output is None else medium_of(output.inputs["Volume"])
+
+
 def world_extras(world, folder):
     """Returns the custom property `hipmap` of a scene for its world (None: black).  Writes an
     environment map into `folder`, where the .glb is, if the world has more than one colour; a map
     that is there already is used again.  Throws WorldError."""
     colour = _plain_colour(world)
     if colour is not None:
-        return {"world_color": [max(c, 0.0) for c in colour], "world_strength": 1.0}
-    name = f"world_{digest(world)}.exr"
-    path = os.path.join(folder, name)
-    if not os.path.isfile(path):
-        _bake(world.original, path)
-    return {"world_hdri": name, "world_strength": 1.0}
+        extras = {"world_color": [max(c, 0.0) for c in colour], "world_strength": 1.0}
+    else:
+        name = f"world_{digest(world)}.exr"
+        path = os.path.join(folder, name)
+        if not os.path.isfile(path):
+            _bake(world.original, path)
+        extras = {"world_hdri": name, "world_strength": 1.0}
+    medium, _ = _medium(world)
+    return {**extras, "medium": medium} if medium else extras
 
 
 def world_losses(world):
@@ -136,7 +152,5 @@ def world_losses(world):
         if node.bl_idname == "ShaderNodeLightPath":
             yield (f"world '{world.name}': node {label(node)}: the camera and reflections see the "
                    "same world")
-    output = next((node for node in world.node_tree.nodes
-                   if node.bl_idname == "ShaderNodeOutputWorld" and node.is_active_output), None)
-    if output is not None and output.inputs["Volume"].is_linked:
-        yield f"world '{world.name}': its volume is not rendered"
+    for loss in _medium(world)[1]:
+        yield f"world '{world.name}': {loss}"

@@ -174,6 +174,11 @@ def main():
     cube = build.add_mesh("cube", "Painted cube", None, size=0.8, location=(0, 2, 0))
     cube.data.materials.append(painted(cube))
     hairy()
+    world = build.plain_world((0.1, 0.2, 0.3))
+    tree = world.node_tree
+    fog = tree.nodes.new("ShaderNodeVolumeScatter")
+    fog.inputs["Density"].default_value = 0.02
+    tree.links.new(fog.outputs[0], tree.nodes["World Output"].inputs["Volume"])
     exported = scene_export.export_depsgraph(bpy.context.evaluated_depsgraph_get(), OUT,
                                              frame.picture_of(bpy.context.scene.render))
     print("losses:", json.dumps(exported.losses))

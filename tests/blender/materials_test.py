@@ -131,6 +131,11 @@ class Materials(BlenderTestCase):
         values = self.glb.materials()["Paper"]["extensions"]["KHR_materials_diffuse_transmission"]
         self.assertEqual(self.pixel(values["diffuseTransmissionColorTexture"])[:3], [128, 153, 179])
 
+    def test_the_world_has_its_fog(self):
+        world = self.glb.json["scenes"][0]["extras"]["hipmap"]
+        self.assertAlmostEqual(world["world_color"][1], 0.2, 5)
+        self.assertAlmostEqual(world["medium"]["scattering"][0], 0.8 * 0.02, 5)
+
     def test_hipmap_reads_all_of_it(self):
         said = self.tool("preprocess", self.path("a.glb"), "-o", self.path("a.hpm"))
         self.assertNotIn("warning:", said)
