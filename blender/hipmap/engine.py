@@ -6,7 +6,7 @@ import time
 
 import bpy
 
-from .job import (has_partition, make_job, preprocess_command, render_command,
+from .job import (has_partition, make_job, preprocess_command, remove_leftovers, render_command,
                   write_notes)
 from .run import Child, ToolError, read_pfm, warnings_of
 from .scene_export import SceneError
@@ -62,6 +62,7 @@ class HipmapEngine(bpy.types.RenderEngine):
         if self.job is None:
             return
         layer = depsgraph.view_layer.name
+        remove_leftovers(self.job)
         try:
             self._make_partition()
             self._render_passes(layer)
@@ -80,6 +81,7 @@ class HipmapEngine(bpy.types.RenderEngine):
         while child.running():
             if self.test_break():
                 child.stop()
+                remove_leftovers(self.job)
                 for event in child.events():
                     on_event(event)
                 raise _Cancelled

@@ -24,6 +24,7 @@ class Job:
     options: list  # of `render`
     partition_options: list
     partition_key: str  # of the faces and the options: what the partition must be of
+    keep_passes: bool
     proceed: bool
     passes: int  # to add; 0: another rule ends the render
     losses: list = field(default_factory=list)
@@ -72,8 +73,16 @@ def make_job(context, depsgraph):
     partition_options = ["--angle", f"{round(settings.angle * 180 / 3.14159265358979, 4):g}"]
     return Job(folder, tools["preprocess"], tools["render"], picture,
                _render_options(settings, picture), partition_options,
-               exported.geometry + " ".join(partition_options), settings.proceed,
+               exported.geometry + " ".join(partition_options), settings.keep_passes,
+               settings.keep_passes and settings.proceed,
                settings.passes if settings.stop_at == "PASSES" else 0, exported.losses)
+
+
+def remove_leftovers(job):
+    """Removes what programs left that were killed while they wrote."""
+    for name in os.listdir(job.folder):
+        if name.startswith(".hipmap-") and name.endswith(".tmp"):
+            os.remove(job.path(name))
 
 
 def read_notes(job):
@@ -113,5 +122,6 @@ def render_command(job):
     """The command line that renders."""
     before = read_notes(job).get("passes", 0) if job.proceed else 0
     ending = ["--passes", str(before + job.passes)] if job.passes else []
+    keeping = ["--state", job.path("scene.state")] if job.keep_passes else []
     return [job.render, job.path("scene.glb"), job.path("scene.hpm"), "-o", job.path("scene.pfm"),
-            "--state", job.path("scene.state"), "--progress", "json", *job.options, *ending]
+            "--progress", "json", *keeping, *job.options, *ending]

@@ -44,7 +44,9 @@ class RENDER_PT_hipmap_stop(HipmapPanel, bpy.types.Panel):
         column.prop(settings, "stop_at")
         column.prop(settings, {"ERROR": "error", "TIME": "seconds",
                                "PASSES": "passes"}[settings.stop_at])
-        column.prop(settings, "proceed")
+        row = column.row()
+        row.enabled = settings.keep_passes
+        row.prop(settings, "proceed")
 
 
 class RENDER_PT_hipmap_method(HipmapPanel, bpy.types.Panel):
@@ -84,6 +86,7 @@ class RENDER_PT_hipmap_running(HipmapPanel, bpy.types.Panel):
         settings = context.scene.hipmap
         column = self.column()
         column.prop(settings, "threads")
+        column.prop(settings, "keep_passes")
         column.prop(settings, "folder")
 
 

@@ -50,6 +50,10 @@ class HipmapSettings(bpy.types.PropertyGroup):
         description="Neighbouring faces whose normals differ by less share photons")
     threads: bpy.props.IntProperty(
         name="Threads", default=0, min=0, max=4096, description="0: all cores")
+    keep_passes: bpy.props.BoolProperty(
+        name="Keep Passes", default=True,
+        description="Keep the passes of a render on disk, so that Continue can add to them; some "
+                    "hundred megabytes for a large image")
     folder: bpy.props.StringProperty(
         name="Folder", subtype="DIR_PATH",
         description="Where the exported scene, the partition and the passes are kept; empty: "

@@ -63,6 +63,9 @@ def proceed():
     render(out("proceed_4.f32"))
     scene.hipmap.seed = 1
     render(out("proceed_new.f32"))
+    scene.hipmap.keep_passes = False
+    render(out("proceed_none.f32"))
+    facts["kept"] = os.path.exists(os.path.join(out("proceed"), "Scene_ViewLayer", "scene.state"))
 
 
 def border():

@@ -30,7 +30,7 @@ class F12(BlenderTestCase):
         began = time.monotonic()
         cls.said = this.blender("--python", os.path.join(HERE, "f12_inside.py"), "--",
                                 this.path("hipmap.zip"), cls.folder, cls.folder)
-        print(f"19 renders in Blender: {time.monotonic() - began:.1f} s")
+        print(f"20 renders in Blender: {time.monotonic() - began:.1f} s")
         with open(this.path("facts.json"), encoding="utf-8") as file:
             cls.facts = json.load(file)
 
@@ -68,6 +68,10 @@ class F12(BlenderTestCase):
         self.assertIn("rendering from the first pass", self.said)
         self.assertEqual(self.content("proceed_new.f32"),
                          self.by_command_line("proceed", "--passes", 2, "--seed", 1))
+
+    def test_passes_are_kept_on_request_alone(self):
+        self.assertFalse(self.facts["kept"])
+        self.assertEqual(self.content("proceed_none.f32"), self.content("proceed_new.f32"))
 
     def test_a_border_is_rendered_alone_in_its_place(self):
         part = self.content("crop.f32")
