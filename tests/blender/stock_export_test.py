@@ -72,7 +72,7 @@ class StockExport(BlenderTestCase):
     def test_the_scenes_camera_comes_first_with_its_lens(self):
         said = self.tool("render", self.path("a.glb"), self.path("a.hpm"), "--explain")
         self.assertIn("using 'Camera'", said)
-        self.assertIn("scene: environment map", said)
+        self.assertIn("environment map", said)
         self.assertRegex(said, "depth-of-field: on")
         self.assertRegex(said, "soft-shadows: on")
         self.assertAlmostEqual(self.extras("Camera")["aperture_radius"], 0.05 / 2.8, 6)
