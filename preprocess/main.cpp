@@ -116,7 +116,8 @@ int main(int argc, char** argv)
 {
     return hipmap::run_tool([&] {
         hipmap::PreprocessArguments arguments;
-        CLI::App app("Decides which faces of a scene may share photons.", "preprocess");
+        CLI::App app("Decides which faces of a scene may share photons.",
+                     hipmap::started_as(argv[0]));
         app.set_version_flag("--version", "preprocess " HIPMAP_VERSION);
         hipmap::add_arguments(app, arguments);
         if (const std::optional<int> code = hipmap::parse_arguments(app, argc, argv))

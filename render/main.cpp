@@ -101,7 +101,7 @@ int render_main(int argc, char** argv)
     hipmap::RenderArguments arguments;
     CLI::App app("Renders a scene with photon maps split along its partition.  `render merge` "
                  "combines the states that several runs kept by --state; see render merge --help.",
-                 "render");
+                 hipmap::started_as(argv[0]));
     app.set_version_flag("--version", "render " HIPMAP_VERSION);
     hipmap::add_arguments(app, arguments);
     if (const std::optional<int> code = hipmap::parse_arguments(app, argc, argv))
@@ -112,11 +112,11 @@ int render_main(int argc, char** argv)
 }
 
 /// argv begins with "merge".
-int merge_main(int argc, char** argv)
+int merge_main(int argc, char** argv, const std::string& tool)
 {
     hipmap::MergeArguments arguments;
     CLI::App app("Combines the passes of several states of one render and writes their image.",
-                 "render merge");
+                 tool + " merge");
     hipmap::add_arguments(app, arguments);
     if (const std::optional<int> code = hipmap::parse_arguments(app, argc, argv))
         return *code;
@@ -129,6 +129,8 @@ int merge_main(int argc, char** argv)
 int main(int argc, char** argv)
 {
     const bool merge = argc > 1 && std::string_view(argv[1]) == "merge";
-    return hipmap::run_tool(
-        [&] { return merge ? merge_main(argc - 1, argv + 1) : render_main(argc, argv); });
+    return hipmap::run_tool([&] {
+        return merge ? merge_main(argc - 1, argv + 1, hipmap::started_as(argv[0]))
+                     : render_main(argc, argv);
+    });
 }

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <new>
 
@@ -60,6 +61,11 @@ std::optional<int> parse_arguments(CLI::App& app, int argc, char** argv)
         print_error(std::string(problem.what()) + "; see " + app.get_name() + " --help");
         return kExitInput;
     }
+}
+
+std::string started_as(const char* first_argument)
+{
+    return std::filesystem::path(first_argument).filename().string();
 }
 
 std::vector<std::string> command_of(const std::string& tool, int argc, char** argv)

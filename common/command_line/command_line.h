@@ -20,6 +20,10 @@ inline constexpr int kExitStopped = 3; ///< by a signal
 /// --version, or after one line on standard error that says what is wrong with the arguments.
 std::optional<int> parse_arguments(CLI::App& app, int argc, char** argv);
 
+/// Returns the name by which a program was started, without its folder: "render" in the build
+/// folder, "hipmap-render" where it is installed.
+std::string started_as(const char* first_argument);
+
 /// Returns the command as it was typed, with the tool's bare name first, whatever folder the tool
 /// lies in.
 std::vector<std::string> command_of(const std::string& tool, int argc, char** argv);

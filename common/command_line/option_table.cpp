@@ -2,6 +2,8 @@
 
 #include "common/input_error.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 
 namespace hipmap {
@@ -120,9 +122,29 @@ void add_options(CLI::App& app, const std::vector<OptionRow>& rows)
         if (!row.needs.empty())
             option->needs(app.get_option("--" + row.needs));
     }
-    const std::string tables = options_markdown(rows);
-    app.add_flag_callback("--options-table", [tables] { throw CLI::CallForVersion(tables, 0); })
-        ->group(""); // for docs/options.md alone
+    // For docs/options.md, and for manual pages, completion and the command hipmap.
+    for (const auto& [flag, text] :
+         {std::pair("--options-table", options_markdown(rows)),
+          std::pair("--options-json", options_json(app.get_description(), rows))})
+        app.add_flag_callback(flag, [text = text] { throw CLI::CallForVersion(text, 0); })
+            ->group("");
+}
+
+std::string options_json(const std::string& description, const std::vector<OptionRow>& rows)
+{
+    nlohmann::ordered_json out = {{"description", description},
+                                  {"options", nlohmann::ordered_json::array()}};
+    for (const OptionRow& row : rows)
+        out["options"].push_back({{"name", row.name},
+                                  {"flags", flags_of(row)},
+                                  {"section", row.section},
+                                  {"placeholder", row.field.placeholder},
+                                  {"values", row.field.values},
+                                  {"choices", row.field.names},
+                                  {"default", default_text(row)},
+                                  {"help", row.help},
+                                  {"is_setting", static_cast<bool>(row.field.value)}});
+    return out.dump(2);
 }
 
 std::string options_markdown(const std::vector<OptionRow>& rows)

@@ -53,6 +53,11 @@ void check_combinations(const std::vector<OptionRow>& rows, const std::vector<Op
 /// Returns the options as Markdown tables, one for each section (docs/options.md).
 std::string options_markdown(const std::vector<OptionRow>& rows);
 
+/// Returns the options and the description of a program as JSON, for programs that read them:
+/// "options" lists name, flags, section, placeholder (empty: a flag), values, choices, default,
+/// help, and is_setting (false: the name of a file).
+std::string options_json(const std::string& description, const std::vector<OptionRow>& rows);
+
 /// Appends `more` to `rows`.
 void append_rows(std::vector<OptionRow>& rows, std::vector<OptionRow> more);
 

@@ -1,9 +1,10 @@
-"""pipeline.sh, test.sh and .ci/run with stand-ins for the programs they call, so that nothing is
-installed or built.
+"""pipeline.sh, command/hipmap, test.sh and .ci/run with stand-ins for the programs they call, so
+that nothing is installed or built.
 
     scripts_test.py ROOT
 """
 
+import json
 import os
 import shutil
 import stat
@@ -19,9 +20,26 @@ STAND_INS = {
     "cmake": LOG,
     "ctest": LOG + 'echo "50% tests passed, 1 tests failed out of 2"; exit "${CTEST_RESULT:-0}"\n',
     "dpkg-query": 'for p in "$@"; do [[ " $LACKING " == *" $p "* ]] || echo "installed $p"; done\n',
-    "python3": LOG,
     "sudo": 'exec "$@"\n',
 }
+
+
+def row(flags, placeholder="", is_setting=True):
+    name = flags.split("--")[-1]
+    return {"name": name, "flags": flags, "placeholder": placeholder, "is_setting": is_setting}
+
+
+OPTIONS = {"preprocess": [row("-o,--output", "FILE", False), row("--size", "WxH"),
+                          row("--angle", "DEG"), row("--camera", "NAME"),
+                          row("--coloured", "FILE", False)],
+           "render": [row("-o,--output", "FILE", False), row("--size", "WxH"),
+                      row("--error", "E%"), row("--effects", "LIST"), row("--camera", "NAME"),
+                      row("--state", "FILE", False), row("--quote"), row("--explain"),
+                      row("--frames", "A:B")]}
+REPORT = """import os, sys
+with open(os.environ["STAND_IN_LOG"], "a") as log:
+    print("report", *sys.argv[1:], file=log)
+"""
 
 
 class Scripts(unittest.TestCase):
@@ -31,15 +49,20 @@ class Scripts(unittest.TestCase):
         self.folder = temporary.name
         self.root = os.path.join(self.folder, "a checkout")
         os.makedirs(os.path.join(self.root, "build/release/bin"))
-        for name in ("pipeline.sh", "test.sh", ".ci", "assets"):
+        for name in ("pipeline.sh", "test.sh", ".ci", "assets", "command"):
             source = os.path.join(ROOT, name)
             copy = shutil.copytree if os.path.isdir(source) else shutil.copy
             copy(source, os.path.join(self.root, name))
         for name, text in STAND_INS.items():
             self.stand_in(os.path.join(self.folder, name), text)
         for name in ("preprocess", "render"):
+            tables = json.dumps({"options": OPTIONS[name]})
             self.stand_in(os.path.join(self.root, "build/release/bin", name),
+                          f"if [[ $1 == --options-json ]]; then echo '{tables}'; exit; fi\n" +
                           LOG + f'exit "${{{name.upper()}_RESULT:-0}}"\n')
+        os.makedirs(os.path.join(self.root, "report"))
+        with open(os.path.join(self.root, "report/make_report.py"), "w", encoding="utf-8") as file:
+            file.write(REPORT)
 
     def stand_in(self, path, text):
         with open(path, "w", encoding="utf-8") as file:
@@ -108,37 +131,80 @@ class Scripts(unittest.TestCase):
         for line in log[-3:-1]:
             self.assertIn("assets/cornell.glb", line)
             self.assertIn("out/cornell/cornell.hpm", line)
-        self.assertTrue(log[-1].endswith("report/make_report.py out/cornell"), log[-1])
-        self.assertIn("cornell.png", output)
-        self.assertIn("report.html", output)
+        self.assertIn("--state out/cornell/cornell.state", log[-2])
+        self.assertEqual(log[-1], "report out/cornell")
+        self.assertIn("out/cornell/", output)
+
+    def options_given(self, *words):
+        """What preprocess and render got besides what they always get."""
+        always = self.run_script("pipeline.sh")[3][-3:-1]
+        code, _, errors, log = self.run_script("pipeline.sh", "--", *words)
+        self.assertEqual(code, 0, errors)
+        for line, plain in zip(log[-3:-1], always):
+            self.assertTrue(line.startswith(plain), line)
+        return [line[len(plain):].split() for line, plain in zip(log[-3:-1], always)]
+
+    def test_pipeline_passes_options_to_the_tools_that_have_them(self):
+        self.assertEqual(self.options_given("--error", "5%"), [[], ["--error", "5%"]])
+        self.assertEqual(self.options_given("--size=64", "--angle", "20"),
+                         [["--size=64", "--angle", "20"], ["--size=64"]])
+        self.assertEqual(self.options_given("--effects", "-caustics", "--camera", "--size"),
+                         [["--camera", "--size"],
+                          ["--effects", "-caustics", "--camera", "--size"]])
+        self.assertEqual(self.options_given("-o", "more.hdr", "--coloured", "maps.glb"),
+                         [["--coloured", "maps.glb"], ["-o", "more.hdr"]])
+
+    def test_pipeline_refuses_options_that_no_tool_has_or_that_it_sets(self):
+        for words, naming in ((("--no-such-option",), "--no-such-option"), (("desk",), "desk"),
+                              (("--state", "a.state"), "--state"), (("--frames", "1"), "--frames")):
+            code, _, errors, log = self.run_script("pipeline.sh", "--", *words)
+            self.assertEqual((code, errors.count("\n")), (2, 1), errors)
+            self.assertIn(naming, errors)
+            self.assertFalse([line for line in log if line.startswith(("pre", "render"))], log)
+
+    def test_pipeline_only_prints_where_it_is_asked_to(self):
+        code, output, errors, log = self.run_script("pipeline.sh", "--", "--quote", "--error", "5%")
+        self.assertEqual((code, output.strip()), (0, ""), errors)
+        self.assertTrue(log[-1].endswith("cornell.hpm --quote --error 5%"), log[-1])
 
     def test_pipeline_takes_names_with_spaces_and_ends_with_the_code_of_what_failed(self):
         scene = os.path.join(self.folder, "my desk.v2.glb")
         shutil.copy(os.path.join(ROOT, "assets/cornell.glb"), scene)
-        code, output, _, log = self.run_script("pipeline.sh", scene, "my out", RENDER_RESULT="3")
-        self.assertEqual(code, 3)
-        self.assertIn("my out/my desk.v2.hpm", log[-1])
-        self.assertNotIn("the partition that render reads", output)
+        for result in ("1", "2"):
+            code, output, _, log = self.run_script("pipeline.sh", scene, "my out",
+                                                   RENDER_RESULT=result)
+            self.assertEqual((code, output.strip()), (int(result), ""))
+            self.assertTrue(log[-1].startswith("render "), log[-1])
+            self.assertIn("my out/my desk.v2.hpm", log[-1])
         code, _, _, log = self.run_script("pipeline.sh", scene, "my out", PREPROCESS_RESULT="2")
         self.assertEqual(code, 2)
         self.assertTrue(log[-1].startswith("preprocess "))
+
+    def test_pipeline_makes_a_report_of_a_render_that_was_stopped(self):
+        code, output, _, log = self.run_script("pipeline.sh", RENDER_RESULT="3")
+        self.assertEqual((code, log[-1]), (3, "report out/cornell"))
+        self.assertIn("out/cornell/", output)
 
     def test_pipeline_makes_frames_and_a_video_where_there_is_ffmpeg(self):
         scene = os.path.join(self.folder, "ball.glb")
         shutil.copy(os.path.join(ROOT, "assets/cornell.glb"), scene)
         self.stand_in(os.path.join(self.folder, "ffmpeg"), LOG)
         os.makedirs(os.path.join(self.folder, "out"))
-        open(os.path.join(self.folder, "out/stats.json"), "w", encoding="utf-8").close()
-        code, output, errors, log = self.run_script("pipeline.sh", scene, "out", "08:12")
+        with open(os.path.join(self.folder, "out/stats.json"), "w", encoding="utf-8") as file:
+            json.dump({"image": {"exposure_ev": 1.25}}, file)
+        code, output, errors, log = self.run_script("pipeline.sh", scene, "out", "08:12", "--",
+                                                    "--error", "5%")
         self.assertEqual(code, 0, errors)
         self.assertEqual([line.split()[0] for line in log[-4:]],
-                         ["python3", "preprocess", "render", "ffmpeg"])
+                         ["report", "preprocess", "render", "ffmpeg"])
         for line in log[-3:-1]:
             self.assertIn("--frames 08:12", line)
+        self.assertTrue(log[-2].endswith("--exposure 1.25 --shutter 0.5 --error 5%"), log[-2])
         self.assertIn("-start_number 8 -i out/frames/ball.%04d.png", log[-1])
         self.assertIn("frames 08:12", output)
         code, _, errors, log = self.run_script("pipeline.sh", scene, "out", "1-12")
-        self.assertEqual((code, log), (2, []))
+        self.assertEqual((code, errors.count("\n")), (2, 1))
+        self.assertFalse([line for line in log if line.startswith(("pre", "render"))], log)
         self.assertIn("1-12", errors)
 
     def test_ci_ends_with_the_summary_and_the_result_of_ctest(self):
