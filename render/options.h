@@ -25,6 +25,7 @@ struct OutputFiles {
     std::filesystem::path error_image; ///< empty: none
     std::filesystem::path statistics;  ///< empty: none
     std::filesystem::path state;       ///< to keep, and for `render` to resume; empty: none
+    bool replace_state = false;        ///< start over if the state is of another render
     std::optional<float> exposure_ev;  ///< of 8-bit images; none: auto
 };
 

@@ -53,15 +53,27 @@ void complete_by_scene(RenderArguments& arguments, const Scene& scene)
     arguments.render.photons = *arguments.photons;
 }
 
-/// The state in the file, if there is one; refuses that of another render.
-std::optional<RenderState> find_state(const std::filesystem::path& path,
-                                      const std::vector<Setting>& settings)
+/// The state in the file, if there is one.  That of another render is refused, or put aside and
+/// told where that was asked for.
+std::optional<RenderState> find_state(const OutputFiles& files,
+                                      const std::vector<Setting>& settings, SceneAudit& audit)
 {
-    if (!std::filesystem::exists(path))
+    if (!std::filesystem::exists(files.state))
         return std::nullopt;
-    RenderState found = read_state(path);
-    check_settings(path, found.settings, settings);
-    return found;
+    try {
+        RenderState found = read_state(files.state);
+        check_settings(files.state, found.settings, settings);
+        return found;
+    } catch (const OtherState& other) {
+        if (!files.replace_state)
+            throw;
+        const std::filesystem::path old = files.state.string() + ".old";
+        std::filesystem::rename(files.state, old);
+        const std::string what = other.what();
+        audit.assumed.push_back(what.substr(0, what.rfind("; ")) + "; starting over, and " +
+                                old.string() + " keeps the old passes");
+        return std::nullopt;
+    }
 }
 
 } // namespace
@@ -104,7 +116,7 @@ PreparedFrame prepare_frame(const RenderArguments& request, SceneSource& source)
     out.settings = settings_of(arguments, scene, out.partition, out.sky);
     if (out.effects.has(Effect::motion_blur))
         out.settings.push_back(out.motion.setting);
-    out.found = find_state(arguments.files.state, out.settings);
+    out.found = find_state(arguments.files, out.settings, out.loaded.audit);
     out.seconds = reading.seconds();
     return out;
 }

@@ -47,14 +47,20 @@ RunResult render_with_progress(const RenderArguments& arguments, const PassSourc
     control.stop = &frame.stop;
     if (frame.lines != nullptr)
         control.pass = [lines = frame.lines](const RenderState& now) { lines->pass(now); };
-    if (!arguments.files.state.empty())
-        control.save = [&](const RenderState& now) { write_state(arguments.files.state, now); };
+    std::uint64_t saved = count(state.film.passes);
+    const auto save = [&](const RenderState& now) {
+        // A state is written only for passes that it does not hold yet.
+        if (arguments.files.state.empty() || count(now.film.passes) == saved)
+            return;
+        write_state(arguments.files.state, now);
+        saved = count(now.film.passes);
+    };
+    control.save = save;
     report.begin("rendering " + std::to_string(source.width) + "x" + std::to_string(source.height) +
                  describe_stops(arguments.stops));
     RunResult out = run_passes(source, arguments.stops, control, state);
     report.end();
-    if (!arguments.files.state.empty())
-        write_state(arguments.files.state, state);
+    save(state);
     return out;
 }
 

@@ -241,6 +241,12 @@ std::vector<OptionRow> end_rows(RenderArguments& arguments)
          .section = kEndSection,
          .field = file_field(arguments.files.state),
          .help = "Keep the passes in this file, and resume from it if it exists"},
+        {.name = "replace-state",
+         .section = kEndSection,
+         .field = flag_field(arguments.files.replace_state),
+         .help = "Start over if the state is of another scene or other options; the old state "
+                 "becomes FILE.old",
+         .needs = "state"},
         {.name = "first-pass",
          .section = kEndSection,
          .field = number_field(stops.first_pass, {0, kMostFirstPass}),

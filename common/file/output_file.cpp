@@ -123,26 +123,48 @@ void sync_folder(const fs::path& folder)
 
 } // namespace
 
-void write_file(const fs::path& path, std::span<const std::byte> bytes)
+struct WholeFile::Parts {
+    fs::path asked;  ///< for messages
+    fs::path target; ///< through a symbolic link the file it leads to is replaced, not the link
+    TemporaryName temporary;
+    Descriptor descriptor;
+};
+
+WholeFile::WholeFile(const fs::path& path)
 {
     check_writable(path);
-    // Through a symbolic link the file it leads to is replaced, not the link.
     std::error_code no_target;
     const fs::path resolved = fs::canonical(path, no_target);
     const fs::path target = no_target ? path : resolved;
-
     const auto [fd, name] = create_temporary(folder_of(target), path);
-    TemporaryName temporary(name);
-    Descriptor descriptor(fd);
-    write_all(descriptor.get(), bytes, path);
-    if (::fsync(descriptor.get()) != 0)
-        fail(path, "cannot be written", errno);
-    if (const int error = descriptor.close(); error != 0)
-        fail(path, "cannot be written", error);
-    if (::rename(temporary.path().c_str(), target.c_str()) != 0)
-        fail(path, "cannot be written", errno);
-    temporary.keep();
-    sync_folder(folder_of(target));
+    parts_.reset(new Parts{path, target, TemporaryName(name), Descriptor(fd)});
+}
+
+WholeFile::~WholeFile() = default;
+
+void WholeFile::write(std::span<const std::byte> bytes)
+{
+    write_all(parts_->descriptor.get(), bytes, parts_->asked);
+}
+
+void WholeFile::commit()
+{
+    Parts& file = *parts_;
+    if (::fsync(file.descriptor.get()) != 0)
+        fail(file.asked, "cannot be written", errno);
+    if (const int error = file.descriptor.close(); error != 0)
+        fail(file.asked, "cannot be written", error);
+    if (::rename(file.temporary.path().c_str(), file.target.c_str()) != 0)
+        fail(file.asked, "cannot be written", errno);
+    file.temporary.keep();
+    sync_folder(folder_of(file.target));
+}
+
+void write_file(const fs::path& path, std::span<const std::byte> bytes)
+{
+    WholeFile file(path);
+    file.write(bytes);
+    file.commit();
 }
 
 void write_file(const fs::path& path, std::string_view text)

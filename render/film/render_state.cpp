@@ -1,6 +1,5 @@
 #include "render/film/render_state.h"
 
-#include "common/file/output_file.h"
 #include "common/input_error.h"
 #include "render/film/state_bytes.h"
 #include "render/film/state_settings.h"
@@ -11,7 +10,6 @@ namespace hipmap {
 
 namespace {
 
-constexpr std::uint32_t kVersion = 4;
 constexpr int kMostSide = 65536;
 /// The largest exponent of the scale of a film, that of any float.
 constexpr int kMostScale = 200;
@@ -24,9 +22,9 @@ void put_film(StateWriter& out, const Film& film)
     out.put(film.allocation);
     out.put(static_cast<std::uint32_t>(film.bias));
     out.put_array(film.passes.ranges);
-    out.put_array(film.radiance);
-    out.put_array(film.narrow);
-    out.put_array(film.narrower);
+    out.put_sums(film.radiance);
+    out.put_sums(film.narrow);
+    out.put_sums(film.narrower);
     out.put(static_cast<std::uint64_t>(film.lost.size()));
     for (const auto& [key, passes] : film.lost) {
         out.put(key);
@@ -52,19 +50,20 @@ BiasKnowledge get_bias(StateReader& in)
     return static_cast<BiasKnowledge>(bias);
 }
 
-/// Sums that passes can have led to, so that more passes cannot overflow them.
-void require_sums(const StateReader& in, const std::vector<std::int64_t>& sums,
-                  const PassSet& passes, std::uint64_t batches, std::size_t channels)
+/// Reads sums that passes can have led to, so that more passes cannot overflow them.
+std::vector<std::int64_t> get_sums(StateReader& in, const Film& film, std::uint64_t batches)
 {
-    in.require(sums.size() == batches * channels, "number of sums");
+    const std::size_t channels = 3 * film.pixel_count();
+    std::vector<std::int64_t> sums = in.get_sums(batches * channels);
     for (std::uint64_t batch = 0; batch < batches; ++batch) {
         const std::int64_t most =
-            largest_value() * static_cast<std::int64_t>(count(passes, batches, batch));
+            largest_value() * static_cast<std::int64_t>(count(film.passes, batches, batch));
         const auto first = sums.begin() + static_cast<std::ptrdiff_t>(batch * channels);
         in.require(std::all_of(first, first + static_cast<std::ptrdiff_t>(channels),
                                [most](std::int64_t sum) { return sum >= -most && sum <= most; }),
                    "sum");
     }
+    return sums;
 }
 
 void get_lost(StateReader& in, Film& film)
@@ -93,16 +92,12 @@ Film get_film(StateReader& in)
     in.require(film.scale >= -kMostScale && film.scale <= kMostScale, "scale");
     film.allocation = in.get<std::uint64_t>();
     film.bias = get_bias(in);
-    film.passes.ranges = in.get_array<PassRange>();
+    film.passes.ranges = in.get_array<PassRange>(kMostPasses);
     in.require(is_valid(film.passes) && count(film.passes) <= kMostPasses, "set of passes");
-    film.radiance = in.get_array<std::int64_t>();
-    film.narrow = in.get_array<std::int64_t>();
-    film.narrower = in.get_array<std::int64_t>();
-    const std::size_t channels = 3 * film.pixel_count();
     const std::uint64_t narrow = film.bias == BiasKnowledge::from_radii ? kNarrowBatches : 0;
-    require_sums(in, film.radiance, film.passes, kBatches, channels);
-    require_sums(in, film.narrow, film.passes, narrow, channels);
-    require_sums(in, film.narrower, film.passes, narrow, channels);
+    film.radiance = get_sums(in, film, kBatches);
+    film.narrow = get_sums(in, film, narrow);
+    film.narrower = get_sums(in, film, narrow);
     get_lost(in, film);
     film.saturated = in.get<std::uint64_t>();
     return film;
@@ -172,7 +167,7 @@ void look_at_error(RenderState& state)
 
 void write_state(const std::filesystem::path& path, const RenderState& state)
 {
-    StateWriter out(kVersion);
+    StateWriter out(path, kStateVersion);
     put_settings(out, state.settings);
     out.put(state.photons_per_pass);
     out.put(state.radius_decay);
@@ -181,13 +176,17 @@ void write_state(const std::filesystem::path& path, const RenderState& state)
     for (const ErrorCheck& check : state.checks)
         put_check(out, check);
     out.put(state.seconds);
-    write_file(path, out.finish());
+    out.finish();
 }
 
 RenderState read_state(const std::filesystem::path& path)
 {
-    const std::vector<std::byte> bytes = read_file(path);
-    StateReader in(path, bytes, kVersion);
+    StateReader in(path);
+    if (in.version() != kStateVersion)
+        throw OtherState(path.string() + ": state file of format " + std::to_string(in.version()) +
+                         ", and this render reads format " + std::to_string(kStateVersion) +
+                         "; use the version that wrote it, or another file name");
+    in.begin();
     return unpack(in);
 }
 
@@ -198,7 +197,7 @@ void check_settings(const std::filesystem::path& path, const std::vector<Setting
         const std::string has = i < found.size() ? text_of(found[i]) : "nothing";
         const std::string wants = i < wanted.size() ? text_of(wanted[i]) : "nothing";
         if (has != wants)
-            throw InputError(
+            throw OtherState(
                 path.string() + ": holds passes with " + has + ", not " + wants +
                 "; use the scene and options that it was started with, or another file");
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "common/input_error.h"
 #include "common/setting.h"
 #include "render/film/error_cost.h"
 
@@ -7,6 +8,9 @@
 #include <string>
 
 namespace hipmap {
+
+/// The version of the format of states.
+inline constexpr std::uint32_t kStateVersion = 5;
 
 /// Everything needed to resume a render, or to merge it with others; docs/error.md.
 struct RenderState {
@@ -28,11 +32,17 @@ void look_at_error(RenderState& state);
 /// state or the new one is there.  Throws InputError if the file cannot be written.
 void write_state(const std::filesystem::path& path, const RenderState& state);
 
-/// Reads a state and checks every value in it.  Throws InputError: no such file, damaged, another
-/// version of the format.
+/// Reports a state that is whole, but of another render or another version of the format.
+class OtherState : public InputError {
+  public:
+    using InputError::InputError;
+};
+
+/// Reads a state and checks every value in it.  Throws InputError: no such file, damaged;
+/// OtherState: another version of the format.
 RenderState read_state(const std::filesystem::path& path);
 
-/// Throws InputError, naming `path` and the first setting that differs, unless both are the same.
+/// Throws OtherState, naming `path` and the first setting that differs, unless both are the same.
 void check_settings(const std::filesystem::path& path, const std::vector<Setting>& found,
                     const std::vector<Setting>& wanted);
 

@@ -1,53 +1,145 @@
 #include "render/film/state_bytes.h"
 
+#include "common/file/output_file.h"
 #include "common/input_error.h"
+#include "render/film/byte_planes.h"
 
 #include <xxhash.h>
+#include <zstd.h>
+
+#include <algorithm>
+#include <stdexcept>
 
 namespace hipmap {
 
 namespace {
 
 constexpr std::uint64_t kMark = 0x5354'5350'4d50'4948; // "HIPMPSTS"
+/// Bytes before the compressed values, and after them.
+constexpr std::size_t kHead = sizeof kMark + sizeof(std::uint32_t), kTail = sizeof(std::uint64_t);
+/// What zstd's higher levels gain on noise is not worth their time.
+constexpr int kLevel = 1;
+/// Bounds the memory that a file can make the decompressor take: 8 MiB.
+constexpr int kWindowLog = 23;
+/// Sums whose bytes are reordered together.
+constexpr std::uint64_t kSumsInBlock = std::uint64_t{3} << 15;
+
+void require_no_error(std::size_t code)
+{
+    if (ZSTD_isError(code) != 0)
+        throw std::runtime_error(std::string("zstd: ") + ZSTD_getErrorName(code));
+}
+
+struct Free {
+    void operator()(ZSTD_CCtx* context) const { ZSTD_freeCCtx(context); }
+    void operator()(ZSTD_DCtx* context) const { ZSTD_freeDCtx(context); }
+    void operator()(XXH3_state_t* state) const { XXH3_freeState(state); }
+};
 
 } // namespace
 
-StateWriter::StateWriter(std::uint32_t version)
+struct StateWriter::Output {
+    WholeFile file;
+    std::unique_ptr<ZSTD_CCtx, Free> context{ZSTD_createCCtx()};
+    std::unique_ptr<XXH3_state_t, Free> checksum{XXH3_createState()};
+    std::vector<std::byte> compressed = std::vector<std::byte>(ZSTD_CStreamOutSize());
+
+    explicit Output(const std::filesystem::path& path) : file(path)
+    {
+        require_no_error(ZSTD_CCtx_setParameter(context.get(), ZSTD_c_compressionLevel, kLevel));
+        XXH3_64bits_reset(checksum.get());
+    }
+
+    void write(std::span<const std::byte> bytes)
+    {
+        XXH3_64bits_update(checksum.get(), bytes.data(), bytes.size());
+        file.write(bytes);
+    }
+
+    /// mode: ZSTD_e_end after the last bytes.
+    void compress(std::span<const std::byte> bytes, ZSTD_EndDirective mode)
+    {
+        ZSTD_inBuffer in = {bytes.data(), bytes.size(), 0};
+        std::size_t left = 0;
+        do {
+            ZSTD_outBuffer out = {compressed.data(), compressed.size(), 0};
+            left = ZSTD_compressStream2(context.get(), &out, &in, mode);
+            require_no_error(left);
+            write({compressed.data(), out.pos});
+        } while (mode == ZSTD_e_end ? left > 0 : in.pos < in.size);
+    }
+};
+
+StateWriter::StateWriter(const std::filesystem::path& path, std::uint32_t version)
+    : output_(std::make_unique<Output>(path))
 {
-    put(kMark);
-    put(version);
+    output_->write(std::as_bytes(std::span(&kMark, 1)));
+    output_->write(std::as_bytes(std::span(&version, 1)));
 }
 
-void StateWriter::append(const void* data, std::size_t size)
+StateWriter::~StateWriter() = default;
+
+void StateWriter::append(std::span<const std::byte> bytes)
 {
-    const std::size_t at = bytes_.size();
-    bytes_.resize(at + size);
-    if (size > 0)
-        std::memcpy(&bytes_[at], data, size);
+    output_->compress(bytes, ZSTD_e_continue);
 }
 
-std::span<const std::byte> StateWriter::finish()
+void StateWriter::put_sums(const std::vector<std::int64_t>& sums)
 {
-    put(static_cast<std::uint64_t>(XXH3_64bits(bytes_.data(), bytes_.size())));
-    return bytes_;
+    put(static_cast<std::uint64_t>(sums.size()));
+    for (std::size_t at = 0; at < sums.size(); at += kSumsInBlock) {
+        const std::size_t number = std::min<std::size_t>(kSumsInBlock, sums.size() - at);
+        append(split_into_planes(std::span(sums).subspan(at, number)));
+    }
 }
 
-StateReader::StateReader(const std::filesystem::path& path, std::span<const std::byte> bytes,
-                         std::uint32_t version)
-    : path_(path.string()), bytes_(bytes)
+void StateWriter::finish()
 {
-    if (bytes_.size() < sizeof kMark || get<std::uint64_t>() != kMark)
+    output_->compress({}, ZSTD_e_end);
+    const std::uint64_t checksum = XXH3_64bits_digest(output_->checksum.get());
+    output_->file.write(std::as_bytes(std::span(&checksum, 1)));
+    output_->file.commit();
+}
+
+struct StateReader::Input {
+    std::vector<std::byte> bytes;
+    ZSTD_inBuffer compressed = {};
+    std::unique_ptr<ZSTD_DCtx, Free> context{ZSTD_createDCtx()};
+    bool ended = false; ///< the compressed values
+};
+
+StateReader::StateReader(const std::filesystem::path& path)
+    : input_(std::make_unique<Input>()), path_(path.string())
+{
+    input_->bytes = read_file(path);
+    std::uint64_t mark = 0;
+    if (input_->bytes.size() >= sizeof mark)
+        std::memcpy(&mark, input_->bytes.data(), sizeof mark);
+    if (mark != kMark)
         throw InputError(path_ + ": not a state file; give a file written by --state");
-    if (const auto found = get<std::uint32_t>(); found != version)
-        throw InputError(path_ + ": state file of format " + std::to_string(found) +
-                         ", and this render reads format " + std::to_string(version) +
-                         "; use the version that wrote it, or another file name");
-    std::uint64_t checksum = 0;
-    require(bytes.size() >= at_ + sizeof checksum, "length");
-    bytes_ = bytes.first(bytes.size() - sizeof checksum);
-    std::memcpy(&checksum, bytes.data() + bytes_.size(), sizeof checksum);
-    require(checksum == XXH3_64bits(bytes_.data(), bytes_.size()), "checksum");
+    require(input_->bytes.size() >= kHead + kTail, "length");
 }
+
+std::uint32_t StateReader::version() const
+{
+    std::uint32_t found = 0;
+    std::memcpy(&found, &input_->bytes[sizeof kMark], sizeof found);
+    return found;
+}
+
+void StateReader::begin()
+{
+    const std::span<const std::byte> checked =
+        std::span(input_->bytes).first(input_->bytes.size() - kTail);
+    std::uint64_t checksum = 0;
+    std::memcpy(&checksum, &input_->bytes[checked.size()], sizeof checksum);
+    require(checksum == XXH3_64bits(checked.data(), checked.size()), "checksum");
+    input_->compressed = {checked.data() + kHead, checked.size() - kHead, 0};
+    require_no_error(
+        ZSTD_DCtx_setParameter(input_->context.get(), ZSTD_d_windowLogMax, kWindowLog));
+}
+
+StateReader::~StateReader() = default;
 
 void StateReader::require(bool right, const char* what) const
 {
@@ -56,12 +148,52 @@ void StateReader::require(bool right, const char* what) const
                          " is wrong); use a copy, or another file name");
 }
 
-const std::byte* StateReader::take(std::size_t size, std::uint64_t number)
+void StateReader::take(std::span<std::byte> into)
 {
-    require(number <= (bytes_.size() - at_) / size, "length");
-    const std::byte* data = bytes_.data() + at_;
-    at_ += size * static_cast<std::size_t>(number);
-    return data;
+    ZSTD_outBuffer out = {into.data(), into.size(), 0};
+    while (out.pos < out.size) {
+        const std::size_t before = input_->compressed.pos + out.pos;
+        require(!input_->ended, "length");
+        const std::size_t left =
+            ZSTD_decompressStream(input_->context.get(), &out, &input_->compressed);
+        require(ZSTD_isError(left) == 0, "compression");
+        input_->ended = left == 0;
+        require(input_->ended || input_->compressed.pos + out.pos > before, "length");
+    }
+}
+
+bool StateReader::at_end()
+{
+    std::byte none{};
+    ZSTD_outBuffer out = {&none, 1, 0};
+    while (!input_->ended && input_->compressed.pos < input_->compressed.size) {
+        const std::size_t left =
+            ZSTD_decompressStream(input_->context.get(), &out, &input_->compressed);
+        require(ZSTD_isError(left) == 0, "compression");
+        if (out.pos > 0)
+            return false;
+        input_->ended = left == 0;
+    }
+    return input_->ended && input_->compressed.pos == input_->compressed.size;
+}
+
+std::vector<std::int64_t> StateReader::get_sums(std::uint64_t number)
+{
+    require(get<std::uint64_t>() == number, "number of sums");
+    std::vector<std::int64_t> sums;
+    std::vector<std::byte> planes;
+    for (std::uint64_t left = number; left > 0;) {
+        const std::uint64_t part = std::min(left, kSumsInBlock);
+        planes.resize(part * sizeof(std::int64_t));
+        take(planes);
+        // At most twice what was read, and no more than was said.
+        if (sums.capacity() < sums.size() + part)
+            sums.reserve(std::min(number, std::max(sums.size() + part, 2 * sums.size())));
+        sums.resize(sums.size() + part);
+        join_planes(planes, std::span(sums).last(part));
+        left -= part;
+    }
+    return sums;
 }
 
 } // namespace hipmap

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <string>
 #include <type_traits>
@@ -14,67 +16,87 @@ namespace hipmap {
 
 static_assert(std::endian::native == std::endian::little, "state files are little endian");
 
-/// Writes values one after another: a mark and version of the format, the values, a checksum.
+/// Writes values one after another into a file: a mark and version of the format, the values
+/// compressed (zstd), a checksum of all that.  Takes a few megabytes of memory, however many values
+/// it writes.  Throws InputError with path and cause if the file cannot be written.
 class StateWriter {
   public:
-    explicit StateWriter(std::uint32_t version);
+    StateWriter(const std::filesystem::path& path, std::uint32_t version);
+    ~StateWriter();
 
     template <typename T>
     void put(const T& value)
     {
         static_assert(std::is_trivially_copyable_v<T>);
-        append(&value, sizeof value);
+        append({reinterpret_cast<const std::byte*>(&value), sizeof value});
     }
     template <typename T>
     void put_array(const std::vector<T>& values)
     {
         static_assert(std::has_unique_object_representations_v<T>);
         put(static_cast<std::uint64_t>(values.size()));
-        append(values.data(), values.size() * sizeof(T));
+        append(std::as_bytes(std::span(values)));
     }
-    /// Appends the checksum and returns all bytes; must be the last call.
-    std::span<const std::byte> finish();
+    /// Writes sums of pixels as byte_planes.h has them.
+    void put_sums(const std::vector<std::int64_t>& sums);
+    /// Ends the file and puts it in the place of the old one; must be the last call.
+    void finish();
 
   private:
-    void append(const void* data, std::size_t size);
-    std::vector<std::byte> bytes_;
+    void append(std::span<const std::byte> bytes);
+    struct Output;
+    std::unique_ptr<Output> output_;
 };
 
-/// Reads what StateWriter wrote, from bytes that may hold anything: it never reads past their end,
-/// and allocates nothing that they do not hold.  Every failure is an InputError that names the
-/// file.
+/// Reads what StateWriter wrote, from bytes that may hold anything.  Allocates the file's size and
+/// what its values need, never more than was there to read.  Every failure is an InputError that
+/// names the file.
 class StateReader {
   public:
-    /// Checks mark, version and checksum.  Borrows the bytes.
-    StateReader(const std::filesystem::path& path, std::span<const std::byte> bytes,
-                std::uint32_t version);
+    /// Reads the file and checks its mark.
+    explicit StateReader(const std::filesystem::path& path);
+    ~StateReader();
+    /// Returns the version of the format, by which the rest is to be read.
+    std::uint32_t version() const;
+    /// Checks the checksum; must be called before any value is read.
+    void begin();
 
     template <typename T>
     T get()
     {
         T value;
-        std::memcpy(&value, take(sizeof value, 1), sizeof value);
+        take({reinterpret_cast<std::byte*>(&value), sizeof value});
         return value;
     }
+    /// Reads an array of at most `most` values.
     template <typename T>
-    std::vector<T> get_array()
+    std::vector<T> get_array(std::uint64_t most)
     {
         const auto size = get<std::uint64_t>();
-        const std::byte* data = take(sizeof(T), size);
-        std::vector<T> values(static_cast<std::size_t>(size));
-        if (size > 0)
-            std::memcpy(values.data(), data, values.size() * sizeof(T));
+        require(size <= most, "length");
+        std::vector<T> values;
+        // A damaged size allocates no more than the bytes that are there fill.
+        for (std::uint64_t left = size; left > 0;) {
+            const std::uint64_t part = std::min<std::uint64_t>(left, kPart / sizeof(T));
+            values.resize(values.size() + part);
+            take(std::as_writable_bytes(std::span(values).last(part)));
+            left -= part;
+        }
         return values;
     }
-    bool at_end() const { return at_ == bytes_.size(); }
+    /// Reads sums that must be this many.
+    std::vector<std::int64_t> get_sums(std::uint64_t number);
+    /// Returns whether nothing is left to read.
+    bool at_end();
     /// Throws InputError, saying that `what` is wrong, unless `right`.
     void require(bool right, const char* what) const;
 
   private:
-    const std::byte* take(std::size_t size, std::uint64_t number);
+    static constexpr std::uint64_t kPart = std::uint64_t{1} << 20; ///< bytes
+    void take(std::span<std::byte> into);
+    struct Input;
+    std::unique_ptr<Input> input_;
     std::string path_;
-    std::span<const std::byte> bytes_; ///< without the checksum
-    std::size_t at_ = 0;
 };
 
 } // namespace hipmap

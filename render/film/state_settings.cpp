@@ -8,6 +8,7 @@ namespace hipmap {
 namespace {
 
 constexpr std::uint64_t kMostSettings = 1000;
+constexpr std::uint64_t kLongestText = 1 << 20;
 
 /// Kinds of values, by their number in the file.
 enum class Kind : std::uint32_t { none, flag, whole, real, text };
@@ -28,7 +29,7 @@ struct PutValue {
 
 std::string get_text(StateReader& in)
 {
-    const std::vector<char> text = in.get_array<char>();
+    const std::vector<char> text = in.get_array<char>(kLongestText);
     in.require(std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c <= '~'; }),
                "setting");
     return {text.begin(), text.end()};

@@ -151,6 +151,50 @@ class State(ToolsTestCase):
         self.assertEqual(stats["ended_by"], "time")
         self.assertGreater(stats["passes_done"], 0)
 
+    def test_a_state_is_written_for_passes_and_for_nothing_else(self):
+        options = ["--passes", 8, "--state", self.path("a.state")]
+        large = [word.replace("16x16", "512x512") for word in self.command("a.pfm", *options)]
+        with subprocess.Popen(large + ["--samples", "256"], stderr=subprocess.PIPE,
+                              text=True) as render:
+            render.stderr.readline()  # it has begun
+            time.sleep(0.2)
+            render.send_signal(signal.SIGTERM)
+            said = render.communicate(timeout=120)[1]
+        self.assertEqual(render.returncode, 3, said)
+        self.assertFalse(os.path.exists(self.path("a.state")), "no pass was finished")
+        self.render("a.pfm", *options)
+        before = os.stat(self.path("a.state"))
+        self.render("a.pfm", *options)
+        after = os.stat(self.path("a.state"))
+        self.assertEqual((before.st_ino, before.st_mtime_ns), (after.st_ino, after.st_mtime_ns))
+        raw = (8 + 4 + 4) * 8 * 3 * 16 * 16  # bytes of the sums
+        self.assertLess(after.st_size, 0.45 * raw)
+
+    def test_a_state_of_other_options_is_put_aside_where_that_is_asked_for(self):
+        options = ["--passes", 2, "--state", self.path("a.state")]
+        self.render("a.pfm", *options)
+        with open(self.path("a.state"), "rb") as file:
+            old = file.read()
+        self.refuse_render(*options, "--seed", 1, naming="seed=0")
+        said = self.render("b.pfm", *options, "--seed", 1, "--replace-state")
+        self.assertRegex(said, "holds passes with seed=0, not seed=1; starting over, .*a.state.old")
+        with open(self.path("a.state.old"), "rb") as file:
+            self.assertEqual(file.read(), old)
+        self.assertIn("resuming with 2 passes",
+                      self.render("b.pfm", *options, "--seed", 1, "--replace-state"))
+        changed = bytearray(old)
+        changed[8] = 4  # the format of an older version
+        with open(self.path("a.state"), "wb") as file:
+            file.write(changed)
+        self.refuse_render(*options, naming="format 4")
+        self.assertIn("starting over", self.render("a.pfm", *options, "--replace-state"))
+        changed = bytearray(old)
+        changed[len(old) // 2] ^= 1
+        with open(self.path("a.state"), "wb") as file:
+            file.write(changed)
+        self.refuse_render(*options, "--replace-state", naming="damaged state file (checksum")
+        self.refuse_render("--replace-state", naming="--state")
+
     def test_a_quote_writes_nothing(self):
         before = sorted(os.listdir(self.folder))
         said = self.succeed("render", Tools.scene, self.path("scene.hpm"), "--size", "16x16",
