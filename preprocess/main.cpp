@@ -10,17 +10,25 @@
 #include "preprocess/summary.h"
 
 #include <numbers>
+#include <set>
 
 namespace hipmap {
 
 namespace {
 
-void print_summary(const PartitionSummary& summary, double angle_deg, Report& report)
+/// told: what earlier frames printed, which is left out unless the report is verbose.
+void print_summary(const PartitionSummary& summary, double angle_deg, std::set<std::string>& told,
+                   Report& report)
 {
-    for (const std::string& sentence : describe(summary, angle_deg))
-        report.line(sentence);
+    if (report.verbose()) {
+        for (const std::string& sentence : describe(summary, angle_deg))
+            report.line(sentence);
+    } else if (const std::string maps = describe_maps(summary); told.insert(maps).second) {
+        report.line("partition: " + maps);
+    }
     for (const std::string& sentence : describe_defects(summary))
-        report.warn(sentence);
+        if (told.insert(sentence).second || report.verbose())
+            report.warn(sentence);
 }
 
 /// Makes the partition of a scene, reusing the previous frame's if there is one.
@@ -28,7 +36,7 @@ void make_partition(const PreprocessArguments& arguments, const Scene& scene,
                     std::optional<PreviousFrame>& frame, Report& report)
 {
     if (frame && frame->result.partition.scene == fingerprint(scene)) {
-        report.line("frame unchanged: reusing the previous partition");
+        report.detail("frame unchanged: reusing the previous partition");
         frame->result.summary.passes.clear();
         return;
     }
@@ -49,49 +57,63 @@ std::vector<LegendedPicture> paint_pictures(const PreprocessArguments& arguments
     const Stopwatch painting;
     const auto size = complete_size(arguments.size, scene.cameras[scene.camera].aspect);
     std::vector<LegendedPicture> pictures = write_partition_pictures(
-        arguments.images, scene, result.partition, size.width, size.height);
+        arguments.images, {scene, result.partition, arguments.candidates}, size.width, size.height);
     for (const LegendedPicture& picture : pictures)
-        report.line("wrote " + picture.path.string());
+        report.wrote(picture.path);
     result.summary.passes.push_back({"paint images", painting.seconds()});
     return pictures;
 }
 
-/// frame: the previous frame, if there is one; becomes this one.
-int preprocess(const PreprocessArguments& arguments, SceneSource& source,
-               std::optional<PreviousFrame>& frame)
+/// What frames of an animation hand on.
+struct Frames {
+    std::optional<PreviousFrame> previous;
+    std::set<std::string> told; ///< sentences of the audit
+};
+
+void print_files(const PreprocessArguments& arguments, Report& report)
 {
-    Report report;
+    if (arguments.quiet)
+        report.take_files();
+    report.list_files();
+}
+
+int preprocess(const PreprocessArguments& arguments, SceneSource& source, Frames& frames)
+{
+    std::optional<PreviousFrame>& frame = frames.previous;
+    Report report(arguments.verbose);
     const ThreadLimit threads(arguments.threads);
 
     const Stopwatch loading;
     const LoadedScene loaded = source.at(arguments.scene_options.time, !arguments.frames.asked());
-    if (arguments.frames.asked())
+    if (arguments.frames.asked() && !arguments.quiet)
         report.line("frame " + std::to_string(arguments.frames.first));
-    print_audit(report, loaded.audit);
+    if (!arguments.quiet)
+        print_audit(report, loaded.audit, &frames.told);
     const double load_seconds = loading.seconds();
 
     const Scene& scene = loaded.scene;
     make_partition(arguments, scene, frame, report);
     PartitionResult& result = frame->result;
     result.summary.passes.insert(result.summary.passes.begin(), {"load scene", load_seconds});
-    print_summary(result.summary, arguments.angle_deg, report);
+    print_summary(result.summary, arguments.angle_deg, frames.told, report);
     for (const std::string& sentence : describe_open_glass(scene, result.partition))
         report.line("assumed: " + sentence);
     write_partition(arguments.output, result.partition);
-    report.line("wrote " + arguments.output.string());
+    report.wrote(arguments.output);
 
     const std::vector<LegendedPicture> pictures = paint_pictures(arguments, scene, result, report);
     if (!arguments.coloured.empty()) {
         const Stopwatch writing;
         write_coloured_glb(arguments.coloured, scene, result.partition);
-        report.line("wrote " + arguments.coloured.string());
+        report.wrote(arguments.coloured);
         result.summary.passes.push_back({"write coloured model", writing.seconds()});
     }
     if (!arguments.json.empty()) {
         write_file(arguments.json,
                    summary_json(arguments, scene, result.partition, result.summary, pictures));
-        report.line("wrote " + arguments.json.string());
+        report.wrote(arguments.json);
     }
+    print_files(arguments, report);
     return kExitDone;
 }
 
@@ -102,10 +124,9 @@ int preprocess_frames(const PreprocessArguments& arguments)
         return kExitDone;
     });
     SceneSource source(arguments.scene, arguments.scene_options);
-    std::optional<PreviousFrame> previous;
-    return for_each_frame_of(arguments, [&](const PreprocessArguments& one) {
-        return preprocess(one, source, previous);
-    });
+    Frames frames;
+    return for_each_frame_of(
+        arguments, [&](const PreprocessArguments& one) { return preprocess(one, source, frames); });
 }
 
 } // namespace

@@ -48,8 +48,14 @@ std::vector<OptionRow> output_rows(PreprocessArguments& arguments)
             {.name = "images",
              .section = kFilesSection,
              .field = file_field(arguments.images, "DIR"),
-             .help = "Folder for images of the partition: shared_maps.png, edges.png, "
-                     "candidates.png and groups.png; created if it is missing"},
+             .help = "Folder for images of the partition: shared_maps.png and edges.png; created "
+                     "if it is missing"},
+            {.name = "candidates",
+             .section = kFilesSection,
+             .field = flag_field(arguments.candidates),
+             .help = "Write candidates.png and groups.png to that folder as well: faces that "
+                     "--maps thesis and hierarchical of render may give maps of their own",
+             .needs = "images"},
             {.name = "size",
              .section = kFilesSection,
              .field = size_field(arguments.size),
@@ -69,6 +75,12 @@ std::vector<OptionRow> option_rows(PreprocessArguments& arguments)
     append_rows(rows, scene_rows(arguments.scene_options, arguments.sky));
     append_rows(rows, frame_rows(arguments.frames));
     rows.push_back(threads_row(arguments.threads));
+    rows.push_back(verbose_row(arguments.verbose));
+    rows.push_back({.name = "quiet",
+                    .section = kRunSection,
+                    .field = flag_field(arguments.quiet),
+                    .help = "Print the number of shared maps and defects of the mesh alone; render "
+                            "prints what it finds in the scene"});
     return rows;
 }
 

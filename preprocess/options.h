@@ -26,7 +26,10 @@ struct PreprocessArguments {
     SkyOptions sky; ///< read, but not used by preprocess
     FrameOptions frames;
     PictureSize size{768, 0};
-    unsigned threads = 0; ///< 0: all cores
+    bool candidates = false; ///< paint images of candidates for local and group maps too
+    unsigned threads = 0;    ///< 0: all cores
+    bool verbose = false;
+    bool quiet = false;
 };
 
 /// Returns every option of `preprocess`, bound to `arguments`, which must outlive the rows.

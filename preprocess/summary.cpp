@@ -38,6 +38,12 @@ std::string describe_largest(const PartitionSummary& summary)
 
 } // namespace
 
+std::string describe_maps(const PartitionSummary& summary)
+{
+    return counted(summary.maps.size(), "shared map") +
+           (summary.maps.empty() ? "" : "; " + describe_largest(summary));
+}
+
 std::vector<std::string> describe(const PartitionSummary& summary, double angle_deg)
 {
     std::ostringstream angle;
@@ -54,8 +60,7 @@ std::vector<std::string> describe(const PartitionSummary& summary, double angle_
     if (summary.edges_in_band > 0)
         lines.push_back("edges: " + std::to_string(summary.edges_in_band) + " at " + angle.str() +
                         " degrees up to rounding, counted as unconnected");
-    lines.push_back(counted(summary.maps.size(), "shared map") +
-                    (summary.maps.empty() ? "" : "; " + describe_largest(summary)));
+    lines.push_back(describe_maps(summary));
     if (summary.bridged_edges > 0)
         lines.push_back("seams: " + counted(summary.bridged_edges, "edge") +
                         " across which a surface continues without shared vertices; " +

@@ -1,4 +1,5 @@
 #include "common/scene/print_audit.h"
+#include "common/scene/scene_names.h"
 #include "render/merge.h"
 #include "render/outputs.h"
 #include "render/print_results.h"
@@ -22,28 +23,57 @@ extern "C" void ask_to_stop(int)
     g_stop = true;
 }
 
-void print_preparation(const PreparedFrame& frame, Report& report)
+void print_preparation(const PreparedFrame& frame, PreviousFrame* previous, Report& report)
 {
     if (frame.arguments.frames.asked())
-        report.line("frame " + std::to_string(frame.arguments.frames.first));
-    print_audit(report, frame.loaded.audit);
-    report.line("effects: " + list_effects(frame.effects) + " (--explain gives reasons)");
+        report.detail("frame " + std::to_string(frame.arguments.frames.first));
+    print_audit(report, frame.loaded.audit, previous != nullptr ? &previous->place.told : nullptr);
+    report.detail("effects: " + list_effects(frame.effects) + " (--explain gives reasons)");
 }
 
-void write_results(const PreparedFrame& frame, const RenderedFrame& rendered, Report& report)
+/// previous: null where there is a single frame, whose error and files are printed.
+void write_results(const PreparedFrame& frame, const RenderedFrame& rendered,
+                   const PreviousFrame* previous, Report& report)
 {
     const RenderArguments& arguments = frame.arguments;
     print_statistics(arguments, rendered.statistics, rendered.state.film, report);
-    print_error(arguments, rendered.state, report);
+    if (previous == nullptr || report.verbose())
+        print_error(arguments, rendered.state, report);
     const WrittenFiles written =
         write_images(arguments.files, rendered.result.image, rendered.state, report);
     write_statistics(arguments.files, statistics_json(frame, rendered, written), report);
+    if (previous != nullptr && !report.verbose())
+        report.take_files();
+    report.list_files();
+}
+
+/// One line of a frame among others, and the total after the last.
+void print_place(const RenderedFrame& rendered, FramePlace& place, Report& report)
+{
+    std::string line =
+        place.text() + ": " + counted(count(rendered.state.film.passes), "pass", "passes");
+    if (!rendered.state.checks.empty()) {
+        const double error = rendered.state.checks.back().error.error;
+        line += ", error " + percent(error);
+        place.low = place.done == 0 ? error : std::min(place.low, error);
+        place.high = std::max(place.high, error);
+    }
+    ++place.done;
+    const std::optional<double> left = place.seconds_left(0);
+    if (place.done < place.all && left)
+        line += "; all frames " + brief_time(*left) + " left";
+    report.line(line);
+    if (place.done == place.all)
+        report.line(
+            "all " + std::to_string(place.all) + " frames: " + brief_time(place.watch.seconds()) +
+            (place.high > 0 ? ", errors " + percent(place.low) + " to " + percent(place.high)
+                            : ""));
 }
 
 /// previous: the previous frame, and this one afterwards; null: there is a single frame.
 int render(const RenderArguments& request, SceneSource& source, PreviousFrame* previous)
 {
-    Report report;
+    Report report(request.verbose);
     const ThreadLimit threads(request.threads);
     PreparedFrame frame = prepare_frame(request, source);
     if (request.explain) {
@@ -51,7 +81,7 @@ int render(const RenderArguments& request, SceneSource& source, PreviousFrame* p
         explain(frame.effects, report);
         return kExitDone;
     }
-    print_preparation(frame, report);
+    print_preparation(frame, previous, report);
     std::signal(SIGINT, ask_to_stop);
     std::signal(SIGTERM, ask_to_stop);
     std::optional<ProgressLines> lines;
@@ -59,15 +89,19 @@ int render(const RenderArguments& request, SceneSource& source, PreviousFrame* p
         lines.emplace(std::cout, frame.arguments);
     const FrameControl control = {g_stop, lines ? &*lines : nullptr};
     const RenderedFrame rendered = render_frame(frame, source, previous, control, report);
-    write_results(frame, rendered, report);
+    write_results(frame, rendered, previous, report);
     if (lines)
         lines->end(rendered.result, rendered.state);
     if (rendered.result.reason == StopReason::caller) {
-        report.line("stopped by a signal after " +
-                    std::to_string(count(rendered.state.film.passes)) +
-                    " passes; the image holds these passes");
+        const std::uint64_t passes = count(rendered.state.film.passes);
+        report.line("stopped by a signal " +
+                    (passes == 0 ? "in the first pass; the image holds what it had rendered"
+                                 : "after " + counted(passes, "pass", "passes") +
+                                       "; the image holds " + (passes == 1 ? "it" : "them")));
         return kExitStopped;
     }
+    if (previous != nullptr)
+        print_place(rendered, previous->place, report);
     return kExitDone;
 }
 
@@ -84,6 +118,7 @@ int render_frames(const RenderArguments& arguments)
                       "--exposure EV fixes it");
     SceneSource source(arguments.scene, arguments.scene_options);
     PreviousFrame previous;
+    previous.place.all = arguments.frames.last - arguments.frames.first + 1;
     const bool further = arguments.frames.last > arguments.frames.first;
     return for_each_frame_of(arguments, [&](const RenderArguments& one) {
         return render(one, source, further ? &previous : nullptr);

@@ -1,6 +1,7 @@
 #include "render/merge.h"
 
 #include "common/input_error.h"
+#include "common/scene/scene_names.h"
 #include "render/outputs.h"
 #include "render/statistics.h"
 
@@ -28,19 +29,19 @@ int merge_states(const MergeArguments& arguments)
     const OutputFiles& files = arguments.files;
     check_outputs(files);
     const RenderState state = read_states(arguments.states);
-    report.line(std::to_string(count(state.film.passes)) + " passes from " +
-                std::to_string(arguments.states.size()) +
-                (arguments.states.size() == 1 ? " state" : " states"));
+    report.line(counted(count(state.film.passes), "pass", "passes") + " from " +
+                counted(arguments.states.size(), "state"));
     if (!state.checks.empty()) {
         report.line(describe_error(state.checks.back()));
         report.line(describe_cost(state, 0));
     }
     if (!files.state.empty()) {
         write_state(files.state, state);
-        report.line("wrote " + files.state.string());
+        report.wrote(files.state);
     }
     const WrittenFiles written = write_images(files, film_image(state.film), state, report);
     write_statistics(files, merged_statistics_json(arguments, state, written), report);
+    report.list_files();
     return kExitDone;
 }
 

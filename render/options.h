@@ -56,6 +56,7 @@ struct RenderArguments {
     PictureSize size{512, 0};
     unsigned threads = 0; ///< 0: all cores
     ProgressFormat progress = ProgressFormat::text;
+    bool verbose = false;
 };
 
 /// Returns the arguments of one frame: its time and its own file names.

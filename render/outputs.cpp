@@ -17,6 +17,9 @@ namespace hipmap {
 
 namespace {
 
+/// A day: errors that take longer are called not practical.
+constexpr double kMostPracticalSeconds = 24 * 3600;
+
 void write_exr_with_error(const std::filesystem::path& path, const Image& image, const Film& film,
                           const std::vector<ErrorCheck>& checks)
 {
@@ -31,11 +34,9 @@ void write_exr_with_error(const std::filesystem::path& path, const Image& image,
     write_exr(path, image, named);
 }
 
-std::string whole(double number)
+std::string passes_text(double passes)
 {
-    std::ostringstream text;
-    text << std::fixed << std::setprecision(0) << number;
-    return text.str();
+    return grouped(static_cast<std::uint64_t>(passes)) + (passes == 1 ? " pass" : " passes");
 }
 
 /// Returns the exposure of 8-bit images.
@@ -48,12 +49,11 @@ float write_each(const OutputFiles& files, const Image& image, const RenderState
             write_exr_with_error(path, image, state.film, state.checks);
         else
             write_image(path, image, {ev});
-        std::ostringstream line;
-        line << "wrote " << path.string();
+        std::ostringstream note;
         if (is_exposed(path))
-            line << " (exposure " << std::showpos << std::fixed << std::setprecision(2) << ev
-                 << " EV" << (files.exposure_ev ? "" : ", auto") << ")";
-        report.line(line.str());
+            note << "exposure " << std::showpos << std::fixed << std::setprecision(2) << ev << " EV"
+                 << (files.exposure_ev ? "" : ", auto");
+        report.wrote(path, note.str());
     }
     return ev;
 }
@@ -70,7 +70,7 @@ std::optional<LegendedPicture> write_error_image(const std::filesystem::path& pa
     const std::vector<double> errors = relative_errors(film);
     const LegendedPicture written =
         write_with_legend(path, error_picture(film.width, film.height, errors), legend_of_errors());
-    report.line("wrote " + path.string());
+    report.wrote(path);
     return written;
 }
 
@@ -111,7 +111,7 @@ void write_statistics(const OutputFiles& files, const std::string& json, Report&
     if (files.statistics.empty())
         return;
     write_file(files.statistics, json);
-    report.line("wrote " + files.statistics.string());
+    report.wrote(files.statistics);
 }
 
 std::string percent(double share)
@@ -123,20 +123,6 @@ std::string percent(double share)
     else
         text << std::setprecision(2);
     text << value << " %";
-    return text.str();
-}
-
-std::string brief_time(double seconds)
-{
-    std::ostringstream text;
-    if (seconds < 9.95)
-        text << std::setprecision(2) << seconds << " s";
-    else if (seconds < 99.5)
-        text << std::lround(seconds) << " s";
-    else if (seconds < 99.5 * 60)
-        text << std::lround(seconds / 60) << " min";
-    else
-        text << std::fixed << std::setprecision(seconds < 36'000 ? 1 : 0) << seconds / 3600 << " h";
     return text.str();
 }
 
@@ -154,6 +140,14 @@ std::string describe_error(const ErrorCheck& check)
     return text;
 }
 
+std::string describe_need(const ErrorCost& cost)
+{
+    if (!std::isfinite(cost.seconds) || cost.seconds > kMostPracticalSeconds ||
+        cost.passes > static_cast<double>(kMostPasses))
+        return "is not practical (more than a day)";
+    return "would take about " + passes_text(cost.passes) + ", " + brief_time(cost.seconds);
+}
+
 std::string describe_cost(const RenderState& state, double target)
 {
     const ErrorCheck& last = state.checks.back();
@@ -161,12 +155,12 @@ std::string describe_cost(const RenderState& state, double target)
     const bool of_target = target > 0 && target / 2 < last.error.error;
     const ErrorCost half =
         error_cost(state.checks, law, (of_target ? target : last.error.error) / 2, 0);
-    std::string text = "cost: " + percent(last.error.error) + " in " + std::to_string(last.passes) +
-                       " passes, " + brief_time(last.seconds);
+    std::string text = "cost: " + percent(last.error.error) + " in " +
+                       passes_text(static_cast<double>(last.passes)) + ", " +
+                       brief_time(last.seconds);
     if (!std::isfinite(half.passes) || last.error.error == 0)
         return text;
-    return text + "; " + percent(half.error) + " would take about " + whole(half.passes) +
-           " passes, " + brief_time(half.seconds);
+    return text + "; " + percent(half.error) + " " + describe_need(half);
 }
 
 std::vector<ErrorCost> error_costs(const RenderState& state, double target)

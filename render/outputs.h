@@ -40,11 +40,12 @@ void write_statistics(const OutputFiles& files, const std::string& json, Report&
 /// Formats a share as a percentage: "3.2 %" of 0.032.
 std::string percent(double share);
 
-/// Formats a time with two digits or so: "3.4 s", "63 s", "6 min", "2.5 h".
-std::string brief_time(double seconds);
-
 /// Describes the estimated error of an image in words.
 std::string describe_error(const ErrorCheck& check);
+
+/// Describes what an error takes: "would take about 23 passes, 46 s"; beyond a day: "is not
+/// practical (more than a day)".
+std::string describe_need(const ErrorCost& cost);
 
 /// Describes the cost of halving the error: of the target while it is to be reached, else of the
 /// current error.  target: the requested error, 0 for none.

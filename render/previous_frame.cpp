@@ -19,6 +19,19 @@ std::string world_of(const Scene& scene, const Partition& partition, const Envir
 
 } // namespace
 
+std::optional<double> FramePlace::seconds_left(double share) const
+{
+    const double frames = done + share;
+    if (!(frames > 0))
+        return std::nullopt;
+    return watch.seconds() * (all - frames) / frames;
+}
+
+std::string FramePlace::text() const
+{
+    return "frame " + std::to_string(done + 1) + " of " + std::to_string(all);
+}
+
 PhotonCache& cache_for(PreviousFrame& previous, const Scene& scene, const Partition& partition,
                        const EnvironmentMap& sky, double most_mib)
 {

@@ -1,9 +1,12 @@
 #pragma once
 
+#include "common/stopwatch.h"
 #include "render/integrator/photon_cache.h"
 #include "render/integrator/run_passes.h"
 #include "render/lights/environment_map.h"
 
+#include <optional>
+#include <set>
 #include <string>
 
 namespace hipmap {
@@ -16,9 +19,25 @@ struct RenderedFrame {
     double seconds_rays = 0; ///< building the ray tracing structure
 };
 
+/// Where a frame stands among all frames of a run.
+struct FramePlace {
+    int done = 0;               ///< frames before it
+    int all = 0;                ///< frames of the run
+    const Stopwatch watch{};    ///< since the first began
+    std::set<std::string> told; ///< sentences of the audit that frames have printed
+    double low = 0, high = 0;   ///< least and largest estimated error so far
+
+    /// Returns the time that all frames have left, `share` of the one under way being done; none:
+    /// unknown.
+    std::optional<double> seconds_left(double share) const;
+    /// Returns "frame 3 of 24".
+    std::string text() const;
+};
+
 /// What a frame of an animation keeps for the next one.  All frames are rendered with the same
 /// options.
 struct PreviousFrame {
+    FramePlace place;
     std::vector<Setting> settings; ///< all that its image depends on; empty: there was none
     std::optional<RenderedFrame> rendered;
     std::string world; ///< all that its photons depend on

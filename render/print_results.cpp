@@ -2,23 +2,25 @@
 
 #include "render/outputs.h"
 
-#include <iomanip>
 #include <sstream>
 
 namespace hipmap {
 
 namespace {
 
+/// Costs of errors that are not practical have photons beyond any count.
+constexpr double kMostPhotonsTold = 1e15;
+
 void print_photons(const RenderStatistics& statistics, Report& report)
 {
     std::ostringstream line;
-    line << "photons: " << statistics.emitted << " light paths";
+    line << "photons: " << grouped(statistics.emitted) << " light paths";
     if (statistics.aimed > 0)
-        line << " and " << statistics.aimed << " aimed at specular surfaces";
-    line << " stored " << statistics.global.stored << " global and " << statistics.caustic.stored
-         << " caustic photons";
+        line << " and " << grouped(statistics.aimed) << " aimed at specular surfaces";
+    line << " stored " << grouped(statistics.global.stored) << " global and "
+         << grouped(statistics.caustic.stored) << " caustic photons";
     if (statistics.volume_photons > 0)
-        line << ", and " << statistics.volume_photons << " in media";
+        line << ", and " << grouped(statistics.volume_photons) << " in media";
     line << "; last pass: " << statistics.global.shared_maps << " global and "
          << statistics.caustic.shared_maps << " caustic maps with photons";
     if (const std::uint64_t maps =
@@ -27,7 +29,7 @@ void print_photons(const RenderStatistics& statistics, Report& report)
     if (const std::uint64_t maps =
             statistics.global.levels.group_maps + statistics.caustic.levels.group_maps)
         line << ", " << maps << " group maps";
-    report.line(line.str());
+    report.detail(line.str());
 }
 
 void print_levels(const RenderStatistics& statistics, Report& report)
@@ -35,9 +37,9 @@ void print_levels(const RenderStatistics& statistics, Report& report)
     for (const auto& [name, kind] :
          {std::pair("global", &statistics.global), std::pair("caustic", &statistics.caustic)})
         if (kind->levels.local_plan.asking > 0) // planned
-            report.line(std::string(name) + " photons: local maps " +
-                        describe_plan(kind->levels.local_plan) + "; group maps " +
-                        describe_plan(kind->levels.group_plan));
+            report.detail(std::string(name) + " photons: local maps " +
+                          describe_plan(kind->levels.local_plan) + "; group maps " +
+                          describe_plan(kind->levels.group_plan));
 }
 
 void warn_of_dropped(const RenderStatistics& statistics, const Film& film, Report& report)
@@ -72,12 +74,10 @@ void print_error(const RenderArguments& arguments, const RenderState& state, Rep
     if (!arguments.quote)
         return;
     for (const ErrorCost& cost : error_costs(state, arguments.stops.error)) {
-        std::ostringstream line;
-        line << "cost of " << percent(cost.error) << " error: " << cost.passes << " passes, "
-             << brief_time(cost.seconds);
-        if (arguments.render.integrator != Integrator::path)
-            line << ", " << std::fixed << std::setprecision(0) << cost.photons << " light paths";
-        report.line(line.str());
+        std::string line = percent(cost.error) + " error " + describe_need(cost);
+        if (arguments.render.integrator != Integrator::path && cost.photons < kMostPhotonsTold)
+            line += ", " + grouped(static_cast<std::uint64_t>(cost.photons)) + " light paths";
+        report.line(line);
     }
     report.line("memory at any of these errors: " + std::to_string(peak_memory() >> 20) + " MiB");
 }

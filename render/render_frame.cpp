@@ -1,5 +1,6 @@
 #include "render/render_frame.h"
 
+#include "common/scene/scene_names.h"
 #include "common/stopwatch.h"
 #include "render/integrator/moving_source.h"
 #include "render/outputs.h"
@@ -14,7 +15,7 @@ RenderState begin_or_resume(const PreparedFrame& frame, const PassSource& source
     if (!frame.found)
         return state;
     merge_state(state, *frame.found, frame.arguments.files.state);
-    report.line("resuming with " + std::to_string(count(state.film.passes)) + " passes from " +
+    report.line("resuming with " + counted(count(state.film.passes), "pass", "passes") + " from " +
                 frame.arguments.files.state.string());
     return state;
 }
@@ -23,44 +24,54 @@ std::string describe_stops(const StopRules& stops)
 {
     std::string text;
     if (stops.passes < kMostPasses)
-        text += ", " + std::to_string(stops.passes) + (stops.passes == 1 ? " pass" : " passes");
+        text += ", " + counted(stops.passes, "pass", "passes");
     if (std::isfinite(stops.seconds))
-        text += ", " + format_seconds(stops.seconds);
+        text += ", " + brief_time(stops.seconds);
     if (stops.error > 0)
         text += ", until the error is " + percent(stops.error);
     return text;
 }
 
-RunResult render_with_progress(const RenderArguments& arguments, const PassSource& source,
-                               const FrameControl& frame, RenderState& state, Report& report)
+std::string describe_progress(const RunProgress& progress, const FramePlace* place)
+{
+    std::string note = counted(progress.passes, "pass", "passes");
+    if (progress.error)
+        note += ", error " + percent(progress.error->error);
+    if (place == nullptr)
+        return note;
+    if (const std::optional<double> left = place->seconds_left(progress.done.value_or(0)))
+        note += ", all frames " + brief_time(*left) + " left";
+    return note;
+}
+
+/// place: among frames; null: there is a single one.
+RunControl make_control(const FramePlace* place, const FrameControl& frame, Report& report)
 {
     RunControl control;
-    control.progress = [&report, lines = frame.lines](const RunProgress& progress) {
+    control.progress = [&report, place, lines = frame.lines](const RunProgress& progress) {
         if (lines != nullptr)
             lines->progress(progress);
-        std::string note =
-            std::to_string(progress.passes) + (progress.passes == 1 ? " pass" : " passes");
-        if (progress.error)
-            note += ", error " + percent(progress.error->error);
-        report.progress(progress.done, note);
+        report.progress(progress.done, describe_progress(progress, place), progress.left);
     };
     control.stop = &frame.stop;
     if (frame.lines != nullptr)
         control.pass = [lines = frame.lines](const RenderState& now) { lines->pass(now); };
+    return control;
+}
+
+RunResult run_and_save(const RenderArguments& arguments, const PassSource& source,
+                       RunControl control, RenderState& state)
+{
     std::uint64_t saved = count(state.film.passes);
-    const auto save = [&](const RenderState& now) {
+    control.save = [&](const RenderState& now) {
         // A state is written only for passes that it does not hold yet.
         if (arguments.files.state.empty() || count(now.film.passes) == saved)
             return;
         write_state(arguments.files.state, now);
         saved = count(now.film.passes);
     };
-    control.save = save;
-    report.begin("rendering " + std::to_string(source.width) + "x" + std::to_string(source.height) +
-                 describe_stops(arguments.stops));
     RunResult out = run_passes(source, arguments.stops, control, state);
-    report.end();
-    save(state);
+    control.save(state);
     return out;
 }
 
@@ -96,10 +107,19 @@ RenderedFrame render_passes(PreparedFrame& frame, SceneSource& source, PreviousF
     out.seconds_rays = building.seconds();
     const PassSource passes = make_source(frame, scene, source, out.statistics, cache);
     out.state = begin_or_resume(frame, passes, report);
-    out.result = render_with_progress(frame.arguments, passes, control, out.state, report);
+    const FramePlace* const place = previous != nullptr ? &previous->place : nullptr;
+    report.begin((place != nullptr ? place->text() + ", " : "rendering ") +
+                 std::to_string(passes.width) + "x" + std::to_string(passes.height) +
+                 describe_stops(frame.arguments.stops));
+    out.result =
+        run_and_save(frame.arguments, passes, make_control(place, control, report), out.state);
+    if (place != nullptr)
+        report.end_quietly();
+    else
+        report.end();
     if (cache != nullptr && cache->served > 0)
-        report.line("only the camera moved: reused the photon maps of " +
-                    std::to_string(cache->served) + " passes");
+        report.detail("only the camera moved: reused the photon maps of " +
+                      std::to_string(cache->served) + " passes");
     return out;
 }
 
@@ -111,7 +131,7 @@ RenderedFrame render_frame(PreparedFrame& frame, SceneSource& source, PreviousFr
     if (previous == nullptr)
         return render_passes(frame, source, previous, control, report);
     if (previous->rendered && previous->settings == frame.settings && !frame.found) {
-        report.line("frame unchanged: reusing the previous image");
+        report.detail("frame unchanged: reusing the previous image");
         if (!frame.arguments.files.state.empty())
             write_state(frame.arguments.files.state, previous->rendered->state);
         RenderedFrame out = *previous->rendered;

@@ -3,6 +3,7 @@
 #include "common/image/image_format.h"
 #include "common/input_error.h"
 #include "common/partition/partition_file.h"
+#include "common/report.h"
 #include "common/scene/fingerprint.h"
 #include "render/dissertation_settings.h"
 
@@ -114,9 +115,8 @@ OptionRow photons_row(std::optional<std::uint64_t>& photons)
             .section = kMethodSection,
             .field = number_field(photons, {0, kMostPhotons}),
             .help = "Light paths to emit in each pass",
-            .unset = "as many as a pass has samples, within " +
-                     std::to_string(kFewestDefaultPhotons) + " and " +
-                     std::to_string(kMostDefaultPhotons),
+            .unset = "as many as a pass has samples, within " + grouped(kFewestDefaultPhotons) +
+                     " and " + grouped(kMostDefaultPhotons),
             .changes = Changes::passes};
 }
 
@@ -264,7 +264,8 @@ std::vector<OptionRow> speed_rows(RenderArguments& arguments)
              .section = kRunSection,
              .field = choice_field<ProgressFormat>(arguments.progress, kProgressFormats, "FORMAT"),
              .help = "text, or json: also lines of JSON on standard output, for a program that "
-                     "shows the render, with linear images rewritten after passes"}};
+                     "shows the render, with linear images rewritten after passes"},
+            verbose_row(arguments.verbose)};
 }
 
 OptionRow shutter_row(RenderArguments& arguments)

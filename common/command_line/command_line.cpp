@@ -1,6 +1,7 @@
 #include "common/command_line/command_line.h"
 
 #include "common/input_error.h"
+#include "common/report.h"
 
 #include <tbb/global_control.h>
 
@@ -91,6 +92,18 @@ int run_tool(const std::function<int()>& body)
     }
 }
 
+std::string plain_number(double number)
+{
+    constexpr double kLargest = 1e18; // fits a whole number
+    const bool whole = number == std::floor(number) && std::abs(number) < kLargest;
+    if (whole)
+        return std::string(number < 0 ? "-" : "")
+            .append(grouped(static_cast<std::uint64_t>(std::abs(number))));
+    std::ostringstream text;
+    text << number;
+    return text.str();
+}
+
 CLI::Validator finite_in(double low, double high)
 {
     const auto check = [low, high](std::string& text) -> std::string {
@@ -99,12 +112,11 @@ CLI::Validator finite_in(double low, double high)
         if (number && std::isfinite(value) && value >= low && value <= high)
             return {};
         std::ostringstream message;
-        message << "'" << text << "' is not a number from " << low << " to " << high;
+        message << "'" << text << "' is not a number from " << plain_number(low) << " to "
+                << plain_number(high);
         return message.str();
     };
-    std::ostringstream range;
-    range << "in [" << low << ", " << high << "]";
-    return {check, range.str()};
+    return {check, plain_number(low) + " to " + plain_number(high)};
 }
 
 PictureSize parse_picture_size(const std::string& text)

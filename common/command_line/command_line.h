@@ -32,6 +32,9 @@ std::vector<std::string> command_of(const std::string& tool, int argc, char** ar
 /// code.
 int run_tool(const std::function<int()>& body);
 
+/// Formats a number without an exponent where it is whole: "4,000,000,000", "0.001".
+std::string plain_number(double number);
+
 /// Accepts a finite number within [low, high].  CLI11's own range check lets NaN through.
 CLI::Validator finite_in(double low, double high);
 

@@ -26,9 +26,7 @@ std::string text_of(PictureSize size)
 
 std::string text_of(NumberRange range)
 {
-    std::ostringstream text;
-    text << range.low << " to " << range.high;
-    return text.str();
+    return plain_number(range.low) + " to " + plain_number(range.high);
 }
 
 std::string joined(const std::vector<std::string>& names)

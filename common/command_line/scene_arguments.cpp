@@ -78,4 +78,12 @@ OptionRow threads_row(unsigned& threads)
             .help = "Threads; 0: all cores"};
 }
 
+OptionRow verbose_row(bool& verbose)
+{
+    return {.name = "verbose",
+            .section = kRunSection,
+            .field = flag_field(verbose),
+            .help = "Print everything that was found in the scene and done with it"};
+}
+
 } // namespace hipmap

@@ -17,4 +17,7 @@ std::vector<OptionRow> scene_rows(SceneOptions& options, SkyOptions& sky);
 /// Returns the row of --threads, bound to `threads`.
 OptionRow threads_row(unsigned& threads);
 
+/// Returns the row of --verbose, bound to `verbose`.
+OptionRow verbose_row(bool& verbose);
+
 } // namespace hipmap

@@ -79,13 +79,18 @@ bool note_lights(const Scene& scene, const std::vector<std::size_t>& faces, Scen
 {
     std::vector<std::string> dark;
     bool has_light = note_analytic_lights(scene, dark, audit);
+    std::vector<std::string> emissive;
+    std::size_t emissive_faces = 0;
     for (std::size_t i = 0; i < scene.materials.size(); ++i) {
         if (is_black(scene.materials[i].emission) || faces[i] == 0)
             continue;
-        audit.found.push_back("emissive material " + quote_name(scene.materials[i].name) + " on " +
-                              counted(faces[i], "face"));
+        emissive.push_back(scene.materials[i].name);
+        emissive_faces += faces[i];
         has_light = true;
     }
+    if (!emissive.empty())
+        audit.found.push_back("emissive material " + list_names(emissive) + " on " +
+                              counted(emissive_faces, "face"));
     for (std::size_t i = 0; i < scene.materials.size(); ++i)
         if (!is_black(scene.materials[i].medium_emission) && faces[i] > 0) {
             audit.found.push_back("emissive medium in " + quote_name(scene.materials[i].name));

@@ -1,6 +1,9 @@
 #include "common/scene/scene_names.h"
 
+#include "common/report.h"
+
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <vector>
 
@@ -101,14 +104,7 @@ std::string list_names(std::span<const std::string> names)
 
 std::string counted(std::size_t count, std::string_view noun, std::string_view plural)
 {
-    const std::string digits = std::to_string(count);
-    std::string text;
-    for (std::size_t i = 0; i < digits.size(); ++i) {
-        if (i > 0 && (digits.size() - i) % 3 == 0)
-            text += ',';
-        text += digits[i];
-    }
-    text += ' ';
+    std::string text = grouped(count) + ' ';
     if (count == 1)
         return text.append(noun);
     return plural.empty() ? text.append(noun).append("s") : text.append(plural);
@@ -118,7 +114,13 @@ std::string short_number(double value)
 {
     char text[32];
     std::snprintf(text, sizeof text, "%.3g", value);
-    return text;
+    double rounded = 0;
+    std::sscanf(text, "%lf", &rounded);
+    constexpr double kLeast = 1000, kMost = 1e18; // without an exponent between them
+    if (!(std::abs(rounded) >= kLeast && std::abs(rounded) < kMost))
+        return text;
+    return std::string(rounded < 0 ? "-" : "")
+        .append(grouped(static_cast<std::uint64_t>(std::abs(rounded))));
 }
 
 } // namespace hipmap

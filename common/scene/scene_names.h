@@ -18,7 +18,7 @@ std::string list_names(std::span<const std::string> names);
 /// Returns `count` with the noun, such as "1 face" or "12,345 faces"; `plural` empty: noun + "s".
 std::string counted(std::size_t count, std::string_view noun, std::string_view plural = {});
 
-/// Formats a number with 3 significant digits.
+/// Formats a number with 3 significant digits and without an exponent up to 1e18.
 std::string short_number(double value);
 
 } // namespace hipmap

@@ -67,10 +67,10 @@ Legend legend_of_groups(const Partition& partition)
 } // namespace
 
 std::vector<LegendedPicture> write_partition_pictures(const std::filesystem::path& folder,
-                                                      const Scene& scene,
-                                                      const Partition& partition, int width,
+                                                      const PartitionView& shown, int width,
                                                       int height)
 {
+    const auto& [scene, partition, candidates] = shown;
     std::error_code problem;
     std::filesystem::create_directory(folder, problem);
     if (problem)
@@ -78,17 +78,20 @@ std::vector<LegendedPicture> write_partition_pictures(const std::filesystem::pat
 
     const EmbreeScene rays(scene.mesh);
     const PictureView view{scene.mesh, rays, scene.cameras[scene.camera], width, height};
-    const std::vector<Image> images =
-        colour_images(view, {paint_maps(partition), paint_edges(scene.mesh, partition),
-                             paint_candidates(partition), paint_groups(scene.mesh, partition)});
-    const std::vector<Legend> legends{legend_of_maps(partition), legend_of_edges(partition),
-                                      legend_of_candidates(partition, scene.frame.metres_per_unit),
-                                      legend_of_groups(partition)};
-    static constexpr std::array kNames{"shared_maps.png", "edges.png", "candidates.png",
-                                       "groups.png"};
+    std::vector<const char*> names = {"shared_maps.png", "edges.png"};
+    std::vector<Painter> paints = {paint_maps(partition), paint_edges(scene.mesh, partition)};
+    std::vector<Legend> legends = {legend_of_maps(partition), legend_of_edges(partition)};
+    if (candidates) {
+        names.insert(names.end(), {"candidates.png", "groups.png"});
+        paints.push_back(paint_candidates(partition));
+        paints.push_back(paint_groups(scene.mesh, partition));
+        legends.push_back(legend_of_candidates(partition, scene.frame.metres_per_unit));
+        legends.push_back(legend_of_groups(partition));
+    }
+    const std::vector<Image> images = colour_images(view, paints);
     std::vector<LegendedPicture> written;
-    for (std::size_t i = 0; i < kNames.size(); ++i)
-        written.push_back(write_with_legend(folder / kNames[i], images[i], legends[i]));
+    for (std::size_t i = 0; i < names.size(); ++i)
+        written.push_back(write_with_legend(folder / names[i], images[i], legends[i]));
     return written;
 }
 

@@ -1,6 +1,7 @@
 #include "render/integrator/run_passes.h"
 
 #include "common/stopwatch.h"
+#include "render/integrator/time_left.h"
 
 #include <algorithm>
 
@@ -37,7 +38,7 @@ class Run {
         if (error_is_met())
             return StopReason::error;
         // No pass is begun that would not be over in time.
-        if (done_ > 0 && watch_.seconds() + slowest_ > rules_.seconds)
+        if (!times_.whole.empty() && watch_.seconds() + slowest_ > rules_.seconds)
             return StopReason::time;
         return std::nullopt;
     }
@@ -45,6 +46,7 @@ class Run {
     PassControl pass_control()
     {
         needed_ = passes_needed();
+        times_.begun = watch_.seconds();
         PassControl pass;
         pass.stop = control_.stop;
         pass.progress = [this](double part) { tell(part); };
@@ -56,7 +58,7 @@ class Run {
         add_pass(state_.film, pass, images);
         state_.seconds += seconds;
         slowest_ = std::max(slowest_, seconds);
-        ++done_;
+        times_.whole.push_back(seconds);
         if (passes() >= next_look_) {
             look_at_error(state_);
             next_look_ = next_look(passes());
@@ -117,6 +119,19 @@ class Run {
         return share;
     }
 
+    /// Until the rule that will end it first does, of those whose end is known.
+    std::optional<double> time_left(double part) const
+    {
+        const double now = watch_.seconds();
+        std::optional<double> left;
+        if (needed_)
+            left = seconds_left(times_, now, part, *needed_ - static_cast<double>(passes()));
+        if (!std::isfinite(rules_.seconds))
+            return left;
+        const double to_limit = seconds_to_limit(times_, now, rules_.seconds);
+        return std::min(left.value_or(to_limit), to_limit);
+    }
+
     void tell(double part) const
     {
         if (!control_.progress)
@@ -124,6 +139,7 @@ class Run {
         RunProgress progress;
         progress.passes = passes();
         progress.done = share_done(part);
+        progress.left = time_left(part);
         if (!state_.checks.empty())
             progress.error = state_.checks.back().error;
         control_.progress(progress);
@@ -135,8 +151,8 @@ class Run {
     RenderState& state_;
     const Stopwatch watch_;
     const std::uint64_t begun_;
-    std::uint64_t done_ = 0;
     std::uint64_t next_look_ = next_look(begun_);
+    PassTimes times_;
     std::optional<double> needed_;
     double slowest_ = 0, saved_ = 0, saving_ = 0; ///< s
 };
@@ -149,7 +165,8 @@ RenderState begin_state(const PassSource& source, std::vector<Setting> settings)
     state.settings = std::move(settings);
     state.photons_per_pass = source.photons;
     state.radius_decay = source.alpha;
-    state.film = make_film(source.width, source.height, source.pilot_mean, source.bias);
+    state.film =
+        make_film(source.width, source.height, source.pilot_mean, source.bias);
     state.film.allocation = source.allocation;
     return state;
 }

@@ -23,6 +23,7 @@ struct RunProgress {
     /// The share of this run's work that is done, 0 to 1, by the rule that ends it first; none:
     /// unknown until the error was estimated twice.
     std::optional<double> done;
+    std::optional<double> left; ///< s until then; none: unknown
     std::uint64_t passes = 0;
     std::optional<ImageError> error; ///< when last looked at
 };

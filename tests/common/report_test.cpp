@@ -72,12 +72,47 @@ TEST_CASE("report: progress called often, with any number, prints next to nothin
 
 TEST_CASE("report: a share has the time left, what is not known is not told", "[report]")
 {
-    CHECK(progress_text("render", 0.25, "5 passes", 6) == "render: 25 %, 5 passes, 18.00 s left");
-    CHECK(progress_text("render", 0.0, "", 6) == "render: 0 %");
-    CHECK(progress_text("render", std::nan(""), "", 6) == "render: 0 %");
-    CHECK(progress_text("render", 2.0, "", 6) == "render: 100 %, 0.00 s left");
-    CHECK(progress_text("render", std::nullopt, "5 passes", 6) == "render: 5 passes");
-    CHECK(progress_text("render", std::nullopt, "", 6) == "render");
+    CHECK(progress_text("render", 0.25, "5 passes", 18) == "render: 25 %, 5 passes, 18 s left");
+    CHECK(progress_text("render", 0.0, "", {}) == "render: 0 %");
+    CHECK(progress_text("render", std::nan(""), "", {}) == "render: 0 %");
+    CHECK(progress_text("render", 2.0, "", 0.0) == "render: 100 %, 0 s left");
+    CHECK(progress_text("render", std::nullopt, "5 passes", {}) == "render: 5 passes");
+    CHECK(progress_text("render", std::nullopt, "", 60) == "render: 60 s left");
+}
+
+TEST_CASE("report: times and numbers are short and never in exponents", "[report]")
+{
+    const std::vector<std::pair<double, std::string>> times = {
+        {0, "0 s"},       {0.034, "0.034 s"},  {3.44, "3.4 s"},   {9.96, "10 s"},
+        {99.4, "99 s"},   {99.6, "2 min"},     {3600, "60 min"},  {9000, "2.5 h"},
+        {86'400, "24 h"}, {200'000, "2 days"}, {1e8, "1157 days"}};
+    for (const auto& [seconds, text] : times)
+        CHECK(brief_time(seconds) == text);
+    CHECK(grouped(0) == "0");
+    CHECK(grouped(999) == "999");
+    CHECK(grouped(1000) == "1,000");
+    CHECK(grouped(1'600'000) == "1,600,000");
+}
+
+TEST_CASE("report: details are printed where that was asked for", "[report]")
+{
+    const CapturedErrors errors;
+    Report brief, verbose(true);
+    brief.detail("small");
+    verbose.detail("large");
+    CHECK(errors.text() == "large\n");
+}
+
+TEST_CASE("report: files written are one line", "[report]")
+{
+    const CapturedErrors errors;
+    Report report;
+    report.list_files();
+    report.wrote("a.png", "exposure +1 EV");
+    report.wrote("a.exr");
+    report.list_files();
+    report.list_files();
+    CHECK(errors.text() == "wrote a.png (exposure +1 EV), a.exr\n");
 }
 
 TEST_CASE("report: lines of several threads are not mixed", "[report]")

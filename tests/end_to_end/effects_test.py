@@ -32,7 +32,7 @@ class Effects(ToolsTestCase):
         self.assertNotIn("photons:", printed)
 
     def test_a_run_names_what_is_on(self):
-        printed = self.render("-o", self.path("image.pfm"))
+        printed = self.render("-o", self.path("image.pfm"), "--verbose")
         self.assertIn("effects: soft-shadows, indirect, mirror, refraction, caustics (", printed)
 
     def test_statistics_hold_the_plan(self):

@@ -18,11 +18,12 @@ class Frames(ToolsTestCase):
             return file.read()
 
     def preprocess(self, *options, output="scene.hpm"):
-        return self.succeed("preprocess", Tools.scene, "-o", self.path(output), *options)
+        return self.succeed("preprocess", Tools.scene, "-o", self.path(output), "--verbose",
+                            *options)
 
     def render(self, image, *options, passes=2):
         return self.succeed("render", Tools.scene, self.path("scene.hpm"), "-o", self.path(image),
-                            *SMALL, "--passes", passes, *options)
+                            *SMALL, "--passes", passes, "--verbose", *options)
 
     def test_a_frame_alone_is_the_frame_of_the_row(self):
         said = self.preprocess("--frames", "6:8")
@@ -64,7 +65,7 @@ class Frames(ToolsTestCase):
 
         def fly(image, *options):
             return self.succeed("render", scene, partition, "-o", self.path(image), *SMALL,
-                                "--passes", 2, *options)
+                                "--passes", 2, "--verbose", *options)
 
         said = fly("row.pfm", "--frames", "3:5")
         self.assertEqual(said.count("reused the photon maps of 2 passes"), 2)
@@ -76,6 +77,19 @@ class Frames(ToolsTestCase):
                              self.content(f"anew.{frame:04}.pfm"))
         self.assertEqual(self.content("row.0005.pfm"), self.content("one.0005.pfm"))
         self.assertNotEqual(self.content("row.0004.pfm"), self.content("row.0005.pfm"))
+
+    def test_frames_print_a_line_each_the_audit_once_and_a_total(self):
+        self.succeed("preprocess", Tools.scene, "-o", self.path("scene.hpm"), "--frames", "6:8",
+                     "--quiet")
+        said = self.succeed("render", Tools.scene, self.path("scene.hpm"), "-o",
+                            self.path("row.pfm"), *SMALL, "--passes", 2, "--frames", "6:8")
+        lines = said.splitlines()
+        self.assertEqual([line.split(":")[0] for line in lines if not line.startswith("assumed")],
+                         ["scene", "frame 1 of 3", "frame 2 of 3", "frame 3 of 3",
+                          "all 3 frames"], said)
+        self.assertRegex(said, r"frame 2 of 3: 2 passes, error .* %; all frames .* left\n")
+        self.assertRegex(said, r"frame 3 of 3: 2 passes, error [0-9.]+ %\nall 3 frames: .* s, "
+                               r"errors .* % to .* %\n")
 
     def test_fps_says_when_a_frame_is(self):
         self.preprocess("--frames", "6")

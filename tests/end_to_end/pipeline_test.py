@@ -43,7 +43,8 @@ class Pipeline(ToolsTestCase):
     def test_as_pipeline_sh_calls_it(self):
         name = self.path("cornell")
         said = self.succeed("preprocess", Tools.scene, "-o", name + ".hpm", "--images",
-                            self.folder, "--size", 4 * SIZE, "--json", self.path("partition.json"))
+                            self.folder, "--candidates", "--size", 4 * SIZE, "--json",
+                            self.path("partition.json"), "--verbose")
         self.assertIn(f"group maps: {GROUPS} candidates over {2 * 3968} faces\n", said)
         self.succeed("render", Tools.scene, name + ".hpm", "-o", name + ".png", "-o",
                      name + ".exr", "-o", name + ".pfm", "--size", f"{SIZE}x{SIZE}", "--photons",

@@ -61,7 +61,7 @@ class Report(ToolsTestCase):
         scene = self.path(SCENE_NAME.replace("/", "_"))
         shutil.copy(Tools.scene, scene)
         self.succeed("preprocess", scene, "-o", self.in_out("a.hpm"), "--size", "96x72",
-                     "--images", self.out, "--json", self.in_out("partition.json"))
+                     "--images", self.out, "--candidates", "--json", self.in_out("partition.json"))
         self.succeed("render", scene, self.in_out("a.hpm"), "-o", self.in_out("a.png"), "--size",
                      "48x36", "--photons", 3000, "--error-image", self.in_out("error.png"),
                      "--stats", self.in_out("stats.json"), *options)

@@ -199,7 +199,7 @@ class State(ToolsTestCase):
         before = sorted(os.listdir(self.folder))
         said = self.succeed("render", Tools.scene, self.path("scene.hpm"), "--size", "16x16",
                             "--photons", "3000", "--quote", "--error", "3")
-        self.assertIn("cost of 3.0 % error: ", said)
+        self.assertIn("3.0 % error would take about ", said)
         self.assertIn("memory", said)
         self.assertEqual(sorted(os.listdir(self.folder)), before)
         for option, value in (("--error", "0"), ("--error", "5%%"), ("--error", "nan"),

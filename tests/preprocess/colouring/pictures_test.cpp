@@ -126,7 +126,7 @@ TEST_CASE("write_partition_pictures: four pictures of the size asked for, legend
                         ("hipmap_pictures_test_" + std::to_string(::getpid()));
     const Scene scene = quad_scene();
     const Partition partition = build_partition(scene, {}).partition;
-    const auto pictures = write_partition_pictures(folder, scene, partition, 120, 80);
+    const auto pictures = write_partition_pictures(folder, {scene, partition, true}, 120, 80);
     REQUIRE(pictures.size() == 4);
     for (const LegendedPicture& picture : pictures) {
         CHECK(picture.width == 120);
