@@ -19,6 +19,9 @@ inline constexpr std::uint64_t kDefaultPasses = 16;
 inline constexpr std::uint64_t kFewestDefaultPhotons = 200'000;
 inline constexpr std::uint64_t kMostDefaultPhotons = 2'000'000;
 
+/// What --quality chooses at once; docs/accuracy.md has the evidence.
+enum class Quality : std::uint8_t { standard, draft, good, final };
+
 /// The files that `render` and `render merge` write.
 struct OutputFiles {
     std::vector<std::filesystem::path> images;
@@ -38,6 +41,7 @@ struct RenderArguments {
     std::filesystem::path scene;
     std::filesystem::path partition;
     OutputFiles files;
+    Quality quality = Quality::standard;
     StopRules stops;
     bool quote = false;   ///< only say what errors cost
     bool explain = false; ///< only say what is rendered and why

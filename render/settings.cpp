@@ -28,6 +28,17 @@ constexpr Choice<LookChoice> kLooks[] = {{"auto", LookChoice::automatic},
 constexpr Choice<ProgressFormat> kProgressFormats[] = {{"text", ProgressFormat::text},
                                                        {"json", ProgressFormat::json}};
 
+constexpr Choice<Quality> kQualities[] = {{"standard", Quality::standard},
+                                          {"draft", Quality::draft},
+                                          {"good", Quality::good},
+                                          {"final", Quality::final}};
+
+/// What the qualities stand for; the limit that is reached first applies.  An error is reached
+/// after kBatches passes at the earliest, more than a draft needs.
+constexpr std::uint64_t kDraftPasses = 4;
+constexpr double kGoodError = 0.05, kFinalError = 0.02;
+constexpr double kDraftSeconds = 60, kGoodSeconds = 20 * 60;
+
 constexpr double kMostPhotons = 4e9;
 constexpr double kMostNeighbours = 1e6;
 constexpr double kMostSamples = 65536;
@@ -80,6 +91,47 @@ OptionField exposure_field(std::optional<float>& exposure_ev)
     };
     out.values = text_of(NumberRange{-kMostExposure, kMostExposure}) + ", auto";
     return out;
+}
+
+void choose_quality(Quality quality, RenderArguments& arguments)
+{
+    arguments.quality = quality;
+    StopRules& stops = arguments.stops;
+    switch (quality) {
+    case Quality::standard:
+        break;
+    case Quality::draft:
+        arguments.render.integrator = Integrator::direct;
+        stops.passes = kDraftPasses;
+        stops.seconds = kDraftSeconds;
+        break;
+    case Quality::good:
+        stops.error = kGoodError;
+        stops.seconds = kGoodSeconds;
+        break;
+    case Quality::final:
+        stops.error = kFinalError;
+        break;
+    }
+}
+
+/// Its row must come before those of the options that it sets: the command line runs through the
+/// table in order, so what is given by them overrides it.
+OptionRow quality_row(RenderArguments& arguments)
+{
+    OptionField field = choice_field<Quality>(arguments.quality, kQualities);
+    field.add = [&arguments, names = field.names](CLI::App& app, const std::string& flags) {
+        const auto set = [&arguments](const std::string& name) {
+            choose_quality(value_of<Quality>(kQualities, name), arguments);
+        };
+        return app.add_option_function<std::string>(flags, set)->check(CLI::IsMember(names));
+    };
+    return {.name = "quality",
+            .section = kImageSection,
+            .field = std::move(field),
+            .help = "Settings at once, each overridden by its own option: draft (--integrator "
+                    "direct --passes 4 --time 60), good (--error 5% --time 1200), final (--error "
+                    "2%) or standard (none)"};
 }
 
 /// The files that `render` and `render merge` write, and how 8-bit images are exposed.
@@ -291,6 +343,7 @@ std::string hex(std::uint64_t word)
 std::vector<OptionRow> option_rows(RenderArguments& arguments)
 {
     std::vector<OptionRow> rows = output_rows(arguments.files, false);
+    rows.push_back(quality_row(arguments));
     append_rows(rows, image_rows(arguments));
     append_rows(rows, method_rows(arguments));
     append_rows(rows, end_rows(arguments));

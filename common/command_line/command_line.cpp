@@ -121,6 +121,11 @@ CLI::Validator finite_in(double low, double high)
 
 PictureSize parse_picture_size(const std::string& text)
 {
+    if (text.ends_with('%'))
+        throw CLI::ValidationError("--size",
+                                   "'" + text +
+                                       "' is a share of an unknown size: scene files hold "
+                                       "the aspect of a camera but no pixels; write WIDTH");
     const std::size_t cross = text.find_first_of("xX");
     if (cross == std::string::npos)
         return {parse_pixels(text, text), 0};

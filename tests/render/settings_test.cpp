@@ -197,3 +197,32 @@ TEST_CASE("settings: values that do not go together are refused, by name", "[set
                 CHECK(std::count(other->field.names.begin(), other->field.names.end(), value) == 1);
         }
 }
+
+TEST_CASE("settings: a quality sets several options, and each of them overrides it", "[settings]")
+{
+    const RenderArguments draft = complete(parse({"--quality", "draft"}));
+    CHECK(draft.render.integrator == Integrator::direct);
+    CHECK(draft.stops.passes == 4);
+    CHECK(draft.stops.seconds == 60);
+    CHECK(draft.stops.error == 0);
+    for (const bool first : {true, false}) {
+        std::vector<std::string> options = {"--time", "5", "--error", "3%"};
+        const std::vector<std::string> quality = {"--quality", "draft"};
+        options.insert(first ? options.begin() : options.end(), quality.begin(), quality.end());
+        const RenderArguments own = complete(parse(options));
+        CHECK(own.stops.seconds == 5);
+        CHECK(own.stops.error == 0.03);
+        CHECK(own.render.integrator == Integrator::direct);
+    }
+    const RenderArguments path = parse({"--quality", "draft", "--integrator", "path"});
+    CHECK(path.render.integrator == Integrator::path);
+    CHECK(complete(parse({"--quality", "final"})).stops.seconds == StopRules().seconds);
+    CHECK(complete(parse({"--quality", "good"})).stops.error == 0.05);
+    const RenderArguments standard = complete(parse({"--quality", "standard"}));
+    CHECK(standard.stops.passes == kDefaultPasses);
+}
+
+TEST_CASE("settings: a share of an unknown size is refused", "[settings]")
+{
+    CHECK_THROWS_WITH(parse({"--size", "50%"}), Catch::Contains("write WIDTH"));
+}
