@@ -26,7 +26,8 @@ RenderState read_states(const std::vector<std::filesystem::path>& paths)
 int merge_states(const MergeArguments& arguments)
 {
     Report report;
-    const OutputFiles& files = arguments.files;
+    OutputFiles files = arguments.files;
+    complete_files(files);
     check_outputs(files);
     const RenderState state = read_states(arguments.states);
     report.line(counted(count(state.film.passes), "pass", "passes") + " from " +

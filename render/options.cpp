@@ -32,8 +32,14 @@ RenderArguments arguments_of_frame(const RenderArguments& all, int frame)
     return out;
 }
 
+void complete_files(OutputFiles& files)
+{
+    files.view = make_view(files.view_choice);
+}
+
 void complete_arguments(RenderArguments& arguments)
 {
+    complete_files(arguments.files);
     for (const std::filesystem::path& image : arguments.files.images)
         image_format(image); // refuses an unknown suffix
     if (arguments.files.images.empty() && !arguments.quote && !arguments.explain)

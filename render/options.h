@@ -2,6 +2,7 @@
 
 #include "common/command_line/frames.h"
 #include "common/command_line/scene_arguments.h"
+#include "common/image/view_transform.h"
 #include "render/dissertation_settings.h"
 #include "render/effects/effect_plan.h"
 #include "render/integrator/run_passes.h"
@@ -30,6 +31,8 @@ struct OutputFiles {
     std::filesystem::path state;       ///< to keep, and for `render` to resume; empty: none
     bool replace_state = false;        ///< start over if the state is of another render
     std::optional<float> exposure_ev;  ///< of 8-bit images; none: auto
+    ViewChoice view_choice;            ///< of 8-bit images
+    DisplayView view;                  ///< what it names
 };
 
 /// How a render tells its progress.
@@ -72,6 +75,9 @@ struct MergeArguments {
     std::vector<std::filesystem::path> states;
     OutputFiles files; ///< at least one image
 };
+
+/// Makes the view of 8-bit images; throws InputError if there is none of that name.
+void complete_files(OutputFiles& files);
 
 /// Fills in options that follow from others; throws InputError if they contradict each other.
 void complete_arguments(RenderArguments& arguments);

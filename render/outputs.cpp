@@ -48,7 +48,7 @@ float write_each(const OutputFiles& files, const Image& image, const RenderState
         if (image_format(path) == ImageFormat::exr)
             write_exr_with_error(path, image, state.film, state.checks);
         else
-            write_image(path, image, {ev});
+            write_image(path, image, {ev, files.view});
         std::ostringstream note;
         if (is_exposed(path))
             note << "exposure " << std::showpos << std::fixed << std::setprecision(2) << ev << " EV"

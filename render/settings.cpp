@@ -158,7 +158,19 @@ std::vector<OptionRow> output_rows(OutputFiles& files, bool required)
              .section = kImageSection,
              .field = exposure_field(files.exposure_ev),
              .help = "Exposure of 8-bit images in stops",
-             .unset = "auto"}};
+             .unset = "auto"},
+            {.name = "ocio",
+             .section = kImageSection,
+             .field = text_field(files.view_choice.config, "CONFIG|blender"),
+             .help = "Show 8-bit images through a view of this OpenColorIO configuration file; "
+                     "blender: that of the installed Blender",
+             .unset = "none: sRGB"},
+            {.name = "view",
+             .section = kImageSection,
+             .field = text_field(files.view_choice.view, "NAME"),
+             .help = "View of the configuration, such as Filmic or AgX",
+             .unset = "the configuration's default",
+             .needs = "ocio"}};
 }
 
 OptionRow photons_row(std::optional<std::uint64_t>& photons)

@@ -25,18 +25,21 @@ namespace {
 
 using Levels = std::vector<std::uint8_t>; // [width * height * 3]
 
-Levels expose(const Image& image, float exposure_ev)
+Levels expose(const Image& image, const Display& display)
 {
-    assert(!std::isnan(exposure_ev));
-    const float scale = std::exp2(exposure_ev);
+    assert(!std::isnan(display.exposure_ev));
+    const float scale = std::exp2(display.exposure_ev);
+    Image exposed = image;
+    for (Rgb& pixel : exposed.pixels)
+        for (int c = 0; c < 3; ++c)
+            pixel[c] = std::isfinite(pixel[c]) ? pixel[c] * scale : 0.0f;
+    if (display.view)
+        display.view(exposed);
     Levels levels;
-    levels.reserve(image.pixels.size() * 3);
-    for (const Rgb& pixel : image.pixels) {
-        for (int c = 0; c < 3; ++c) {
-            const float value = std::isfinite(pixel[c]) ? pixel[c] * scale : 0.0f;
-            levels.push_back(level_of(srgb_from_linear(value)));
-        }
-    }
+    levels.reserve(exposed.pixels.size() * 3);
+    for (const Rgb& pixel : exposed.pixels)
+        for (int c = 0; c < 3; ++c)
+            levels.push_back(level_of(display.view ? pixel[c] : srgb_from_linear(pixel[c])));
     return levels;
 }
 
@@ -131,9 +134,9 @@ void write_image(const std::filesystem::path& path, const Image& image, const Di
     case ImageFormat::hdr:
         return write_hdr(path, image);
     case ImageFormat::png:
-        return write_png(path, image, expose(image, display.exposure_ev));
+        return write_png(path, image, expose(image, display));
     case ImageFormat::ppm:
-        return write_ppm(path, image, expose(image, display.exposure_ev));
+        return write_ppm(path, image, expose(image, display));
     }
 }
 
