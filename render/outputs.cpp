@@ -137,6 +137,8 @@ std::string describe_error(const ErrorCheck& check)
     if (error.bias == BiasKnowledge::from_radii)
         text += "; noise " + percent(std::sqrt(error.noise2)) + ", bias " +
                 percent(std::sqrt(std::max(error.bias2, 0.0)));
+    if (error.clamp2 > 0)
+        text += "; bias of --clamp " + percent(std::sqrt(error.clamp2));
     return text;
 }
 

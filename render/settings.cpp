@@ -43,6 +43,7 @@ constexpr double kMostPhotons = 4e9;
 constexpr double kMostNeighbours = 1e6;
 constexpr double kMostSamples = 65536;
 constexpr double kMostExposure = 100;
+constexpr double kMostClamp = 1e9;
 constexpr double kMostPassesAsked = 1e6;
 constexpr double kMostFirstPass = 1e15;
 constexpr double kMostSeconds = 1e9;
@@ -234,6 +235,13 @@ std::vector<OptionRow> image_rows(RenderArguments& arguments)
              .field = number_field(render.samples, {1, kMostSamples}),
              .help = "Mean samples of each pixel in a pass; noisy pixels get more",
              .changes = Changes::passes},
+            {.name = "clamp",
+             .section = kImageSection,
+             .field = number_field(render.clamp, {0, kMostClamp}, "RADIANCE"),
+             .help = "Limit samples to this radiance, W/(m2 sr), against fireflies; lights seen "
+                     "directly stay. What that takes is told as bias in the error; 0: no limit",
+             .changes = Changes::passes,
+             .only_with = {{"", "integrator", {"progressive", "direct"}}}},
             {.name = "filter",
              .section = kImageSection,
              .field = choice_field<PixelFilter>(render.filter, kFilters),

@@ -136,6 +136,8 @@ Json check_json(const ErrorCheck& check)
         json["bias2"] = error.bias2;
         json["bias_order"] = error.order;
     }
+    if (error.clamp2 > 0)
+        json["clamp"] = std::sqrt(error.clamp2);
     return json;
 }
 
@@ -159,6 +161,7 @@ Json error_json(const RenderState& state, double target)
               {"by_photon", law.by_photon},
               {"photon_power", law.photon_power},
               {"by_bias", law.by_bias},
+              {"by_clamp", law.by_clamp},
               {"bias_power", law.bias_power}}},
             {"prices", costs},
             {"memory", peak_memory()}};

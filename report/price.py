@@ -40,6 +40,8 @@ def sentences_of(error, last):
                "both vanish with more passes.")
     elif error.get("bias") == "unknown":
         yield "By noise alone: the bias of estimates from the k nearest photons is unknown."
+    if last.get("clamp"):
+        yield f"Of that, {percent(last['clamp'])} is bias of --clamp, which no pass reduces."
     half = [entry for entry in error.get("prices", [])
             if math.isclose(entry["error"], last["error"] / 2, rel_tol=1e-6)]
     if half and half[0]["seconds"] is not None:
@@ -57,7 +59,7 @@ def law_of(error, last):
     """The error after so many seconds."""
     law = error.get("law", {})
     parts = [(law.get("by_pass", 0), 1), (law.get("by_photon", 0), law.get("photon_power", 1)),
-             (law.get("by_bias", 0), law.get("bias_power", 1))]
+             (law.get("by_bias", 0), law.get("bias_power", 1)), (law.get("by_clamp", 0), 0)]
 
     def at(seconds):
         passes = seconds / last["seconds"] * last["passes"]

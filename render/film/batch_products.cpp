@@ -88,7 +88,7 @@ ChannelReader::ChannelReader(const Film& film)
     : film_(film), wide_(filled_batches(film.passes, kBatches)), mean_(film_image(film)),
       unit_(std::ldexp(1.0, -film.scale))
 {
-    if (film.bias == BiasKnowledge::from_radii)
+    if (film.bias == BiasKnowledge::from_radii || !film.cut.empty())
         narrow_ = filled_batches(film.passes, kNarrowBatches);
     const double dark = kDarkShare * mean_of_channels(mean_);
     dark_ = dark * dark;
@@ -128,6 +128,8 @@ ChannelStatistics ChannelReader::read(std::size_t pixel, std::size_t channel) co
     out.unbiased = out.mean;
     if (film_.bias == BiasKnowledge::from_radii)
         read_narrow(pixel, channel, out);
+    if (!film_.cut.empty())
+        read_cut(pixel, channel, out);
     out.bias_weight = relative_weight(out.unbiased, out.variance, dark_);
     out.steady = weight_by_neighbours(out, pixel, channel);
     out.noise = out.steady * squares;
@@ -204,6 +206,17 @@ void ChannelReader::read_narrow(std::size_t pixel, std::size_t channel,
     out.unbiased = without_bias(out);
 }
 
+void ChannelReader::read_cut(std::size_t pixel, std::size_t channel, ChannelStatistics& out) const
+{
+    double all = 0;
+    for (std::size_t i = 0; i < narrow_.batch.size(); ++i) {
+        const double taken = sum(film_.cut, narrow_.batch[i], pixel, channel);
+        out.cut[i] = taken / narrow_.passes[i];
+        all += taken;
+    }
+    out.unbiased += all / narrow_.all;
+}
+
 BatchProducts batch_products(const Film& film)
 {
     const ChannelReader reader(film);
@@ -212,7 +225,7 @@ BatchProducts batch_products(const Film& film)
     out.narrow = reader.narrow();
     out.channels = 3 * static_cast<double>(film.pixel_count());
     out.deviations = Products(out.wide.batch.size());
-    out.first = out.both = out.second = Products(out.narrow.batch.size());
+    out.first = out.both = out.second = out.cut = Products(out.narrow.batch.size());
     for (std::size_t pixel = 0; pixel < film.pixel_count(); ++pixel) {
         std::array<double, kBatches> of_pixel{};
         for (std::size_t channel = 0; channel < 3; ++channel) {
@@ -225,6 +238,8 @@ BatchProducts batch_products(const Film& film)
             add_products(out.first, found.bias_weight, found.first, found.first);
             add_products(out.both, found.bias_weight, found.first, found.second);
             add_products(out.second, found.bias_weight, found.second, found.second);
+            if (!film.cut.empty())
+                add_products(out.cut, found.bias_weight, found.cut, found.cut);
         }
         out.fourth += fourth_cumulant(of_pixel, static_cast<double>(out.wide.batch.size()));
     }

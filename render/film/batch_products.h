@@ -38,7 +38,8 @@ struct ChannelStatistics {
     double mean = 0;
     double variance = 0;    ///< of the mean, docs/error.md (4)
     double weight = 0;      ///< docs/error.md (5)
-    double unbiased = 0;    ///< the mean less what bias is plain, docs/error.md (9)
+    double unbiased = 0;    ///< the mean less what bias is plain, docs/error.md (9), and with what
+                            ///< clamping took
     double bias_weight = 0; ///< by that
     double steady = 0;      ///< the weight by the pixels around, docs/error.md (5)
     double noise = 0;       ///< sum of squares of `deviation`, weighed by `steady`
@@ -47,6 +48,7 @@ struct ChannelStatistics {
     std::array<double, kBatches> deviation{};
     /// By narrow batch: mean of radiance minus that of `narrow`; `narrow` minus `narrower`.
     std::array<double, kNarrowBatches> first{}, second{};
+    std::array<double, kNarrowBatches> cut{}; ///< by narrow batch: mean of what clamping took
 };
 
 /// Weighted sums over channels and pixels from which the error of an image is estimated.
@@ -59,6 +61,7 @@ struct BatchProducts {
     double fourth = 0;            ///< sum over pixels of fourth cumulants, docs/error.md (7)
     Products deviations;          ///< of ChannelStatistics::deviation
     Products first, both, second; ///< first x first, first x second, second x second
+    Products cut;                 ///< cut x cut
 };
 
 /// Reads the statistics of the channels of a film.  Borrows it.  Thread-safe.
@@ -80,6 +83,7 @@ class ChannelReader {
     double weight_without(const ChannelStatistics& all, double squares, std::size_t i, double sum,
                           double kept) const;
     void read_narrow(std::size_t pixel, std::size_t channel, ChannelStatistics& out) const;
+    void read_cut(std::size_t pixel, std::size_t channel, ChannelStatistics& out) const;
 
     const Film& film_;
     Batches wide_, narrow_;

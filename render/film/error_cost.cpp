@@ -20,7 +20,7 @@ double square_of(double x)
 double square_after(const ErrorLaw& law, double passes)
 {
     return law.by_pass / passes + law.by_photon / std::pow(passes, law.photon_power) +
-           law.by_bias / std::pow(passes, law.bias_power);
+           law.by_bias / std::pow(passes, law.bias_power) + law.by_clamp;
 }
 
 } // namespace
@@ -51,6 +51,7 @@ ErrorLaw error_law(std::span<const ErrorCheck> checks, double alpha)
     law.by_pass = (error.noise2 - error.photon2) * passes;
     law.by_photon = error.photon2 * std::pow(passes, law.photon_power);
     law.by_bias = std::max(error.bias2, 0.0) * std::pow(passes, law.bias_power);
+    law.by_clamp = error.clamp2;
     return law;
 }
 

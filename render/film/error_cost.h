@@ -15,13 +15,14 @@ struct ErrorCheck {
 };
 
 /// The model of the error: its square is by_pass / N + by_photon / N^photon_power + by_bias /
-/// N^bias_power, docs/error.md (12).
+/// N^bias_power + by_clamp, docs/error.md (12).
 struct ErrorLaw {
     double by_pass = 0;
     double by_photon = 0;
     double photon_power = 2.0 / 3;
     double by_bias = 0;
     double bias_power = 2.0 / 3;
+    double by_clamp = 0; ///< which no pass makes smaller
 };
 
 /// The passes and the time that an error costs, counted from the first pass.

@@ -52,7 +52,7 @@ std::int64_t largest_value()
     return std::int64_t{1} << kValueBits;
 }
 
-Film make_film(int width, int height, double mean, BiasKnowledge bias)
+Film make_film(int width, int height, double mean, BiasKnowledge bias, bool clamped)
 {
     Film film;
     film.width = width;
@@ -65,6 +65,8 @@ Film make_film(int width, int height, double mean, BiasKnowledge bias)
         film.narrow.resize(kNarrowBatches * 3 * film.pixel_count());
         film.narrower.resize(film.narrow.size());
     }
+    if (clamped)
+        film.cut.resize(kNarrowBatches * 3 * film.pixel_count());
     return film;
 }
 
@@ -82,6 +84,11 @@ void add_pass(Film& film, std::uint64_t pass, const PassImages& images)
         add_image(images.narrow, images.kept, units, &film.narrow[first], film.saturated);
         add_image(images.narrower, images.kept, units, &film.narrower[first], film.saturated);
     }
+    if (!film.cut.empty()) {
+        assert(images.cut.pixels.size() == pixels);
+        add_image(images.cut, images.kept, units, &film.cut[pass % kNarrowBatches * 3 * pixels],
+                  film.saturated);
+    }
     for (std::size_t i = 0; i < pixels; ++i)
         if (images.kept[i] == 0)
             ++film.lost[i * kBatches + batch];
@@ -98,6 +105,7 @@ void merge_film(Film& into, const Film& from)
     add_sums(into.radiance, from.radiance);
     add_sums(into.narrow, from.narrow);
     add_sums(into.narrower, from.narrower);
+    add_sums(into.cut, from.cut);
     for (const auto& [key, passes] : from.lost)
         into.lost[key] += passes;
     into.saturated += from.saturated;

@@ -36,6 +36,8 @@ struct Film {
     std::vector<std::int64_t> radiance; ///< [kBatches][pixels][3]
     std::vector<std::int64_t> narrow;   ///< [kNarrowBatches][pixels][3]; empty unless from_radii
     std::vector<std::int64_t> narrower; ///< the same
+    std::vector<std::int64_t> cut;      ///< [kNarrowBatches][pixels][3] of what clamping took from
+                                        ///< `radiance`; empty: samples were not clamped
     /// By pixel * kBatches + batch: passes of the batch that kept no sample of the pixel; rare.
     std::map<std::uint64_t, std::uint32_t> lost;
     std::uint64_t saturated = 0; ///< values that were beyond the largest and count as that
@@ -46,8 +48,8 @@ struct Film {
 
 /// Makes an empty film.  mean: of the channels of some image of the scene, which fixes the unit; an
 /// estimate will do, but films can be merged only if it was the same.  A mean of zero or less
-/// counts as one.
-Film make_film(int width, int height, double mean, BiasKnowledge bias);
+/// counts as one.  clamped: passes say what clamping took.
+Film make_film(int width, int height, double mean, BiasKnowledge bias, bool clamped = false);
 
 /// Adds a pass, which must not be in the film yet; images of the film's size.
 void add_pass(Film& film, std::uint64_t pass, const PassImages& images);

@@ -40,6 +40,14 @@ double square_of(double x)
     return x * x;
 }
 
+/// docs/error.md (18)
+double clamp_square(const Film& film, const BatchProducts& products)
+{
+    if (film.cut.empty() || products.narrow.batch.size() < 2)
+        return 0;
+    return std::max(product_of_means(products.cut, products.narrow), 0.0);
+}
+
 } // namespace
 
 std::optional<ImageError> estimate_error(const Film& film)
@@ -53,7 +61,8 @@ std::optional<ImageError> estimate_error(const Film& film)
     if (film.bias == BiasKnowledge::from_radii)
         bias = bias_square(products);
     const double known = std::max(bias.value, 0.0);
-    const double sum = noise.value + known;
+    const double clamped = clamp_square(film, products);
+    const double sum = noise.value + known + clamped;
 
     ImageError out;
     out.bias = film.bias;
@@ -61,6 +70,7 @@ std::optional<ImageError> estimate_error(const Film& film)
     if (bias.photon > 0) // as a part: both are told too low by the weight of the image itself
         out.photon2 = out.noise2 * std::min(bias.photon / spread.energy, 1.0);
     out.bias2 = bias.value / products.channels;
+    out.clamp2 = clamped / products.channels;
     out.order = bias.order;
     out.error = std::sqrt(sum / products.channels);
     out.high = std::numeric_limits<double>::infinity();
@@ -72,8 +82,9 @@ std::optional<ImageError> estimate_error(const Film& film)
                                    square_of(known - bias.interval.low) + both2);
     const double above = std::sqrt(square_of(noise.interval.high - noise.value) +
                                    square_of(bias.interval.high - bias.value) + both2);
-    out.low = std::sqrt(std::max(noise.least + known - below, 0.0) / products.channels);
-    out.high = std::sqrt(std::max(noise.most + bias.value + above, sum) / products.channels);
+    out.low = std::sqrt(std::max(noise.least + known + clamped - below, 0.0) / products.channels);
+    out.high =
+        std::sqrt(std::max(noise.most + bias.value + clamped + above, sum) / products.channels);
     return out;
 }
 

@@ -19,6 +19,7 @@ struct PassImages {
     Image narrower;                 ///< and within kNarrowing squared.  Both empty without radii.
     std::vector<std::uint8_t> kept; ///< [pixels] 0: no sample of the pixel was finite; its values
                                     ///<     do not count, whatever they are
+    Image cut = {}; ///< what clamping took from the samples of `radiance`; empty: not clamped
 };
 
 /// Returns the radius in a pass (from 0) relative to that in pass 0, docs/error.md (1), 0 < alpha <

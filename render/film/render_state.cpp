@@ -25,6 +25,8 @@ void put_film(StateWriter& out, const Film& film)
     out.put_sums(film.radiance);
     out.put_sums(film.narrow);
     out.put_sums(film.narrower);
+    out.put(static_cast<std::uint8_t>(film.cut.empty() ? 0 : 1));
+    out.put_sums(film.cut);
     out.put(static_cast<std::uint64_t>(film.lost.size()));
     for (const auto& [key, passes] : film.lost) {
         out.put(key);
@@ -38,8 +40,8 @@ void put_check(StateWriter& out, const ErrorCheck& check)
     const ImageError& error = check.error;
     out.put(check.passes);
     out.put(static_cast<std::uint32_t>(error.bias));
-    for (const double value : {check.seconds, error.noise2, error.photon2, error.bias2, error.order,
-                               error.error, error.low, error.high})
+    for (const double value : {check.seconds, error.noise2, error.photon2, error.bias2,
+                               error.clamp2, error.order, error.error, error.low, error.high})
         out.put(value);
 }
 
@@ -98,6 +100,9 @@ Film get_film(StateReader& in)
     film.radiance = get_sums(in, film, kBatches);
     film.narrow = get_sums(in, film, narrow);
     film.narrower = get_sums(in, film, narrow);
+    const auto clamped = in.get<std::uint8_t>();
+    in.require(clamped <= 1, "clamping");
+    film.cut = get_sums(in, film, clamped == 1 ? kNarrowBatches : 0);
     get_lost(in, film);
     film.saturated = in.get<std::uint64_t>();
     return film;
@@ -110,8 +115,8 @@ ErrorCheck get_check(StateReader& in)
     in.require(check.passes > 0 && check.passes <= kMostPasses, "check");
     check.error.bias = get_bias(in);
     ImageError& error = check.error;
-    for (double* value : {&check.seconds, &error.noise2, &error.photon2, &error.bias2, &error.order,
-                          &error.error, &error.low}) {
+    for (double* value : {&check.seconds, &error.noise2, &error.photon2, &error.bias2,
+                          &error.clamp2, &error.order, &error.error, &error.low}) {
         *value = in.get<double>();
         in.require(std::isfinite(*value), "check");
     }
@@ -209,7 +214,7 @@ void merge_state(RenderState& into, const RenderState& from, const std::filesyst
     const Film& film = from.film;
     if (film.width != into.film.width || film.height != into.film.height ||
         film.scale != into.film.scale || film.allocation != into.film.allocation ||
-        film.bias != into.film.bias)
+        film.bias != into.film.bias || film.cut.empty() != into.film.cut.empty())
         throw InputError(path.string() + ": its image has another size or unit, or another "
                                          "allocation of samples; render it again");
     if (const auto pass = common_pass(into.film.passes, film.passes))

@@ -41,7 +41,7 @@ RenderedPass render_pass(const RenderScene& scene, const MapSurfaces& surfaces,
     const PassMapSet maps = make_maps({scene, surfaces}, options, job.pass, statistics);
     const PassMaps pass_maps{scene,       surfaces,       maps.caustic,
                              maps.global, options.direct, maps.volume ? &*maps.volume : nullptr};
-    return render_tiles<1, EyeScratch>(
+    return render_clamped_tiles<1, EyeScratch>(
         job, after(control, kPhotonShare), statistics,
         [&](const Ray& ray, SeenLights seen, RandomSequence& random,
             EyeScratch& scratch) -> Samples<1> {
@@ -110,6 +110,7 @@ PassSource make_pass_source(const RenderScene& scene, const RenderOptions& optio
     source.pilot_mean = pilot_mean(scene, *surfaces, options);
     source.bias =
         options.integrator == Integrator::path ? BiasKnowledge::unbiased : BiasKnowledge::unknown;
+    source.clamped = options.clamp > 0;
     auto allocation = std::make_shared<SampleAllocation>();
     if (options.integrator == Integrator::direct)
         allocation->lights = allocate_light_samples(scene, options);

@@ -28,6 +28,7 @@ struct PassSource {
     double pilot_mean = 0;
     std::uint64_t allocation = 0; ///< checksum of the samples of each pixel; 0: the same of all
     BiasKnowledge bias = BiasKnowledge::unknown;
+    bool clamped = false;      ///< passes say what clamping took
     double alpha = 2.0 / 3;    ///< decay of the radii, docs/error.md (1)
     std::uint64_t photons = 0; ///< light paths of a pass
     /// Renders pass `pass`: the same images whenever it is called, at any thread count.  Runs on

@@ -85,8 +85,10 @@ PassImages images_of(const TileGrid& grid, const std::vector<TileSums<images>>& 
 {
     PassImages out;
     out.radiance = Image(grid.width, grid.height);
-    if (images == 3)
+    if (images >= 3)
         out.narrow = out.narrower = out.radiance;
+    if (is_cut<images> == 1)
+        out.cut = out.radiance;
     out.kept.assign(out.radiance.pixels.size(), 0);
     tbb::parallel_for(0, grid.height, [&](int y) {
         for (int x = 0; x < grid.width; ++x) {
@@ -97,10 +99,12 @@ PassImages images_of(const TileGrid& grid, const std::vector<TileSums<images>>& 
             if (!(weight > 0) || !are_finite(mean))
                 continue;
             out.radiance.at(x, y) = mean[0];
-            if constexpr (images == 3) {
+            if constexpr (images >= 3) {
                 out.narrow.at(x, y) = mean[1];
                 out.narrower.at(x, y) = mean[2];
             }
+            if constexpr (is_cut<images> == 1)
+                out.cut.at(x, y) = mean[images - 1];
             out.kept[static_cast<std::size_t>(y) * grid.width + x] = 1;
         }
     });
@@ -115,7 +119,7 @@ template <std::size_t images, typename Scratch, typename Trace, typename Count>
 RenderedPass render_tiles(const PictureJob& job, const PassControl& control,
                           RenderStatistics& statistics, const Trace& trace, const Count& count)
 {
-    static_assert(images == 1 || images == 3);
+    static_assert(images >= 1 && images <= 4);
     const Stopwatch watch;
     RenderedPass out;
     const TileGrid grid{job.options.width, job.options.height};
@@ -144,6 +148,23 @@ RenderedPass render_tiles(const PictureJob& job, const PassControl& control,
     statistics.seconds_image += watch.seconds();
     statistics.processor_image += watch.processor_seconds();
     return out;
+}
+
+/// Renders the images of a pass as render_tiles does; clamps the samples if the options say so.
+template <std::size_t images, typename Scratch, typename Trace, typename Count>
+RenderedPass render_clamped_tiles(const PictureJob& job, const PassControl& control,
+                                  RenderStatistics& statistics, const Trace& trace,
+                                  const Count& count)
+{
+    const float most = job.options.clamp;
+    if (!(most > 0))
+        return render_tiles<images, Scratch>(job, control, statistics, trace, count);
+    return render_tiles<images + 1, Scratch>(
+        job, control, statistics,
+        [&](const Ray& ray, SeenLights seen, RandomSequence& random, Scratch& scratch) {
+            return clamp_samples<images>(trace(ray, seen, random, scratch), most);
+        },
+        count);
 }
 
 } // namespace hipmap

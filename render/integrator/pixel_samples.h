@@ -25,9 +25,16 @@ struct PictureJob {
     }
     std::uint32_t light_samples(std::uint64_t pixel) const
     {
-        return allocation.lights.empty() ? 0 : allocation.lights[pixel];
+        const std::uint32_t found = allocation.lights.empty() ? 0 : allocation.lights[pixel];
+        // Lights are not clamped, so they need samples of their own.
+        return options.clamp > 0 ? std::max(found, samples(pixel)) : found;
     }
 };
+
+/// 1 if the last of so many images is what clamping took: of a pass with one image or with those by
+/// three radii.
+template <std::size_t images>
+inline constexpr std::size_t is_cut = images == 2 || images == 4 ? 1 : 0;
 
 /// The samples of one eye ray, one for each image of the pass.
 template <std::size_t images>
@@ -37,6 +44,19 @@ template <std::size_t images>
 bool are_finite(const Samples<images>& samples)
 {
     return std::ranges::all_of(samples, [](const Rgb& value) { return is_finite(value); });
+}
+
+/// Returns the samples with no channel above `most`, their hue kept, and what the first one lost.
+template <std::size_t images>
+Samples<images + 1> clamp_samples(const Samples<images>& samples, float most)
+{
+    Samples<images + 1> out{};
+    for (std::size_t i = 0; i < images; ++i) {
+        const float largest = std::max({samples[i].x, samples[i].y, samples[i].z});
+        out[i] = largest > most ? samples[i] * (most / largest) : samples[i];
+    }
+    out[images] = samples[0] - out[0];
+    return out;
 }
 
 /// The sums that samples add to the nine pixels around their own, row by row: values times weights,
@@ -110,7 +130,8 @@ template <std::size_t images>
 void add_seen_lights(const FilteredSamples<1>& lights, FilteredSamples<images>& samples)
 {
     for (std::size_t i = 0; i < 9; ++i)
-        for (std::size_t image = 0; image < images && lights.weights[i] > 0; ++image)
+        for (std::size_t image = 0; image < images - is_cut<images> && lights.weights[i] > 0;
+             ++image)
             samples.values[i][image] +=
                 lights.values[i][0] / lights.weights[i] * samples.weights[i];
 }

@@ -145,7 +145,7 @@ RenderedPass gather_pass(const ProgressivePass& pass, const Progressive& shared,
                           static_cast<float>(pass.shrink),
                           pass.options.light.indirect,
                           photons.volume ? &*photons.volume : nullptr};
-    return render_tiles<3, GatherScratch>(
+    return render_clamped_tiles<3, GatherScratch>(
         {scene, pass.options, pass.number, shared.allocation}, after(control, kPhotonShare),
         statistics,
         [&](const Ray& ray, SeenLights seen, RandomSequence& random, GatherScratch& scratch) {
@@ -205,6 +205,7 @@ PassSource make_progressive_source(const RenderScene& scene, const RenderOptions
     source.height = options.height;
     source.pilot_mean = render_pilot({scene, *surfaces}, options, *shared);
     source.alpha = options.alpha;
+    source.clamped = options.clamp > 0;
     source.photons = options.photons;
     source.allocation = checksum(shared->allocation);
     source.bias = precomputes(scene, options) ? BiasKnowledge::unknown : BiasKnowledge::from_radii;

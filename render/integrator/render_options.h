@@ -27,6 +27,8 @@ struct RenderOptions {
     LightClasses light;     ///< that is found at all
     double alpha = 2.0 / 3; ///< decay of the radii, docs/error.md (1); progressive
     PixelFilter filter = PixelFilter::b_spline;
+    float clamp = 0; ///< largest channel of a sample, W/(m2 sr), but for directly visible lights;
+                     ///< 0: not clamped
 };
 
 /// Statistics of one kind of photon, summed over the passes.

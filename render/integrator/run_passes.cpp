@@ -166,7 +166,7 @@ RenderState begin_state(const PassSource& source, std::vector<Setting> settings)
     state.photons_per_pass = source.photons;
     state.radius_decay = source.alpha;
     state.film =
-        make_film(source.width, source.height, source.pilot_mean, source.bias);
+        make_film(source.width, source.height, source.pilot_mean, source.bias, source.clamped);
     state.film.allocation = source.allocation;
     return state;
 }

@@ -38,6 +38,21 @@ SyntheticPasses with_bias(int block, double bias, double order)
     return passes;
 }
 
+/// What a pass of SyntheticPasses loses to clamping: a twentieth of it, every other pass.
+PassImages clamped_pass(const SyntheticPasses& passes, std::uint64_t number)
+{
+    constexpr float kShare = 0.05f;
+    PassImages out = passes.pass(number);
+    out.cut = Image(passes.side, passes.side);
+    for (std::size_t i = 0; i < out.cut.pixels.size(); ++i) {
+        const int x = static_cast<int>(i) % passes.side, y = static_cast<int>(i) / passes.side;
+        const bool hit = (number / kBatches + number + i) % 2 == 0;
+        out.cut.pixels[i] = hit ? 2 * kShare * passes.truth(x, y) : Rgb(0);
+        out.radiance.pixels[i] -= out.cut.pixels[i];
+    }
+    return out;
+}
+
 /// Standard errors between a share of `n` and `share`.
 double binomial_z(int found, int n, double share)
 {
@@ -271,4 +286,28 @@ TEST_CASE("image error: where no bias is known, the error of pixels is their noi
     CHECK(layers.bias.pixels.empty());
     CHECK(layers.error.pixels == layers.noise.pixels);
     CHECK(layers.error.pixels[0].x > 0);
+}
+
+TEST_CASE("image error: what clamping took is bias, which more passes keep", "[film]")
+{
+    const SyntheticPasses passes = plain_noise(1, 0, 0.05);
+    Film film = make_film(passes.side, passes.side, 1, BiasKnowledge::unbiased, true);
+    Film half = film, other = film;
+    for (std::uint64_t pass = 0; pass < 64; ++pass) {
+        add_pass(film, pass, clamped_pass(passes, pass));
+        add_pass(pass % 3 == 0 ? half : other, pass, clamped_pass(passes, pass));
+    }
+    merge_film(half, other);
+    CHECK(half == film);
+    const ImageError error = estimate_error(film).value();
+    // A twentieth of the truth, less where it is dark.
+    CHECK(std::sqrt(error.clamp2) > 0.035);
+    CHECK(std::sqrt(error.clamp2) < 0.05);
+    CHECK(error.error * error.error ==
+          Approx(error.noise2 + std::max(error.bias2, 0.0) + error.clamp2));
+    CHECK(error.low > 0.9 * std::sqrt(error.clamp2));
+    const std::vector<ErrorCheck> checks = {{64, 1, error}};
+    const ErrorLaw law = error_law(checks, 2.0 / 3);
+    CHECK(error_after(law, 1e12) == Approx(std::sqrt(error.clamp2)).epsilon(1e-3));
+    CHECK(std::isinf(passes_for(law, 0.5 * std::sqrt(error.clamp2))));
 }

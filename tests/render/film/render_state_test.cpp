@@ -58,6 +58,12 @@ TEST_CASE("render state: what is read is what was written", "[film]")
             write_state(folder / "a.state", state);
             CHECK(read_state(folder / "a.state") == state);
         }
+    RenderState clamped = state_of(0, 9, false);
+    clamped.film.cut.assign(kNarrowBatches * 3 * 36, 5);
+    write_state(folder / "a.state", clamped);
+    CHECK(read_state(folder / "a.state") == clamped);
+    CHECK_THAT(refusal([&] { merge_state(clamped, state_of(9, 12, false), "b"); }),
+               Catch::Contains("another size"));
     CHECK(folder.file_count() == 1);
 }
 
@@ -105,6 +111,7 @@ TEST_CASE("render state: values no render writes are refused, though the checksu
         [](RenderState& state) { state.film.radiance[5] = 3 * largest_value(); },
         [](RenderState& state) { state.film.radiance.back() = -3 * largest_value(); },
         [](RenderState& state) { state.film.narrow.pop_back(); },
+        [](RenderState& state) { state.film.cut.push_back(0); },
         [](RenderState& state) { state.film.lost[36 * kBatches] = 1; },
         [](RenderState& state) { state.film.lost[2] = 100; },
         [](RenderState& state) { state.film.lost[2] = 0; },

@@ -166,3 +166,14 @@ TEST_CASE("pixel filter: an even light is even, whether it has samples of its ow
     for (const Rgb& pixel : pass.images.radiance.pixels)
         CHECK(pixel.x == Approx(3).epsilon(1e-5));
 }
+
+TEST_CASE("clamp_samples: hues stay, the rest of the first is what was cut", "[integrator]")
+{
+    const Samples<3> samples = {Rgb(8, 4, 2), Rgb(1, 3, 2), Rgb(4, 4, 1)};
+    const Samples<4> clamped = clamp_samples<3>(samples, 4);
+    CHECK(clamped[0] == Rgb(4, 2, 1));
+    CHECK(clamped[1] == samples[1]);
+    CHECK(clamped[2] == samples[2]);
+    CHECK(clamped[3] == Rgb(4, 2, 1));
+    CHECK(clamp_samples<1>({Rgb(0)}, 1)[0] == Rgb(0));
+}
