@@ -97,7 +97,8 @@ int preprocess(const PreprocessArguments& arguments, SceneSource& source, Frames
     result.summary.passes.insert(result.summary.passes.begin(), {"load scene", load_seconds});
     print_summary(result.summary, arguments.angle_deg, frames.told, report);
     for (const std::string& sentence : describe_open_glass(scene, result.partition))
-        report.line("assumed: " + sentence);
+        if (frames.told.insert(sentence).second || report.verbose())
+            report.line("assumed: " + sentence);
     write_partition(arguments.output, result.partition);
     report.wrote(arguments.output);
 
