@@ -40,7 +40,7 @@ std::string help_of(const OptionRow& row)
 std::string cell(std::string text)
 {
     for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2)
-        text.insert(at, "\\");
+        text.insert(at, 1, '\\');
     return " " + text + (text.empty() ? "|" : " |");
 }
 

@@ -53,7 +53,7 @@ TEST_CASE("camera ray: a shifted image is a part of a larger one", "[rays]")
         whole.projection = part.projection = projection;
         whole.half_height = 2;
         part.half_height = 1;
-        for (const glm::vec2 at : {glm::vec2(0, 0), glm::vec2(1, 1), glm::vec2(0.2f, 0.7f)}) {
+        for (const glm::vec2& at : {glm::vec2(0, 0), glm::vec2(1, 1), glm::vec2(0.2f, 0.7f)}) {
             const Ray small = camera_ray(part, at, 1);
             const Ray large = camera_ray(whole, {2.0f / 3 + at.x / 3, at.y / 2}, 1.5f);
             CHECK(glm::distance(small.origin, large.origin) < 1e-6f);
