@@ -16,18 +16,25 @@ namespace hipmap {
 
 namespace {
 
-/// told: what earlier frames printed, which is left out unless the report is verbose.
+/// Returns whether a sentence is to be printed: one that no frame has printed, or a verbose report
+/// gets it.  Adds it to `told`.
+bool is_news(const std::string& sentence, std::set<std::string>& told, const Report& report)
+{
+    return told.insert(sentence).second || report.verbose();
+}
+
+/// told: what earlier frames printed.
 void print_summary(const PartitionSummary& summary, double angle_deg, std::set<std::string>& told,
                    Report& report)
 {
     if (report.verbose()) {
         for (const std::string& sentence : describe(summary, angle_deg))
             report.line(sentence);
-    } else if (const std::string maps = describe_maps(summary); told.insert(maps).second) {
+    } else if (const std::string maps = describe_maps(summary); is_news(maps, told, report)) {
         report.line("partition: " + maps);
     }
     for (const std::string& sentence : describe_defects(summary))
-        if (told.insert(sentence).second || report.verbose())
+        if (is_news(sentence, told, report))
             report.warn(sentence);
 }
 
@@ -97,7 +104,7 @@ int preprocess(const PreprocessArguments& arguments, SceneSource& source, Frames
     result.summary.passes.insert(result.summary.passes.begin(), {"load scene", load_seconds});
     print_summary(result.summary, arguments.angle_deg, frames.told, report);
     for (const std::string& sentence : describe_open_glass(scene, result.partition))
-        if (frames.told.insert(sentence).second || report.verbose())
+        if (is_news(sentence, frames.told, report))
             report.line("assumed: " + sentence);
     write_partition(arguments.output, result.partition);
     report.wrote(arguments.output);

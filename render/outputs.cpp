@@ -4,6 +4,7 @@
 #include "common/image/exposure.h"
 #include "common/image/exr_file.h"
 #include "common/image/write_image.h"
+#include "common/scene/scene_names.h"
 #include "common/stopwatch.h"
 #include "render/film/error_picture.h"
 
@@ -32,11 +33,6 @@ void write_exr_with_error(const std::filesystem::path& path, const Image& image,
     if (!layers.bias.pixels.empty())
         named.push_back({"bias", &layers.bias});
     write_exr(path, image, named);
-}
-
-std::string passes_text(double passes)
-{
-    return grouped(static_cast<std::uint64_t>(passes)) + (passes == 1 ? " pass" : " passes");
 }
 
 /// Returns the exposure of 8-bit images.
@@ -147,7 +143,8 @@ std::string describe_need(const ErrorCost& cost)
     if (!std::isfinite(cost.seconds) || cost.seconds > kMostPracticalSeconds ||
         cost.passes > static_cast<double>(kMostPasses))
         return "is not practical (more than a day)";
-    return "would take about " + passes_text(cost.passes) + ", " + brief_time(cost.seconds);
+    return "would take about " + counted(static_cast<std::size_t>(cost.passes), "pass", "passes") +
+           ", " + brief_time(cost.seconds);
 }
 
 std::string describe_cost(const RenderState& state, double target)
@@ -158,8 +155,7 @@ std::string describe_cost(const RenderState& state, double target)
     const ErrorCost half =
         error_cost(state.checks, law, (of_target ? target : last.error.error) / 2, 0);
     std::string text = "cost: " + percent(last.error.error) + " in " +
-                       passes_text(static_cast<double>(last.passes)) + ", " +
-                       brief_time(last.seconds);
+                       counted(last.passes, "pass", "passes") + ", " + brief_time(last.seconds);
     if (!std::isfinite(half.passes) || last.error.error == 0)
         return text;
     return text + "; " + percent(half.error) + " " + describe_need(half);

@@ -53,8 +53,8 @@ void complete_by_scene(RenderArguments& arguments, const Scene& scene)
     arguments.render.photons = *arguments.photons;
 }
 
-/// The state in the file, if there is one.  That of another render is refused, or put aside and
-/// told where that was asked for.
+/// Returns the state in the file, if there is one.  That of another render is refused, or renamed
+/// and noted in the audit where that was asked for.
 std::optional<RenderState> find_state(const OutputFiles& files,
                                       const std::vector<Setting>& settings, SceneAudit& audit)
 {
@@ -69,9 +69,8 @@ std::optional<RenderState> find_state(const OutputFiles& files,
             throw;
         const std::filesystem::path old = files.state.string() + ".old";
         std::filesystem::rename(files.state, old);
-        const std::string what = other.what();
-        audit.assumed.push_back(what.substr(0, what.rfind("; ")) + "; starting over, and " +
-                                old.string() + " keeps the old passes");
+        audit.assumed.push_back(other.difference + "; starting over, and " + old.string() +
+                                " keeps the old passes");
         return std::nullopt;
     }
 }

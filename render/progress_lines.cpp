@@ -16,12 +16,6 @@ constexpr double kSecondsBetweenLines = 0.1;
 /// The share of the time that rewriting images may take.
 constexpr double kWritingShare = 0.05;
 
-double seconds_between(std::chrono::steady_clock::time_point from,
-                       std::chrono::steady_clock::time_point to)
-{
-    return std::chrono::duration<double>(to - from).count();
-}
-
 json last_error(const RenderState& state)
 {
     return state.checks.empty() ? json() : json(state.checks.back().error.error);
@@ -66,8 +60,8 @@ ProgressLines::ProgressLines(std::ostream& to, const RenderArguments& arguments)
 void ProgressLines::progress(const RunProgress& progress)
 {
     const std::lock_guard lock(mutex_);
-    const Clock::time_point now = Clock::now();
-    if (seconds_between(shown_, now) < kSecondsBetweenLines)
+    const double now = watch_.seconds();
+    if (now - shown_ < kSecondsBetweenLines)
         return;
     shown_ = now;
     print({{"event", "progress"},
@@ -80,11 +74,11 @@ void ProgressLines::pass(const RenderState& state)
 {
     const std::lock_guard lock(mutex_);
     json images = json::array();
-    const Clock::time_point begun = Clock::now();
-    if (writing_ <= kWritingShare * seconds_between(written_, begun)) {
+    const double begun = watch_.seconds();
+    if (writing_ <= kWritingShare * (begun - written_)) {
         images = rewrite_linear(arguments_.files, state.film);
-        written_ = Clock::now();
-        writing_ = seconds_between(begun, written_);
+        written_ = watch_.seconds();
+        writing_ = written_ - begun;
     }
     print({{"event", "pass"},
            {"passes", count(state.film.passes)},
@@ -107,7 +101,7 @@ void ProgressLines::end(const RunResult& result, const RenderState& state)
 
 void ProgressLines::print(json line)
 {
-    line["seconds"] = seconds_between(begun_, Clock::now());
+    line["seconds"] = watch_.seconds();
     if (arguments_.frames.asked())
         line["frame"] = arguments_.frames.first;
     to_ << line.dump() + '\n' << std::flush;

@@ -1,11 +1,11 @@
 #pragma once
 
+#include "common/stopwatch.h"
 #include "render/integrator/run_passes.h"
 #include "render/options.h"
 
 #include <nlohmann/json.hpp>
 
-#include <chrono>
 #include <mutex>
 #include <ostream>
 
@@ -26,16 +26,14 @@ class ProgressLines {
     void end(const RunResult& result, const RenderState& state);
 
   private:
-    using Clock = std::chrono::steady_clock;
     void print(nlohmann::json line);
 
     std::ostream& to_;
     const RenderArguments& arguments_;
     std::mutex mutex_;
-    const Clock::time_point begun_ = Clock::now();
-    Clock::time_point shown_ = begun_;
-    Clock::time_point written_ = begun_;
-    double writing_ = 0; ///< s that writing the images took
+    const Stopwatch watch_;
+    double shown_ = 0, written_ = 0; ///< s, when progress was printed and the images were written
+    double writing_ = 0;             ///< s that writing the images took
 };
 
 } // namespace hipmap

@@ -239,7 +239,7 @@ std::vector<OptionRow> image_rows(RenderArguments& arguments)
              .section = kImageSection,
              .field = number_field(render.clamp, {0, kMostClamp}, "RADIANCE"),
              .help = "Limit samples to this radiance, W/(m2 sr), against fireflies; lights seen "
-                     "directly stay. What that takes is told as bias in the error; 0: no limit",
+                     "directly stay. The error counts the light removed as bias; 0: no limit",
              .changes = Changes::passes,
              .only_with = {{"", "integrator", {"progressive", "direct"}}}},
             {.name = "filter",

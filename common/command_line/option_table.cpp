@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <memory>
 
 namespace hipmap {
 
@@ -122,12 +123,20 @@ void add_options(CLI::App& app, const std::vector<OptionRow>& rows)
         if (!row.needs.empty())
             option->needs(app.get_option("--" + row.needs));
     }
-    // For docs/options.md, and for manual pages, completion and the command hipmap.
-    for (const auto& [flag, text] :
-         {std::pair("--options-table", options_markdown(rows)),
-          std::pair("--options-json", options_json(app.get_description(), rows))})
-        app.add_flag_callback(flag, [text = text] { throw CLI::CallForVersion(text, 0); })
-            ->group("");
+    // For docs/options.md, and for manual pages, completion and the command hipmap.  Triggered
+    // while the command line is parsed: fields still have their defaults then.
+    const auto kept = std::make_shared<const std::vector<OptionRow>>(rows);
+    app.add_flag_callback("--options-table",
+                          [kept] { throw CLI::CallForVersion(options_markdown(*kept), 0); })
+        ->trigger_on_parse()
+        ->group("");
+    app.add_flag_callback("--options-json",
+                          [kept, &app] {
+                              throw CLI::CallForVersion(options_json(app.get_description(), *kept),
+                                                        0);
+                          })
+        ->trigger_on_parse()
+        ->group("");
 }
 
 std::string options_json(const std::string& description, const std::vector<OptionRow>& rows)

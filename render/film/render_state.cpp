@@ -189,8 +189,8 @@ RenderState read_state(const std::filesystem::path& path)
     StateReader in(path);
     if (in.version() != kStateVersion)
         throw OtherState(path.string() + ": state file of format " + std::to_string(in.version()) +
-                         ", and this render reads format " + std::to_string(kStateVersion) +
-                         "; use the version that wrote it, or another file name");
+                             ", and this render reads format " + std::to_string(kStateVersion),
+                         "use the version that wrote it, or another file name");
     in.begin();
     return unpack(in);
 }
@@ -202,9 +202,8 @@ void check_settings(const std::filesystem::path& path, const std::vector<Setting
         const std::string has = i < found.size() ? text_of(found[i]) : "nothing";
         const std::string wants = i < wanted.size() ? text_of(wanted[i]) : "nothing";
         if (has != wants)
-            throw OtherState(
-                path.string() + ": holds passes with " + has + ", not " + wants +
-                "; use the scene and options that it was started with, or another file");
+            throw OtherState(path.string() + ": holds passes with " + has + ", not " + wants,
+                             "use the scene and options that it was started with, or another file");
     }
 }
 

@@ -35,7 +35,11 @@ void write_state(const std::filesystem::path& path, const RenderState& state);
 /// Reports a state that is whole, but of another render or another version of the format.
 class OtherState : public InputError {
   public:
-    using InputError::InputError;
+    OtherState(const std::string& what_differs, const std::string& cure)
+        : InputError(what_differs + "; " + cure), difference(what_differs)
+    {
+    }
+    const std::string difference; ///< the line without the cure
 };
 
 /// Reads a state and checks every value in it.  Throws InputError: no such file, damaged;

@@ -87,7 +87,7 @@ PassImages images_of(const TileGrid& grid, const std::vector<TileSums<images>>& 
     out.radiance = Image(grid.width, grid.height);
     if (images >= 3)
         out.narrow = out.narrower = out.radiance;
-    if (is_cut<images> == 1)
+    if (has_cut<images>)
         out.cut = out.radiance;
     out.kept.assign(out.radiance.pixels.size(), 0);
     tbb::parallel_for(0, grid.height, [&](int y) {
@@ -103,7 +103,7 @@ PassImages images_of(const TileGrid& grid, const std::vector<TileSums<images>>& 
                 out.narrow.at(x, y) = mean[1];
                 out.narrower.at(x, y) = mean[2];
             }
-            if constexpr (is_cut<images> == 1)
+            if constexpr (has_cut<images>)
                 out.cut.at(x, y) = mean[images - 1];
             out.kept[static_cast<std::size_t>(y) * grid.width + x] = 1;
         }

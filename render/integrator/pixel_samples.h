@@ -31,10 +31,10 @@ struct PictureJob {
     }
 };
 
-/// 1 if the last of so many images is what clamping took: of a pass with one image or with those by
-/// three radii.
+/// Whether the last of so many images is what clamping took: of a pass with one image or with those
+/// by three radii.
 template <std::size_t images>
-inline constexpr std::size_t is_cut = images == 2 || images == 4 ? 1 : 0;
+inline constexpr bool has_cut = images == 2 || images == 4;
 
 /// The samples of one eye ray, one for each image of the pass.
 template <std::size_t images>
@@ -52,7 +52,7 @@ Samples<images + 1> clamp_samples(const Samples<images>& samples, float most)
 {
     Samples<images + 1> out{};
     for (std::size_t i = 0; i < images; ++i) {
-        const float largest = std::max({samples[i].x, samples[i].y, samples[i].z});
+        const float largest = max_channel(samples[i]);
         out[i] = largest > most ? samples[i] * (most / largest) : samples[i];
     }
     out[images] = samples[0] - out[0];
@@ -130,7 +130,7 @@ template <std::size_t images>
 void add_seen_lights(const FilteredSamples<1>& lights, FilteredSamples<images>& samples)
 {
     for (std::size_t i = 0; i < 9; ++i)
-        for (std::size_t image = 0; image < images - is_cut<images> && lights.weights[i] > 0;
+        for (std::size_t image = 0; image < images - has_cut<images> && lights.weights[i] > 0;
              ++image)
             samples.values[i][image] +=
                 lights.values[i][0] / lights.weights[i] * samples.weights[i];

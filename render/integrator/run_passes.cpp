@@ -38,7 +38,7 @@ class Run {
         if (error_is_met())
             return StopReason::error;
         // No pass is begun that would not be over in time.
-        if (!times_.whole.empty() && watch_.seconds() + slowest_ > rules_.seconds)
+        if (!times_.whole.empty() && watch_.seconds() + times_.slowest() > rules_.seconds)
             return StopReason::time;
         return std::nullopt;
     }
@@ -57,7 +57,6 @@ class Run {
     {
         add_pass(state_.film, pass, images);
         state_.seconds += seconds;
-        slowest_ = std::max(slowest_, seconds);
         times_.whole.push_back(seconds);
         if (passes() >= next_look_) {
             look_at_error(state_);
@@ -154,7 +153,7 @@ class Run {
     std::uint64_t next_look_ = next_look(begun_);
     PassTimes times_;
     std::optional<double> needed_;
-    double slowest_ = 0, saved_ = 0, saving_ = 0; ///< s
+    double saved_ = 0, saving_ = 0; ///< s
 };
 
 } // namespace

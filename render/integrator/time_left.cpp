@@ -32,6 +32,11 @@ double PassTimes::lately() const
            static_cast<double>(number);
 }
 
+double PassTimes::slowest() const
+{
+    return whole.empty() ? 0 : *std::max_element(whole.begin(), whole.end());
+}
+
 std::optional<double> seconds_left(const PassTimes& times, double now, double part, double passes)
 {
     part = std::clamp(part, 0.0, 1.0);
@@ -46,10 +51,10 @@ double seconds_to_limit(const PassTimes& times, double now, double limit)
 {
     if (times.whole.empty())
         return std::max(limit - now, 0.0);
-    const double slowest = *std::max_element(times.whole.begin(), times.whole.end());
     // The pass under way ends on its own; after it, those that fit.
     const double next = std::max(times.begun + times.lately(), now);
-    const double fit = std::max(std::floor((limit - next - slowest) / times.lately() + 1), 0.0);
+    const double fit =
+        std::max(std::floor((limit - next - times.slowest()) / times.lately() + 1), 0.0);
     return next + fit * times.lately() - now;
 }
 

@@ -12,6 +12,8 @@ struct PassTimes {
 
     /// Returns the time that a pass takes lately; needs a pass that is done.
     double lately() const;
+    /// Returns the longest time of a pass; 0: none is done.
+    double slowest() const;
 };
 
 /// Predicts the seconds until a run has done `passes` more passes, the one under way included.

@@ -30,8 +30,8 @@ inline float reflectance_of_index(float index)
 /// The average of (1 - cosine)^5 over the cosine-weighted hemisphere.
 inline constexpr float kAverageGrazingWeight = 1.0f / 21;
 
-/// Returns the average over the cosine-weighted hemisphere of the weight of F90 in a reflectance
-/// that follows a dielectric's curve, docs/light_transport.md (38).  index: above 1.
+/// Returns the cosine-weighted average over the hemisphere of a Reflectance's weight of F90, for a
+/// dielectric's Fresnel curve, docs/light_transport.md (38).  index: of refraction, above 1.
 float average_dielectric_weight(float index);
 
 /// Reflectance of a metal or of the surface of a dielectric, from F0 at normal to F90 at grazing

@@ -95,8 +95,8 @@ Layers layers_of(const MetallicRoughness& of)
     return out;
 }
 
-/// Of the coat over the diffuse lobe and of metal, by their shares.  A metal that adds to a base
-/// follows the curve of the dielectric over that.
+/// Returns the reflectance of the coat over the diffuse lobe and of metal, mixed by their shares.
+/// Where coats add to the base, metal follows the Fresnel curve of the dielectric too.
 Reflectance mixed_reflectance(const MetallicRoughness& of)
 {
     const MaterialPoint& at = of.at;

@@ -14,7 +14,8 @@ using Cost = std::function<double(int)>;
 /// What a pass tells of itself when `share` of its time is over.
 using Part = std::function<double(double)>;
 
-/// The largest factor between what is told and what is true, both ways, from the second update on.
+/// Returns the largest factor between predicted and true time left, either way, from the second
+/// update on.
 /// Updates come every `interval` s, while more than an interval is left.
 double worst_factor(int passes, const Cost& cost, const Part& part, double interval)
 {
@@ -54,7 +55,7 @@ TEST_CASE("time left: within 1.5x from the second update on", "[time-left]")
                 CHECK(worst_factor(passes, cost, part, 5) < 1.5);
 }
 
-TEST_CASE("time left: in the first pass by its part, without one nothing is told", "[time-left]")
+TEST_CASE("time left: by the part of the first pass; without one, unknown", "[time-left]")
 {
     CHECK(!seconds_left({}, 1, 0, 16));
     CHECK(seconds_left({}, 1, 0.5, 16).value() == Approx(31));
