@@ -52,9 +52,7 @@ std::vector<std::string> white_materials(const json& root)
         return out;
     for (const json& material : *materials) {
         const auto base = material.find("pbrMetallicRoughness");
-        const auto extensions = material.find("extensions");
-        const bool is_glass =
-            extensions != material.end() && extensions->contains("KHR_materials_transmission");
+        const bool is_glass = has_extension(material, "KHR_materials_transmission");
         if (base != material.end() && !base->empty() && !base->contains("baseColorFactor") &&
             !base->contains("baseColorTexture") && !is_glass)
             out.push_back(clean_name(material.value("name", std::string("material"))));

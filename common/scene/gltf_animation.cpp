@@ -49,10 +49,8 @@ class ChannelReader {
     {
         if (part != NodePart::weight)
             return {read_transform(channel, part)};
-        AnimationChannel first;
-        const std::string place = read_keys(channel, first);
+        const auto [first, place, output] = read_keys(channel);
         const std::size_t each = values_of_key(first), targets = target_count(first.node);
-        const int output = animation_["samplers"][channel["sampler"].get<std::size_t>()]["output"];
         const GltfAccessor values(model_, output, document_.path);
         if (values.type() != TINYGLTF_TYPE_SCALAR)
             fail(place, "has values of the wrong type for its target");
@@ -85,9 +83,16 @@ class ChannelReader {
         return primitives.empty() ? 0 : primitives[0].targets.size();
     }
 
-    /// Reads node, interpolation and times; returns the place of the sampler.
-    std::string read_keys(const json& channel, AnimationChannel& out) const
+    /// A channel without its values.
+    struct Keys {
+        AnimationChannel channel;
+        std::string place; ///< of its sampler
+        int output = 0;    ///< accessor of the values
+    };
+
+    Keys read_keys(const json& channel) const
     {
+        AnimationChannel out;
         out.node = channel["target"]["node"];
         const std::size_t index = channel["sampler"];
         const std::string place = place_ + ".samplers[" + std::to_string(index) + "]";
@@ -96,17 +101,15 @@ class ChannelReader {
         const json& sampler = animation_["samplers"][index];
         out.interpolation = interpolation_of(sampler, place);
         out.times = read_times(sampler["input"], place);
-        return place;
+        return {std::move(out), place, sampler["output"]};
     }
 
     AnimationChannel read_transform(const json& channel, NodePart part) const
     {
-        AnimationChannel out;
+        auto [out, place, output] = read_keys(channel);
         out.part = part;
-        const std::string place = read_keys(channel, out);
         if (model_.nodes[out.node].matrix.size() == 16)
             fail("nodes[" + std::to_string(out.node) + "]", "is animated and has a matrix");
-        const int output = animation_["samplers"][channel["sampler"].get<std::size_t>()]["output"];
         out.values = read_values(output, part, place);
         if (out.times.empty() || out.values.size() != values_of_key(out) * out.times.size())
             fail(place, "has a different number of values and times");

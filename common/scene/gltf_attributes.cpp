@@ -15,9 +15,8 @@ using nlohmann::json;
 void note_texture(const std::string& slot, const json& texture, WantedAttributes& wanted)
 {
     std::size_t set = texture.value("texCoord", std::size_t{0});
-    const auto extensions = texture.find("extensions");
-    if (extensions != texture.end() && extensions->contains("KHR_texture_transform"))
-        set = (*extensions)["KHR_texture_transform"].value("texCoord", set);
+    if (has_extension(texture, "KHR_texture_transform"))
+        set = texture["extensions"]["KHR_texture_transform"].value("texCoord", set);
     if (set < wanted.uv.size())
         wanted.uv[set] = true;
     const bool has_directions =

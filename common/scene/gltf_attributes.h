@@ -50,9 +50,7 @@ std::vector<glm::dvec4> read_vertex_values(const PrimitivePlace& at, const Attri
 
 /// Reads the wanted attributes and the colours of the vertices used, in their order; arrays are
 /// empty where the primitive has none.  Colours are clamped to 0 to 1, tangents left as they are.
-/// Throws InputError, naming the primitive: damaged
-/// accessors, a type that glTF does not allow, a count that is not vertex_count, a number that is
-/// not finite.
+/// Throws InputError as read_vertex_values does.
 VertexAttributes read_attributes(const PrimitivePlace& at, const WantedAttributes& wanted,
                                  const UsedVertices& used);
 

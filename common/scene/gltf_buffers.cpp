@@ -50,15 +50,10 @@ std::optional<std::string> decode_percent(const std::string& uri)
 
 constexpr const char* kMeshopt = "EXT_meshopt_compression";
 
-bool has_meshopt(const nlohmann::json& thing)
-{
-    const auto extensions = thing.find("extensions");
-    return extensions != thing.end() && extensions->contains(kMeshopt);
-}
-
 bool says_fallback(const nlohmann::json& buffer)
 {
-    return has_meshopt(buffer) && buffer["extensions"][kMeshopt].value("fallback", false);
+    return has_extension(buffer, kMeshopt) &&
+           buffer["extensions"][kMeshopt].value("fallback", false);
 }
 
 /// Returns whether a buffer is only a place for what meshopt decodes: all its bufferViews are
@@ -72,7 +67,7 @@ bool has_compressed_views_only(const GltfDocument& document, std::size_t index)
     for (const nlohmann::json& view : *views) {
         if (view["buffer"].get<std::size_t>() != index)
             continue;
-        if (!has_meshopt(view))
+        if (!has_extension(view, kMeshopt))
             return false;
         used = true;
     }

@@ -25,6 +25,13 @@ struct GltfDocument {
     }
 };
 
+/// Returns whether a material, texture, node or buffer has an extension.
+inline bool has_extension(const nlohmann::json& thing, const char* name)
+{
+    const auto extensions = thing.find("extensions");
+    return extensions != thing.end() && extensions->contains(name);
+}
+
 /// Reads the file and parses its JSON, at most kDeepestJson levels deep.
 /// Throws InputError: cannot be read, damaged container, not JSON, not glTF 2.x, or as
 /// check_gltf_schema.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "common/scene/gltf_document.h"
 #include "common/scene/raw_scene.h"
 #include "common/scene/scene_names.h"
 
@@ -69,14 +70,14 @@ class FactorReader {
     std::string place_;
 };
 
+/// KHR_materials_ior: an index of 0 stands for infinity (all is reflected).
+inline constexpr float kInfiniteIor = 1e4f;
+
 /// Returns what a material holds under the name of an extension; an empty object if nothing.
 inline const nlohmann::json& extension(const nlohmann::json& material, const char* name)
 {
     static const nlohmann::json kNothing = nlohmann::json::object();
-    const auto extensions = material.find("extensions");
-    if (extensions == material.end() || !extensions->contains(name))
-        return kNothing;
-    return (*extensions)[name];
+    return has_extension(material, name) ? material["extensions"][name] : kNothing;
 }
 
 } // namespace hipmap

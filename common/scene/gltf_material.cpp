@@ -17,9 +17,6 @@ namespace {
 
 using nlohmann::json;
 
-/// KHR_materials_ior: an index of 0 stands for infinity (all is reflected).
-constexpr float kInfiniteIor = 1e4f;
-
 /// What Cycles shows where a face has no material.
 constexpr float kBlenderGrey = 0.8f;
 
@@ -104,12 +101,6 @@ Material read_material(const json& material, FactorReader& read)
     return out;
 }
 
-bool is_unlit(const json& material)
-{
-    const auto extensions = material.find("extensions");
-    return extensions != material.end() && extensions->contains("KHR_materials_unlit");
-}
-
 /// An unlit material shows its colour whatever the light: it emits and reflects nothing.
 void make_unlit(Material& material)
 {
@@ -182,7 +173,7 @@ void read_gltf_materials(const GltfDocument& document, const tinygltf::Model& mo
         out.name = name;
         out.textures = textures.read(material, name);
         read_material_extras(material, out, scene);
-        if (is_unlit(material)) {
+        if (has_extension(material, "KHR_materials_unlit")) {
             make_unlit(out);
             unlit.push_back(name);
         }

@@ -131,9 +131,7 @@ void decode_meshopt_views(const GltfDocument& document, tinygltf::Model& model)
 {
     MeshoptDecoder decoder(document, model);
     for (std::size_t i = 0; i < model.bufferViews.size(); ++i) {
-        const json& view = document.json["bufferViews"][i];
-        const auto extensions = view.find("extensions");
-        if (extensions != view.end() && extensions->contains("EXT_meshopt_compression"))
+        if (has_extension(document.json["bufferViews"][i], "EXT_meshopt_compression"))
             decoder.decode(i);
     }
 }

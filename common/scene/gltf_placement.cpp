@@ -81,7 +81,7 @@ class MeshPlacer {
 
     void place(const std::vector<PlacedNode>& nodes)
     {
-        nodes_ = &nodes;
+        to_world_ = transforms_by_node(nodes, model_.nodes.size());
         reserve(nodes);
         for (const PlacedNode& at : nodes)
             if (at.visible && model_.nodes[at.node].mesh >= 0)
@@ -135,7 +135,7 @@ class MeshPlacer {
         if (node.skin < 0)
             return {};
         const GltfSkin& skin = skins_[static_cast<std::size_t>(node.skin)];
-        std::vector<glm::dmat4> joints = place_joints(skin, *nodes_);
+        std::vector<glm::dmat4> joints = place_joints(skin, to_world_);
         if (joints.empty())
             scene_.audit.warnings.push_back("skin of " + quote_name(name) +
                                             " is ignored: the scene lacks some of its joints");
@@ -213,7 +213,7 @@ class MeshPlacer {
     const tinygltf::Model& model_;
     RawScene& scene_;
     std::vector<GltfSkin> skins_;
-    const std::vector<PlacedNode>* nodes_ = nullptr; ///< borrowed while placing
+    std::vector<const glm::dmat4*> to_world_; ///< by node, borrowed while placing
     GltfMeshReader reader_;
     std::vector<std::optional<std::vector<GltfPrimitive>>> meshes_;
     std::vector<std::string> without_material_, skinned_, shaped_; ///< names of objects

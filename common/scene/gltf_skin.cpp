@@ -3,8 +3,6 @@
 #include "common/scene/gltf_accessor.h"
 #include "common/scene/raw_scene.h"
 
-#include <unordered_map>
-
 namespace hipmap {
 
 namespace {
@@ -47,17 +45,24 @@ std::vector<GltfSkin> read_gltf_skins(const tinygltf::Model& model,
     return out;
 }
 
-std::vector<glm::dmat4> place_joints(const GltfSkin& skin, const std::vector<PlacedNode>& nodes)
+std::vector<const glm::dmat4*> transforms_by_node(const std::vector<PlacedNode>& nodes,
+                                                  std::size_t count)
 {
-    std::unordered_map<std::size_t, const glm::dmat4*> to_world;
+    std::vector<const glm::dmat4*> out(count, nullptr);
     for (const PlacedNode& at : nodes)
-        to_world[at.node] = &at.to_world;
+        out[at.node] = &at.to_world;
+    return out;
+}
+
+std::vector<glm::dmat4> place_joints(const GltfSkin& skin,
+                                     const std::vector<const glm::dmat4*>& to_world)
+{
     std::vector<glm::dmat4> out;
     for (std::size_t j = 0; j < skin.joints.size(); ++j) {
-        const auto at = to_world.find(skin.joints[j]);
-        if (at == to_world.end())
+        const glm::dmat4* const joint = to_world[skin.joints[j]];
+        if (joint == nullptr)
             return {};
-        out.push_back(*at->second * skin.from_mesh[j]);
+        out.push_back(*joint * skin.from_mesh[j]);
     }
     return out;
 }

@@ -21,9 +21,15 @@ struct GltfSkin {
 std::vector<GltfSkin> read_gltf_skins(const tinygltf::Model& model,
                                       const std::filesystem::path& path);
 
+/// Returns the transform of each of the file's `count` nodes to the world, borrowed; null where a
+/// node is not among those placed.
+std::vector<const glm::dmat4*> transforms_by_node(const std::vector<PlacedNode>& nodes,
+                                                  std::size_t count);
+
 /// Returns the transforms of a skin's joints from the mesh's space to the world, [J]; none if a
-/// joint is not among the placed nodes.
-std::vector<glm::dmat4> place_joints(const GltfSkin& skin, const std::vector<PlacedNode>& nodes);
+/// joint is not placed.  to_world: of transforms_by_node.
+std::vector<glm::dmat4> place_joints(const GltfSkin& skin,
+                                     const std::vector<const glm::dmat4*>& to_world);
 
 /// Returns the weights of the morph targets of a node's mesh, by the node, else the mesh; empty:
 /// all are zero.

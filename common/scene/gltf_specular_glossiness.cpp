@@ -4,18 +4,11 @@
 
 namespace hipmap {
 
-namespace {
-
 using nlohmann::json;
-
-constexpr float kOpaqueReflection = 1e4f; ///< index of refraction: F0 is the specular colour
-
-} // namespace
 
 bool is_specular_glossy(const json& material)
 {
-    const auto extensions = material.find("extensions");
-    return extensions != material.end() && extensions->contains(kSpecularGlossiness);
+    return has_extension(material, kSpecularGlossiness);
 }
 
 void read_specular_glossiness(const json& material, FactorReader& read, Material& out)
@@ -30,7 +23,7 @@ void read_specular_glossiness(const json& material, FactorReader& read, Material
                     : 1.0f;
     out.metallic = 0;
     out.roughness = has_texture ? 1 : 1 - read.fraction(from, "glossinessFactor", 1.0);
-    out.ior = kOpaqueReflection;
+    out.ior = kInfiniteIor;
     out.specular = 1;
     out.specular_color = read.fractions(from, "specularFactor");
 }

@@ -125,6 +125,8 @@ class Sweeper {
     {
         std::size_t object = 0;
         const std::vector<PlacedNode> nodes = place_nodes(model_, path_);
+        const std::vector<const glm::dmat4*> to_world =
+            transforms_by_node(nodes, model_.nodes.size());
         for (const PlacedNode& at : nodes) {
             const tinygltf::Node& node = model_.nodes[at.node];
             if (!at.visible)
@@ -140,7 +142,7 @@ class Sweeper {
                     boxes_of_node(model_, at.node, skin ? skin->joints.size() : 0, path_));
                 sweep.objects.emplace_back();
             }
-            add_object(at, skin ? place_joints(*skin, nodes) : std::vector<glm::dmat4>{},
+            add_object(at, skin ? place_joints(*skin, to_world) : std::vector<glm::dmat4>{},
                        boxes_[object], sweep.objects[object]);
             ++object;
         }

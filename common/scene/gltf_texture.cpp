@@ -61,14 +61,6 @@ glm::mat3x2 uv_transform_of(const json& transform)
             glm::vec2(offset[0].get<double>(), offset[1].get<double>())};
 }
 
-bool is_finite_transform(const glm::mat3x2& m)
-{
-    for (int column = 0; column < 3; ++column)
-        if (!std::isfinite(m[column].x) || !std::isfinite(m[column].y))
-            return false;
-    return true;
-}
-
 } // namespace
 
 /// Where a texture stands in a material, and what it is for.
@@ -136,19 +128,11 @@ std::optional<std::uint32_t> GltfTextureReader::add_roughness(std::uint32_t imag
     const auto found = roughness_images_.find({image, glossiness});
     if (found != roughness_images_.end())
         return found->second;
-    const std::uint64_t pixels = scene_.images[image].rgba.size() / 4;
-    if (pixels > pixels_left_) {
-        scene_.audit.warnings.push_back("glossiness of texture " +
-                                        quote_name(scene_.images[image].name) +
-                                        " is left out: the textures have too many pixels");
+    const TextureImage& shown = scene_.images[image];
+    if (!store_.has_room_for(shown, "glossiness of texture"))
         return std::nullopt;
-    }
-    pixels_left_ -= pixels;
-    TextureImage made =
-        roughness_of_glossiness(scene_.images[image], std::clamp(glossiness, 0.0f, 1.0f));
-    scene_.images.push_back(std::move(made));
     return roughness_images_[{image, glossiness}] =
-               static_cast<std::uint32_t>(scene_.images.size() - 1);
+               store_.add(roughness_of_glossiness(shown, std::clamp(glossiness, 0.0f, 1.0f)));
 }
 
 std::optional<TextureSlot> GltfTextureReader::read_slot(const SlotKind& kind, const json& info,
@@ -211,7 +195,7 @@ std::optional<std::uint32_t> GltfTextureReader::load_image(std::size_t index)
         name = "image " + std::to_string(index);
     DecodedTexture texture;
     try {
-        texture = decode_texture(encoded_bytes(index), std::min(kMostPixels, pixels_left_));
+        texture = store_.decode(encoded_bytes(index));
     } catch (const InputError& error) { // as of a buffer, but a scene can do without a texture
         const std::string line = error.what();
         const std::string prefix = scene_.path.string() + ": ";
@@ -219,14 +203,11 @@ std::optional<std::uint32_t> GltfTextureReader::load_image(std::size_t index)
             "cannot be read (" + line.substr(line.starts_with(prefix) ? prefix.size() : 0) + ")";
     }
     if (!texture.problem.empty()) {
-        scene_.audit.warnings.push_back("texture " + quote_name(name) + " " + texture.problem +
-                                        "; using plain colours instead");
+        store_.warn(name, texture.problem);
         return std::nullopt;
     }
-    pixels_left_ -= texture.image.rgba.size() / 4;
     texture.image.name = name;
-    scene_.images.push_back(std::move(texture.image));
-    return static_cast<std::uint32_t>(scene_.images.size() - 1);
+    return store_.add(std::move(texture.image));
 }
 
 std::vector<unsigned char> GltfTextureReader::encoded_bytes(std::size_t index) const

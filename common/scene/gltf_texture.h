@@ -1,8 +1,8 @@
 #pragma once
 
-#include "common/scene/decode_texture.h"
 #include "common/scene/gltf_document.h"
 #include "common/scene/raw_scene.h"
+#include "common/scene/texture_store.h"
 
 #include <tiny_gltf.h>
 
@@ -16,7 +16,7 @@ namespace hipmap {
 class GltfTextureReader {
   public:
     GltfTextureReader(const GltfDocument& document, const tinygltf::Model& model, RawScene& scene)
-        : document_(document), model_(model), scene_(scene)
+        : document_(document), model_(model), scene_(scene), store_(scene)
     {
     }
 
@@ -45,7 +45,7 @@ class GltfTextureReader {
     RawScene& scene_;
     std::vector<std::optional<std::optional<std::uint32_t>>> images_; ///< by the file's number
     std::map<std::pair<std::uint32_t, float>, std::uint32_t> roughness_images_;
-    std::uint64_t pixels_left_ = kMostPixelsInAll;
+    TextureStore store_;
 };
 
 } // namespace hipmap

@@ -31,18 +31,9 @@ TextureSlot slot_of(TextureUse use, std::uint32_t image, const tinyobj::texture_
     return slot;
 }
 
-bool is_finite_slot(const TextureSlot& slot)
-{
-    for (int column = 0; column < 3; ++column)
-        if (!std::isfinite(slot.uv_transform[column].x) ||
-            !std::isfinite(slot.uv_transform[column].y))
-            return false;
-    return true;
-}
-
 void add_slot(const TextureSlot& slot, Material& out)
 {
-    if (is_finite_slot(slot))
+    if (is_finite_transform(slot.uv_transform))
         out.textures.push_back(slot);
 }
 
@@ -200,8 +191,7 @@ std::optional<std::uint32_t> ObjTextureReader::load_image(const std::string& nam
             const std::vector<std::byte> bytes =
                 read_file(file_beside(scene_.path, "texture " + quote_name(name), candidate));
             const auto* const first = reinterpret_cast<const unsigned char*>(bytes.data());
-            DecodedTexture decoded =
-                decode_texture({first, bytes.size()}, std::min(kMostPixels, pixels_left_));
+            DecodedTexture decoded = store_.decode({first, bytes.size()});
             problem = decoded.problem;
             decoded.image.name = clean_name(bare);
             if (problem.empty())
@@ -211,22 +201,15 @@ std::optional<std::uint32_t> ObjTextureReader::load_image(const std::string& nam
             problem = "cannot be read";
         }
     }
-    scene_.audit.warnings.push_back("texture " + quote_name(name) + " " + problem +
-                                    "; using plain colours instead");
+    store_.warn(name, problem);
     return std::nullopt;
 }
 
 std::optional<std::uint32_t> ObjTextureReader::add_image(TextureImage image)
 {
-    const std::uint64_t pixels = image.rgba.size() / 4;
-    if (pixels > pixels_left_) {
-        scene_.audit.warnings.push_back("texture " + quote_name(image.name) +
-                                        " is left out: the textures have too many pixels");
+    if (!store_.has_room_for(image, "texture"))
         return std::nullopt;
-    }
-    pixels_left_ -= pixels;
-    scene_.images.push_back(std::move(image));
-    return static_cast<std::uint32_t>(scene_.images.size() - 1);
+    return store_.add(std::move(image));
 }
 
 } // namespace hipmap

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "common/scene/decode_texture.h"
-#include "common/scene/raw_scene.h"
+#include "common/scene/texture_store.h"
 
 #include <tiny_obj_loader.h>
 
@@ -15,7 +14,7 @@ namespace hipmap {
 /// Reads the textures of MTL materials, each file once.
 class ObjTextureReader {
   public:
-    explicit ObjTextureReader(RawScene& scene) : scene_(scene) {}
+    explicit ObjTextureReader(RawScene& scene) : scene_(scene), store_(scene) {}
 
     /// Adds the textures that a material names to `out`, whose factors they multiply, and their
     /// images to the scene; docs/scene.md has the table.  A texture that is missing, outside the
@@ -39,7 +38,7 @@ class ObjTextureReader {
     RawScene& scene_;
     std::map<std::string, std::optional<std::uint32_t>> images_; ///< by name in the file
     std::map<std::string, std::vector<std::string>> unread_;     ///< materials by key
-    std::uint64_t pixels_left_ = kMostPixelsInAll;
+    TextureStore store_;
 };
 
 } // namespace hipmap

@@ -101,4 +101,12 @@ glm::vec4 sample_texture(const TextureImage& image, const Sampler& sampler, glm:
     return glm::mix(row(y.first), row(y.second), y.share);
 }
 
+bool is_finite_transform(const glm::mat3x2& m)
+{
+    for (int column = 0; column < 3; ++column)
+        if (!std::isfinite(m[column].x) || !std::isfinite(m[column].y))
+            return false;
+    return true;
+}
+
 } // namespace hipmap

@@ -69,4 +69,7 @@ const TextureSlot* find_texture(const std::vector<TextureSlot>& slots, TextureUs
 /// not finite counts as 0; a texture without pixels is white.  Thread-safe.
 glm::vec4 sample_texture(const TextureImage& image, const Sampler& sampler, glm::vec2 uv);
 
+/// Returns whether all numbers of a transform of texture coordinates are finite.
+bool is_finite_transform(const glm::mat3x2& m);
+
 } // namespace hipmap

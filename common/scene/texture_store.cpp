@@ -1,0 +1,47 @@
+#include "common/scene/texture_store.h"
+
+#include "common/scene/scene_names.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace hipmap {
+
+namespace {
+
+std::uint64_t pixel_count(const TextureImage& image)
+{
+    return image.rgba.size() / 4;
+}
+
+} // namespace
+
+DecodedTexture TextureStore::decode(std::span<const unsigned char> bytes) const
+{
+    return decode_texture(bytes, std::min(kMostPixels, pixels_left_));
+}
+
+bool TextureStore::has_room_for(const TextureImage& image, const std::string& what)
+{
+    const bool room = pixel_count(image) <= pixels_left_;
+    if (!room)
+        scene_.audit.warnings.push_back(what + " " + quote_name(image.name) +
+                                        " is left out: the textures have too many pixels");
+    return room;
+}
+
+std::uint32_t TextureStore::add(TextureImage image)
+{
+    assert(pixel_count(image) <= pixels_left_);
+    pixels_left_ -= pixel_count(image);
+    scene_.images.push_back(std::move(image));
+    return static_cast<std::uint32_t>(scene_.images.size() - 1);
+}
+
+void TextureStore::warn(const std::string& name, const std::string& problem)
+{
+    scene_.audit.warnings.push_back("texture " + quote_name(name) + " " + problem +
+                                    "; using plain colours instead");
+}
+
+} // namespace hipmap
