@@ -14,20 +14,17 @@ import sys
 import bpy
 import numpy
 
+ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+sys.path.insert(0, os.path.join(ROOT, "assets"))
+from modelling import principled
+
 numpy.bool = bool  # the exporter of Debian's Blender still uses a name that Debian's numpy has dropped
 
 GREY = (0.6, 0.6, 0.6)
 
 
 def material(name, colour=GREY, **inputs):
-    """A Principled BSDF; inputs are named as Blender names them, with _ for a space."""
-    made = bpy.data.materials.new(name)
-    made.use_nodes = True
-    node = made.node_tree.nodes["Principled BSDF"]
-    node.inputs["Base Color"].default_value = (*colour, 1)
-    for key, value in inputs.items():
-        node.inputs[key.replace("_", " ")].default_value = value
-    return made
+    return principled(name, colour, **inputs)
 
 
 def put(made, place, surface):

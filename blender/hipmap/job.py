@@ -2,6 +2,7 @@
 """What one render of Blender asks of hipmap's programs: files and command lines."""
 
 import json
+import math
 import os
 from dataclasses import dataclass, field
 
@@ -70,7 +71,7 @@ def make_job(context, depsgraph):
     picture = picture_of(scene.render)
     folder = folder_of(scene, depsgraph.view_layer)
     exported = export_depsgraph(depsgraph, os.path.join(folder, "scene.glb"), picture)
-    partition_options = ["--angle", f"{round(settings.angle * 180 / 3.14159265358979, 4):g}"]
+    partition_options = ["--angle", f"{round(math.degrees(settings.angle), 4):g}"]
     return Job(folder, tools["preprocess"], tools["render"], picture,
                _render_options(settings, picture), partition_options,
                exported.geometry + " ".join(partition_options), settings.keep_passes,

@@ -100,7 +100,7 @@ def _node_losses(light):
 
 
 def is_portal(light):
-    """Whether a light emits nothing, but shows Cycles where the world shines in."""
+    """Whether a light is a portal: it emits nothing, and marks for Cycles an opening to the sky."""
     return getattr(getattr(light, "cycles", None), "is_portal", False)
 
 

@@ -13,8 +13,11 @@ _NOT_RENDERED = {"RENDER_PT_freestyle", "RENDER_PT_gpencil", "RENDER_PT_stereosc
 
 
 class HipmapPanel:
-    """A panel of the render properties that is there while hipmap is the engine."""
+    """A panel of the render properties that is there while hipmap is the engine.  It shows the
+    settings named in `shown`."""
 
+    shown = ()
+    bl_options = {"DEFAULT_CLOSED"}
     bl_space_type = "PROPERTIES"
     bl_region_type = "WINDOW"
     bl_context = "render"
@@ -25,25 +28,31 @@ class HipmapPanel:
         """Whether the panel is shown."""
         return context.engine in cls.COMPAT_ENGINES
 
-    def column(self):
-        """A column of properties in Blender's style."""
+    def draw(self, context):
+        """Shows the panel."""
+        self.column(context, *self.shown)
+
+    def column(self, context, *names):
+        """A column of settings in Blender's style."""
         self.layout.use_property_split = True
         self.layout.use_property_decorate = False
-        return self.layout.column()
+        column = self.layout.column()
+        for name in names:
+            column.prop(context.scene.hipmap, name)
+        return column
 
 
 class RENDER_PT_hipmap_stop(HipmapPanel, bpy.types.Panel):
     """When a render ends"""
 
     bl_label = "Render"
+    bl_options = set()
 
     def draw(self, context):
         """Shows the panel."""
         settings = context.scene.hipmap
-        column = self.column()
-        column.prop(settings, "stop_at")
-        column.prop(settings, {"ERROR": "error", "TIME": "seconds",
-                               "PASSES": "passes"}[settings.stop_at])
+        column = self.column(context, "stop_at", {"ERROR": "error", "TIME": "seconds",
+                                                  "PASSES": "passes"}[settings.stop_at])
         row = column.row()
         row.enabled = settings.keep_passes
         row.prop(settings, "proceed")
@@ -53,14 +62,10 @@ class RENDER_PT_hipmap_method(HipmapPanel, bpy.types.Panel):
     """How light is found"""
 
     bl_label = "Light Transport"
-    bl_options = {"DEFAULT_CLOSED"}
 
     def draw(self, context):
         """Shows the panel."""
-        settings = context.scene.hipmap
-        column = self.column()
-        for name in ("integrator", "samples", "photons", "seed"):
-            column.prop(settings, name)
+        column = self.column(context, "integrator", "samples", "photons", "seed")
         column.operator("render.hipmap_effects")
 
 
@@ -68,26 +73,14 @@ class RENDER_PT_hipmap_partition(HipmapPanel, bpy.types.Panel):
     """Which faces share photons"""
 
     bl_label = "Photon Maps"
-    bl_options = {"DEFAULT_CLOSED"}
-
-    def draw(self, context):
-        """Shows the panel."""
-        self.column().prop(context.scene.hipmap, "angle")
+    shown = ("angle",)
 
 
 class RENDER_PT_hipmap_running(HipmapPanel, bpy.types.Panel):
     """How the programs run"""
 
     bl_label = "Running"
-    bl_options = {"DEFAULT_CLOSED"}
-
-    def draw(self, context):
-        """Shows the panel."""
-        settings = context.scene.hipmap
-        column = self.column()
-        column.prop(settings, "threads")
-        column.prop(settings, "keep_passes")
-        column.prop(settings, "folder")
+    shown = ("threads", "keep_passes", "folder")
 
 
 _CLASSES = (RENDER_PT_hipmap_stop, RENDER_PT_hipmap_method, RENDER_PT_hipmap_partition,

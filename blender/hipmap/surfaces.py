@@ -78,6 +78,12 @@ class _Reader:
             self.losses.append(what)
 
 
+def _begin(node, path, **terms):
+    """A Surface of these terms, and the reader of the node that it is made of."""
+    surface = Surface(**terms)
+    return surface, _Reader(node, path, surface.losses)
+
+
 def _scaled(source, factor):
     return Source((*(c * factor for c in source.numbers()), 1.0), source.texture)
 
@@ -119,8 +125,7 @@ def _specular(reader, surface, transmission):
 
 
 def _principled(node, path):
-    surface = Surface()
-    reader = _Reader(node, path, surface.losses)
+    surface, reader = _begin(node, path)
     surface.base = reader.source("Base Color")
     surface.metallic = reader.source("Metallic")
     surface.roughness = reader.source("Roughness")
@@ -152,8 +157,7 @@ def _read_sheen(reader, surface):
 
 
 def _diffuse(node, path):
-    surface = Surface(is_lambert=True)
-    reader = _Reader(node, path, surface.losses)
+    surface, reader = _begin(node, path, is_lambert=True)
     surface.base = reader.source("Color")
     reader.refuse("Roughness", "the roughness of its Diffuse BSDF is not rendered")
     _read_normal(reader, surface)
@@ -161,8 +165,7 @@ def _diffuse(node, path):
 
 
 def _glossy(node, path):
-    surface = Surface(metallic=_ONE, specular=(1.0, 1.0, 1.0))
-    reader = _Reader(node, path, surface.losses)
+    surface, reader = _begin(node, path, metallic=_ONE, specular=(1.0, 1.0, 1.0))
     surface.base = reader.source("Color")
     surface.roughness = reader.source("Roughness")
     reader.refuse("Anisotropy", "its anisotropy is not rendered")
@@ -171,8 +174,7 @@ def _glossy(node, path):
 
 
 def _glass(node, path):
-    surface = Surface(transmission=_ONE, specular=(1.0, 1.0, 1.0))
-    reader = _Reader(node, path, surface.losses)
+    surface, reader = _begin(node, path, transmission=_ONE, specular=(1.0, 1.0, 1.0))
     surface.base = reader.source("Color")
     surface.roughness = reader.source("Roughness")
     surface.ior = reader.number("IOR")

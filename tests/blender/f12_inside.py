@@ -56,7 +56,7 @@ def again():
 
 
 def proceed():
-    """Two passes, and two more of the same; then two after a change, which begin anew."""
+    """Two passes, then two more that add to them; after a change of the scene, two from the start."""
     scene = open_scene("modifiers", "proceed")
     render(out("proceed_2.f32"))
     scene.hipmap.proceed = True
