@@ -1,6 +1,7 @@
 #include "render/maps/boundary_outline.h"
 
 #include "common/math/frame.h"
+#include "render/maps/own_fold.h"
 #include "render/maps/plane_directions.h"
 
 #include <algorithm>
@@ -52,6 +53,7 @@ struct BoxView {
     glm::dvec2 toward; ///< unit
     double front;      ///< the nearest of it; at or below 0: it may surround the point
     double side;       ///< half its width
+    bool off_fold;     ///< all of it
 };
 
 class Outliner {
@@ -59,7 +61,8 @@ class Outliner {
     Outliner(const MapBoundaries& boundaries, const OutlineQuery& query, OutlineScratch& scratch,
              std::vector<BoundarySegment>& out)
         : boundaries_(boundaries), segments_(boundaries.of(query.map)), query_(query),
-          scratch_(scratch), out_(out), x_(Frame(query.normal).x), y_(Frame(query.normal).y)
+          scratch_(scratch), out_(out), fold_(query.radius), x_(Frame(query.normal).x),
+          y_(Frame(query.normal).y)
     {
         scratch_.open.clear();
         scratch_.hidden2.fill(std::numeric_limits<double>::infinity());
@@ -120,7 +123,7 @@ class Outliner {
     void look_at(const Part& part)
     {
         const BoxView box = view_of(boundaries_.node(part.node));
-        if (box.front > 0 && is_hidden(box))
+        if (box.off_fold || (box.front > 0 && is_hidden(box)))
             return;
         if (box.front > 0 && box.side <= coarse_width() * box.front)
             return add_in_front_of(box);
@@ -139,10 +142,10 @@ class Outliner {
         return kCoarseWidth + kCoarseGrowth * static_cast<double>(parts_);
     }
 
-    glm::dvec2 project(const glm::vec3& point) const
+    PlanePoint project(const glm::vec3& point) const
     {
         const glm::dvec3 off = glm::dvec3(point) - glm::dvec3(query_.point);
-        return {glm::dot(off, x_), glm::dot(off, y_)};
+        return {{glm::dot(off, x_), glm::dot(off, y_)}, glm::dot(off, glm::dvec3(query_.normal))};
     }
 
     BoxView view_of(const MapBoundaries::Node& box) const
@@ -151,13 +154,17 @@ class Outliner {
         const glm::dvec3 off = glm::dvec3(box.low) + half - glm::dvec3(query_.point);
         const glm::dvec2 centre(glm::dot(off, x_), glm::dot(off, y_));
         const double distance = glm::length(centre);
+        const glm::dvec3 normal(query_.normal);
+        const double lowest = std::abs(glm::dot(off, normal)) - glm::dot(half, glm::abs(normal));
+        const bool off_fold =
+            lowest > 0 && !fold_.contains({distance + glm::length(half), 0}, lowest);
         if (!(distance > 0))
-            return {{1, 0}, 0, 0};
+            return {{1, 0}, 0, 0, off_fold};
         const glm::dvec2 toward = centre / distance;
         const glm::dvec3 along = toward.x * x_ + toward.y * y_;
         const glm::dvec3 across = toward.x * y_ - toward.y * x_;
         return {toward, distance - glm::dot(half, glm::abs(along)),
-                glm::dot(half, glm::abs(across))};
+                glm::dot(half, glm::abs(across)), off_fold};
     }
 
     bool is_hidden(const BoxView& box) const
@@ -177,14 +184,19 @@ class Outliner {
 
     void add_segment(const BoundarySegment& segment)
     {
-        glm::dvec2 a = project(segment.a), b = project(segment.b);
+        const PlanePoint ends[2] = {project(segment.a), project(segment.b)};
+        const SegmentParts parts = parts_on_fold(fold_, ends[0], ends[1]);
+        if (parts.count == 0)
+            return;
+        glm::dvec2 a = ends[0].at, b = ends[1].at;
         if (cross(a, b) < 0)
             std::swap(a, b);
         if (cross(a, b) > 0) {
             const SectorRange range(a, b);
             if (is_hidden(range, distance2(a, b)))
                 return;
-            hide_beyond(a, b, range);
+            if (parts.whole())
+                hide_beyond(a, b, range);
         }
         out_.push_back(segment);
     }
@@ -226,6 +238,7 @@ class Outliner {
     const OutlineQuery& query_;
     OutlineScratch& scratch_;
     std::vector<BoundarySegment>& out_;
+    const OwnFold fold_;
     const glm::dvec3 x_, y_; ///< axes of the plane
     std::size_t parts_ = 0;  ///< looked at
 };

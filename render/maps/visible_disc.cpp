@@ -48,14 +48,24 @@ bool VisibleDisc::set_plane(const DiscQuery& query)
     const double in2 = std::max(w2, kInside);
     centre_ = corner + (in1 * side1 + in2 * side2) / (in0 + in1 + in2);
     x_axis_ = glm::normalize(side1);
+    normal_ = normal / std::sqrt(normal2);
     y_axis_ = glm::cross(normal, x_axis_) / std::sqrt(normal2);
     return true;
 }
 
-glm::dvec2 VisibleDisc::project(const glm::vec3& point) const
+PlanePoint VisibleDisc::project(const glm::vec3& point) const
 {
     const glm::dvec3 off = glm::dvec3(point) - centre_;
-    return {glm::dot(off, x_axis_), glm::dot(off, y_axis_)};
+    return {{glm::dot(off, x_axis_), glm::dot(off, y_axis_)}, glm::dot(off, normal_)};
+}
+
+void VisibleDisc::add_walls(const BoundarySegment& segment, double radius2)
+{
+    const PlanePoint a = project(segment.a), b = project(segment.b);
+    for (const auto& [from, to] : parts_on_fold(fold_, a, b)) {
+        const auto at = [&](double t) { return t < 1 ? a.at + t * (b.at - a.at) : b.at; };
+        add_wall(at(from), at(to), radius2);
+    }
 }
 
 void VisibleDisc::add_wall(glm::dvec2 a, glm::dvec2 b, double radius2)
@@ -72,15 +82,18 @@ void VisibleDisc::add_wall(glm::dvec2 a, glm::dvec2 b, double radius2)
     walls_.push_back({a, b, std::abs(turn)});
 }
 
-void VisibleDisc::look_past(const DiscQuery& query, std::span<const BoundarySegment> boundary)
+/// False if the face has no area.
+bool VisibleDisc::look_past(const DiscQuery& query, std::span<const BoundarySegment> boundary)
 {
     assert(query.radius > 0 && std::isfinite(query.radius));
     if (!set_plane(query))
-        return;
+        return false;
+    fold_ = OwnFold(query.radius);
     nearest2_ = std::numeric_limits<double>::infinity();
     for (const BoundarySegment& segment : boundary)
-        add_wall(project(segment.a), project(segment.b), double(query.radius) * query.radius);
+        add_walls(segment, double(query.radius) * query.radius);
     build_envelope();
+    return true;
 }
 
 /// A1: p = (s a + t b) / (a x b) lies beyond the wall if s, t >= 0 and s + t > a x b.  Both ends
@@ -96,7 +109,9 @@ bool VisibleDisc::hides(const Wall& wall, const glm::dvec2& p)
 /// be a neighbour of the piece they name.
 bool VisibleDisc::sees_past_walls(const glm::vec3& photon) const
 {
-    const glm::dvec2 p = project(photon);
+    const auto [p, height] = project(photon);
+    if (!fold_.contains(p, height))
+        return false;
     if (glm::dot(p, p) <= nearest2_ || envelope_.empty())
         return true;
     const auto after =

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/maps/map_boundaries.h"
+#include "render/maps/own_fold.h"
 
 #include <glm/glm.hpp>
 
@@ -29,21 +30,21 @@ struct DiscQuery {
 class VisibleDisc {
   public:
     /// Computes what is visible from `query.point`.  boundary: at least the segments of the map
-    /// within the radius, in any order.  A face without area sees everything. Cost: nothing without
-    /// segments, else O(n log n).
+    /// within the radius, in any order.  Without any, and from a face without area, everything is.
+    /// Cost: nothing without segments, else O(n log n).
     void look(const DiscQuery& query, std::span<const BoundarySegment> boundary)
     {
         walls_.clear();
-        if (!boundary.empty())
-            look_past(query, boundary);
+        everything_ = boundary.empty() || !look_past(query, boundary);
     }
 
     /// Returns whether nothing hides any of the disc.
     bool whole() const { return walls_.empty(); }
 
-    /// Returns whether the straight segment from the query to `photon` crosses no boundary (A1).
-    /// photon: within the radius.  Cost: logarithmic in the segments.
-    bool sees(const glm::vec3& photon) const { return whole() || sees_past_walls(photon); }
+    /// Returns whether the straight segment from the query to `photon` crosses no boundary (A1),
+    /// and the photon is on the query's own fold (A7). photon: within the radius.  Cost:
+    /// logarithmic in the segments.
+    bool sees(const glm::vec3& photon) const { return everything_ || sees_past_walls(photon); }
 
     /// Returns the area of the visible part of the disc of radius r, square scene units (A4). r: >
     /// 0, at most the query's radius.  Never more than pi r^2; never zero (A5). Cost: linear in the
@@ -74,9 +75,10 @@ class VisibleDisc {
         double area2; ///< twice the area of the triangle it makes with the query
     };
 
-    void look_past(const DiscQuery& query, std::span<const BoundarySegment> boundary);
+    bool look_past(const DiscQuery& query, std::span<const BoundarySegment> boundary);
     bool set_plane(const DiscQuery& query);
-    glm::dvec2 project(const glm::vec3& point) const;
+    PlanePoint project(const glm::vec3& point) const;
+    void add_walls(const BoundarySegment& segment, double radius2);
     void add_wall(glm::dvec2 a, glm::dvec2 b, double radius2);
     void build_envelope();
     void add_first_pieces(std::uint32_t wall);
@@ -89,7 +91,9 @@ class VisibleDisc {
     bool sees_past_walls(const glm::vec3& photon) const;
     double area_within_walls(float r) const;
 
-    glm::dvec3 centre_{0.0}, x_axis_{0.0}, y_axis_{0.0};
+    bool everything_ = true; ///< is seen: nothing was looked past
+    OwnFold fold_{0};
+    glm::dvec3 centre_{0.0}, x_axis_{0.0}, y_axis_{0.0}, normal_{0.0};
     double nearest2_ = std::numeric_limits<double>::infinity(); ///< of any wall, squared
     std::vector<Wall> walls_;
     std::vector<Piece> envelope_; ///< by direction, disjoint
