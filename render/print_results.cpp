@@ -1,5 +1,6 @@
 #include "render/print_results.h"
 
+#include "render/integrator/integrators.h"
 #include "render/outputs.h"
 
 #include <sstream>
@@ -58,7 +59,7 @@ void warn_of_dropped(const RenderStatistics& statistics, const Film& film, Repor
 void print_statistics(const RenderArguments& arguments, const RenderStatistics& statistics,
                       const Film& film, Report& report)
 {
-    if (arguments.render.integrator != Integrator::path) {
+    if (kind_of(arguments.render.integrator).photons) {
         print_photons(statistics, report);
         print_levels(statistics, report);
     }
@@ -75,7 +76,7 @@ void print_error(const RenderArguments& arguments, const RenderState& state, Rep
         return;
     for (const ErrorCost& cost : error_costs(state, arguments.stops.error)) {
         std::string line = percent(cost.error) + " error " + describe_need(cost);
-        if (arguments.render.integrator != Integrator::path && cost.photons < kMostPhotonsTold)
+        if (kind_of(arguments.render.integrator).photons && cost.photons < kMostPhotonsTold)
             line += ", " + grouped(static_cast<std::uint64_t>(cost.photons)) + " light paths";
         report.line(line);
     }

@@ -2,6 +2,7 @@
 
 #include "common/scene/scene_names.h"
 #include "common/stopwatch.h"
+#include "render/integrator/integrators.h"
 #include "render/integrator/moving_source.h"
 #include "render/outputs.h"
 

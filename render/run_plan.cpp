@@ -1,6 +1,7 @@
 #include "render/run_plan.h"
 
 #include "render/effects/drop_effects.h"
+#include "render/integrator/integrators.h"
 
 namespace hipmap {
 
@@ -11,8 +12,9 @@ EffectPlan plan_run(RenderArguments& arguments, Scene& scene, const Partition& p
     options.switches = arguments.effects;
     options.shutter = arguments.shutter > 0;
     options.moving = std::move(moving);
-    options.bounces = arguments.render.dissertation.mode != MapMode::none ||
-                      arguments.render.integrator == Integrator::path;
+    const IntegratorKind& integrator = kind_of(arguments.render.integrator);
+    options.bounces = integrator.photons ? arguments.render.dissertation.mode != MapMode::none
+                                         : integrator.bounces;
     const EffectPlan out = plan_effects(scene, partition, options);
     arguments.render.light = light_classes(out);
     drop_effects(scene, out);

@@ -6,6 +6,7 @@
 #include "common/report.h"
 #include "common/scene/fingerprint.h"
 #include "render/dissertation_settings.h"
+#include "render/integrator/integrators.h"
 
 #include <cstdio>
 
@@ -13,9 +14,6 @@ namespace hipmap {
 
 namespace {
 
-constexpr Choice<Integrator> kIntegrators[] = {{"progressive", Integrator::progressive},
-                                               {"direct", Integrator::direct},
-                                               {"path", Integrator::path}};
 constexpr Choice<DirectLight> kDirectLights[] = {{"shadow-rays", DirectLight::shadow_rays},
                                                  {"photons", DirectLight::photons}};
 constexpr Choice<PixelFilter> kFilters[] = {{"b-spline", PixelFilter::b_spline},
@@ -185,16 +183,28 @@ OptionRow photons_row(std::optional<std::uint64_t>& photons)
             .changes = Changes::passes};
 }
 
+OptionRow integrator_row(Integrator& integrator)
+{
+    static const std::vector<Choice<Integrator>> choices = [] {
+        std::vector<Choice<Integrator>> out;
+        for (const IntegratorKind& kind : integrator_kinds())
+            out.push_back({kind.name, kind.id});
+        return out;
+    }();
+    std::string help;
+    for (const IntegratorKind& kind : integrator_kinds())
+        help += (help.empty() ? "" : "; ") + std::string(kind.name) + ": " + kind.help;
+    return {.name = "integrator",
+            .section = kMethodSection,
+            .field = choice_field<Integrator>(integrator, choices),
+            .help = help,
+            .changes = Changes::passes};
+}
+
 std::vector<OptionRow> method_rows(RenderArguments& arguments)
 {
     RenderOptions& render = arguments.render;
-    return {{.name = "integrator",
-             .section = kMethodSection,
-             .field = choice_field<Integrator>(render.integrator, kIntegrators),
-             .help = "progressive: photon maps and a final-gather ray, with radii that shrink from "
-                     "pass to pass; direct: estimates at the first diffuse surface, fast and "
-                     "blurred; path: path tracing without photons, for comparison",
-             .changes = Changes::passes},
+    return {integrator_row(render.integrator),
             photons_row(arguments.photons),
             {.name = "neighbours",
              .section = kMethodSection,

@@ -182,7 +182,7 @@ Json photons_json(const RenderStatistics& render, const RenderOptions& options)
                  {"paths_cut", render.cut_paths},
                  {"caustic", kind_json(render.caustic, options.dissertation.mode)},
                  {"global", kind_json(render.global, options.dissertation.mode)}};
-    if (options.integrator == Integrator::progressive)
+    if (render.indirect.stored > 0)
         json["indirect"] = kind_json(render.indirect, options.dissertation.mode);
     return json;
 }

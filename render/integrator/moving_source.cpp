@@ -2,6 +2,7 @@
 
 #include "common/math/random.h"
 #include "common/partition/partition_in_motion.h"
+#include "render/integrator/integrators.h"
 
 namespace hipmap {
 

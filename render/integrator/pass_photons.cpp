@@ -17,7 +17,7 @@ PhotonOptions photon_options(const RenderScene& scene, const RenderOptions& opti
                       options.photons / kPathsPerCausticPath};
     out.light = options.light;
     out.media = scene.media.has_value();
-    if (options.dissertation.mode == MapMode::none || options.integrator == Integrator::path) {
+    if (options.dissertation.mode == MapMode::none) {
         out.light = {false, false};
         out.store_direct = out.media = false;
     }

@@ -19,6 +19,8 @@ struct RenderedPass {
     bool whole = false; ///< false: stopped; pixels not come to are not kept
 };
 
+struct PhotonCache;
+
 /// An integrator, as the loop over passes sees it.
 struct PassSource {
     int width = 0;
@@ -51,13 +53,5 @@ PassControl after(const PassControl& control, double begun);
 
 /// Returns the mean of the channels; zero for no pixel.
 double mean_of(const Image& image);
-
-struct PhotonCache;
-
-/// Makes the integrator that the options name.  Adds what passes do to `statistics`.  cache: of
-/// previous images of the scene, used and filled by integrator progressive; may be null.
-/// Everything is borrowed, and must outlive the source.  Renders the pilot.
-PassSource make_pass_source(const RenderScene& scene, const RenderOptions& options,
-                            RenderStatistics& statistics, PhotonCache* cache = nullptr);
 
 } // namespace hipmap

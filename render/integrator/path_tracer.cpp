@@ -1,5 +1,6 @@
 #include "render/integrator/path_tracer.h"
 
+#include "render/integrator/sampled_source.h"
 #include "render/paths/path_state.h"
 
 namespace hipmap {
@@ -131,12 +132,47 @@ class PathTracer {
     Rgb radiance_{0.0f};
 };
 
+struct PathMethod {
+    struct Scratch {};
+    static constexpr double kBegun = 0;
+
+    const RenderScene& scene;
+
+    explicit PathMethod(const RenderScene& of) : scene(of) {}
+
+    struct Pass {
+        const RenderScene& scene;
+        const LightClasses& light;
+
+        Pass(const PathMethod& method, const PictureJob& job, RenderStatistics& /*statistics*/)
+            : scene(method.scene), light(job.options.light)
+        {
+        }
+
+        Rgb trace(const Ray& ray, SeenLights /*seen*/, RandomSequence& random,
+                  Scratch& /*scratch*/) const
+        {
+            return trace_path(scene, ray, random, light);
+        }
+    };
+
+    static void count(const Scratch& /*scratch*/, RenderStatistics& /*statistics*/) {}
+};
+
 } // namespace
 
 Rgb trace_path(const RenderScene& scene, const Ray& ray, RandomSequence& random,
                const LightClasses& light)
 {
     return PathTracer(scene, light, random).trace(ray);
+}
+
+PassSource make_path_source(const RenderScene& scene, const RenderOptions& options,
+                            RenderStatistics& statistics)
+{
+    PassSource source = make_sampled_source<PathMethod>(scene, options, statistics);
+    source.bias = BiasKnowledge::unbiased;
+    return source;
 }
 
 } // namespace hipmap

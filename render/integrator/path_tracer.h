@@ -2,6 +2,7 @@
 
 #include "common/math/random.h"
 #include "render/effects/light_classes.h"
+#include "render/integrator/pass_source.h"
 #include "render/shading/interaction.h"
 
 namespace hipmap {
@@ -15,5 +16,9 @@ namespace hipmap {
 /// such samples. Thread-safe. light: the classes of light to trace; others count zero.
 Rgb trace_path(const RenderScene& scene, const Ray& ray, RandomSequence& random,
                const LightClasses& light = {});
+
+/// Makes the path tracer as an integrator.  Borrows and counts as make_pass_source does.
+PassSource make_path_source(const RenderScene& scene, const RenderOptions& options,
+                            RenderStatistics& statistics);
 
 } // namespace hipmap

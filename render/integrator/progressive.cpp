@@ -88,10 +88,10 @@ std::shared_ptr<const ProgressiveRadii> find_first_radii(const MappedScene& mapp
             build_chosen_maps(photons, mapped.surfaces, options.maps, estimated(options)),
             mapped.surfaces, sparse);
     };
-    return std::make_shared<ProgressiveRadii>(
+    return std::make_shared<ProgressiveRadii>(ProgressiveRadii{
         FirstRadii{field(traced.caustic), field(traced.global), field(indirect, Sparse::infinite),
                    static_cast<float>(options.samples)},
-        volume_radii(scene, traced, options));
+        volume_radii(scene, traced, options)});
 }
 
 void count_searches(const GatherScratch& scratch, RenderStatistics& statistics)

@@ -1,6 +1,6 @@
 #include "tests/closed_forms/find_forms.h"
 
-#include "render/integrator/pass_source.h"
+#include "render/integrator/integrators.h"
 #include "tests/support/fresnel.h"
 #include "tests/support/tiny_rooms.h"
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/integrator/integrators.h"
 #include "render/integrator/run_passes.h"
 
 namespace hipmap {

@@ -1,4 +1,4 @@
-#include "render/integrator/pass_source.h"
+#include "render/integrator/integrators.h"
 #include "tests/support/statistics.h"
 #include "tests/support/tiny_rooms.h"
 

@@ -1,3 +1,4 @@
+#include "render/integrator/integrators.h"
 #include "tests/support/mean_luminance.h"
 #include "tests/support/mirror_shaft.h"
 #include "tests/support/render_image.h"

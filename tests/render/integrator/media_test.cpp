@@ -1,4 +1,5 @@
 #include "common/math/random.h"
+#include "render/integrator/integrators.h"
 #include "tests/support/mean_luminance.h"
 #include "tests/support/render_image.h"
 #include "tests/support/statistics.h"

@@ -1,4 +1,5 @@
 #include "common/partition/partition_in_motion.h"
+#include "render/integrator/integrators.h"
 #include "render/integrator/moving_source.h"
 #include "tests/support/statistics.h"
 #include "tests/support/tiny_scenes.h"

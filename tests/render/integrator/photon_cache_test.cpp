@@ -1,3 +1,4 @@
+#include "render/integrator/integrators.h"
 #include "render/integrator/photon_cache.h"
 #include "tests/support/tiny_rooms.h"
 

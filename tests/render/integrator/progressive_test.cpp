@@ -1,3 +1,4 @@
+#include "render/integrator/integrators.h"
 #include "render/integrator/progressive.h"
 #include "tests/support/statistics.h"
 #include "tests/support/tiny_rooms.h"

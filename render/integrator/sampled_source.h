@@ -1,0 +1,58 @@
+#pragma once
+
+#include "render/integrator/pass_source.h"
+#include "render/integrator/picture_tiles.h"
+
+#include <memory>
+
+namespace hipmap {
+
+/// Renders one pass by a method (make_sampled_source).
+template <typename Method>
+RenderedPass render_sampled(const Method& method, const PictureJob& job, const PassControl& control,
+                            RenderStatistics& statistics)
+{
+    using Scratch = typename Method::Scratch;
+    const typename Method::Pass pass(method, job, statistics);
+    return render_clamped_tiles<1, Scratch>(
+        job, after(control, Method::kBegun), statistics,
+        [&](const Ray& ray, SeenLights seen, RandomSequence& random,
+            Scratch& scratch) -> Samples<1> { return {pass.trace(ray, seen, random, scratch)}; },
+        [&](const Scratch& scratch) { Method::count(scratch, statistics); });
+}
+
+/// Makes an integrator whose image is the mean of samples that know nothing of each other.  Borrows
+/// and counts as make_pass_source does; renders the pilot.  A Method is
+///     Method(scene): what serves all passes of a scene; borrows it;
+///     Method::Pass(method, job, statistics): what serves one pass, such as photon maps, with
+///         trace(ray, seen, random, scratch), the radiance along an eye ray, thread-safe;
+///     Method::Scratch: memory of one thread, and Method::count(scratch, statistics);
+///     Method::kBegun: the share of a pass that is done when its Pass is there, for the progress.
+template <typename Method>
+PassSource make_sampled_source(const RenderScene& scene, const RenderOptions& options,
+                               RenderStatistics& statistics, SampleAllocation allocated = {})
+{
+    const auto method = std::make_shared<const Method>(scene);
+    const auto allocation = std::make_shared<const SampleAllocation>(std::move(allocated));
+    PassSource source;
+    source.width = options.width;
+    source.height = options.height;
+    source.photons = options.photons;
+    source.clamped = options.clamp > 0;
+    source.allocation = checksum(*allocation);
+    RenderStatistics ignored;
+    const RenderOptions small = pilot_options(options);
+    source.pilot_mean = mean_of(
+        render_sampled(*method, {scene, small, kPilotPass, {}}, {}, ignored).images.radiance);
+    source.render = [&scene, &options, &statistics, method,
+                     allocation](std::uint64_t pass, const PassControl& control) {
+        return render_sampled(*method, {scene, options, pass, *allocation}, control, statistics);
+    };
+    source.render_in = [&options, &statistics, allocation](
+                           const RenderScene& now, std::uint64_t pass, const PassControl& control) {
+        return render_sampled(Method(now), {now, options, pass, *allocation}, control, statistics);
+    };
+    return source;
+}
+
+} // namespace hipmap
