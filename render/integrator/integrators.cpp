@@ -1,6 +1,7 @@
 #include "render/integrator/integrators.h"
 
 #include "render/integrator/direct.h"
+#include "render/integrator/occlusion.h"
 #include "render/integrator/path_tracer.h"
 #include "render/integrator/progressive.h"
 
@@ -37,6 +38,12 @@ constexpr IntegratorKind kKinds[] = {
      .photons = false,
      .bounces = true,
      .make = without_cache<make_path_source>},
+    {.id = Integrator::occlusion,
+     .name = "occlusion",
+     .help = "ambient occlusion within an eighth of the scene's size, to look at its geometry",
+     .photons = false,
+     .bounces = false,
+     .make = without_cache<make_occlusion_source>},
 };
 
 } // namespace

@@ -10,6 +10,7 @@ namespace hipmap {
 enum class Integrator : std::uint8_t {
     direct,      ///< from the photon maps at the first diffuse surface
     path,        ///< by path tracing, without photons
+    occlusion,   ///< not at all: ambient occlusion
     progressive, ///< from photon maps and a gather ray, by radii that shrink from pass to pass
 };
 

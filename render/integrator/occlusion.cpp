@@ -1,0 +1,71 @@
+#include "render/integrator/occlusion.h"
+
+#include "common/math/bounds.h"
+#include "common/math/frame.h"
+#include "common/math/sampling.h"
+#include "common/rays/surface_point.h"
+#include "render/integrator/sampled_source.h"
+
+namespace hipmap {
+
+namespace {
+
+float reach_in(const TriangleMesh& mesh)
+{
+    Bounds<glm::vec3> bounds;
+    for (const glm::vec3& position : mesh.positions)
+        bounds.add(position);
+    return bounds.empty() ? 0 : kOcclusionReach * glm::length(bounds.extent());
+}
+
+struct OcclusionMethod {
+    struct Scratch {};
+    static constexpr double kBegun = 0;
+
+    const RenderScene& scene;
+    float reach; ///< scene units
+
+    explicit OcclusionMethod(const RenderScene& of) : scene(of), reach(reach_in(of.mesh())) {}
+
+    struct Pass {
+        const OcclusionMethod& method;
+
+        Pass(const OcclusionMethod& of, const PictureJob& /*job*/, RenderStatistics& /*statistics*/)
+            : method(of)
+        {
+        }
+
+        Rgb trace(const Ray& ray, SeenLights /*seen*/, RandomSequence& random,
+                  Scratch& /*scratch*/) const
+        {
+            const RenderScene& scene = method.scene;
+            const auto hit = scene.rays.nearest(ray);
+            if (!hit)
+                return Rgb(0);
+            const SurfacePoint point = surface_point(scene.mesh(), hit->face, hit->barycentric);
+            const float side = glm::dot(point.geometric_normal, ray.direction) < 0 ? 1.0f : -1.0f;
+            Ray out;
+            out.direction = Frame(side * point.shading_normal)
+                                .to_world(sample_cosine_hemisphere(random.next2()));
+            if (!(side * glm::dot(out.direction, point.geometric_normal) > 0))
+                return Rgb(0); // it would start inside
+            out.origin = offset_origin(point, out.direction);
+            out.far = method.reach;
+            return Rgb(scene.rays.occluded(out) ? 0.0f : 1.0f);
+        }
+    };
+
+    static void count(const Scratch& /*scratch*/, RenderStatistics& /*statistics*/) {}
+};
+
+} // namespace
+
+PassSource make_occlusion_source(const RenderScene& scene, const RenderOptions& options,
+                                 RenderStatistics& statistics)
+{
+    PassSource source = make_sampled_source<OcclusionMethod>(scene, options, statistics);
+    source.bias = BiasKnowledge::unbiased;
+    return source;
+}
+
+} // namespace hipmap
