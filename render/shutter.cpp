@@ -35,7 +35,8 @@ void add_moved_objects(const TriangleMesh& then, const TriangleMesh& now,
 
 void add_moved_lights(const Scene& then, const Scene& now, std::vector<std::string>& names)
 {
-    const std::vector<NamedLight> before = named_lights(then), after = named_lights(now);
+    const std::vector<NamedLight> before = named_lights(then.lights),
+                                  after = named_lights(now.lights);
     for (std::size_t i = 0; i < before.size(); ++i)
         if (before[i].placement != after[i].placement)
             add_once(names, before[i].name);

@@ -98,7 +98,7 @@ Json scene_json(const RenderArguments& arguments, const Scene& scene)
     return {{"file", arguments.scene.string()},
             {"faces", scene.mesh.face_count()},
             {"materials", scene.materials.size()},
-            {"lights", named_lights(scene).size()},
+            {"lights", named_lights(scene.lights).size()},
             {"camera", scene.cameras[scene.camera].name},
             {"metres_per_unit", scene.frame.metres_per_unit}};
 }

@@ -1,5 +1,6 @@
 #include "common/scene/blender_losses.h"
 
+#include "common/scene/named_lights.h"
 #include "common/scene/scene_names.h"
 
 #include <set>
@@ -63,9 +64,9 @@ std::vector<std::string> white_materials(const json& root)
 void note_sizes(const RawScene& scene, SceneAudit& audit)
 {
     std::vector<std::string> lights, cameras;
-    for (const RawLight& light : scene.lights)
-        if (!(light.radius > 0) && !(light.half_angle > 0))
-            lights.push_back(light.name);
+    for (const SceneLight& light : scene.lights)
+        if (!describe_light(light).has_size)
+            lights.push_back(name_of(light));
     for (const RawCamera& camera : scene.cameras)
         if (camera.projection == Projection::perspective && !(camera.aperture_radius > 0))
             cameras.push_back(camera.name);

@@ -61,7 +61,7 @@ std::vector<std::size_t> count_material_faces(const Scene& scene)
 /// any emits.
 bool note_analytic_lights(const Scene& scene, std::vector<std::string>& dark, SceneAudit& audit)
 {
-    const std::vector<NamedLight> lights = named_lights(scene);
+    const std::vector<NamedLight> lights = named_lights(scene.lights);
     bool emits = false;
     for (std::size_t begin = 0, end = 0; begin < lights.size(); begin = end) {
         std::vector<std::string> names;

@@ -134,18 +134,25 @@ void add_image(Hasher& hasher, const TextureImage& texture)
     hasher.add_array(rgba);
 }
 
-void add_light(Hasher& hasher, const PunctualLight& light)
-{
-    const auto& [name, kind, position, direction, intensity, cos_inner, cos_outer, falloff, radius,
-                 half_angle] = light;
-    hasher.add(kind, position, direction, intensity, cos_inner, cos_outer, falloff, radius,
-               half_angle);
-}
+/// Hashes the numbers of a light, whatever they are.
+struct HashNumbers {
+    Hasher& hasher;
 
-void add_light(Hasher& hasher, const AreaLight& light)
+    void position(const auto& value) { hasher.add(value); }
+    void direction(const auto& value) { hasher.add(value); }
+    void extent(const auto& value) { hasher.add(value); }
+    void angle(const auto& value) { hasher.add(value); }
+    void radiant_intensity(const auto& value) { hasher.add(value); }
+    void irradiance(const auto& value) { hasher.add(value); }
+    void radiance(const auto& value) { hasher.add(value); }
+    void plain(const auto& value) { hasher.add(value); }
+};
+
+void add_light(Hasher& hasher, const SceneLight& light)
 {
-    const auto& [name, is_disc, centre, half_right, half_up, direction, radiance] = light;
-    hasher.add(is_disc, centre, half_right, half_up, direction, radiance);
+    hasher.add(static_cast<std::uint64_t>(light.index()));
+    HashNumbers visit{hasher};
+    each_number(light, visit);
 }
 
 void add_camera(Hasher& hasher, const Camera& camera)
@@ -167,15 +174,14 @@ void add_each(Hasher& hasher, const std::vector<T>& values, const Add& add)
 /// Everything but the camera.
 Hasher hash_still(const Scene& scene)
 {
-    const auto& [frame, mesh, materials, images, lights, area_lights, environment, map_file,
-                 strength, turn_deg, around, cameras, camera, look, nested] = scene;
+    const auto& [frame, mesh, materials, images, lights, environment, map_file, strength, turn_deg,
+                 around, cameras, camera, look, nested] = scene;
     Hasher hasher;
     add_geometry(hasher, scene);
     add_rest_of_mesh(hasher, mesh);
     add_each(hasher, materials, add_material);
     add_each(hasher, images, add_image);
-    add_each(hasher, lights, [](Hasher& h, const PunctualLight& light) { add_light(h, light); });
-    add_each(hasher, area_lights, [](Hasher& h, const AreaLight& light) { add_light(h, light); });
+    add_each(hasher, lights, add_light);
     hasher.add(environment, strength, turn_deg, look);
     add_medium(hasher, around);
     hasher.add_array(std::vector<char>(map_file.begin(), map_file.end()));

@@ -18,20 +18,27 @@ using nlohmann::json;
 constexpr double kWidestAngle = 180.0; ///< degrees
 constexpr double kMostShift = 100.0;   ///< heights of an image
 
-std::string name_of(const json& thing, const char* kind, std::size_t index)
+std::string place_of(const json& thing, const char* kind, std::size_t index)
 {
     const std::string name = clean_name(thing.value("name", std::string()));
     return std::string(kind) + " " + quote_name(name.empty() ? std::to_string(index) : name);
 }
 
-void read_light_size(HipmapExtras extras, RawLight& light)
+void read_light_size(HipmapExtras extras, SceneLight& light)
 {
-    light.radius = extras.positive("radius").value_or(light.radius);
-    if (const std::optional<double> angle = extras.positive("angle_deg")) {
-        if (*angle > kWidestAngle)
-            extras.fail("angle_deg", "must be 180 or less");
-        light.half_angle = 0.5 * *angle * std::numbers::pi / 180;
-    }
+    const std::optional<double> radius = extras.positive("radius");
+    const std::optional<double> angle = extras.positive("angle_deg");
+    if (angle && *angle > kWidestAngle)
+        extras.fail("angle_deg", "must be 180 or less");
+    std::visit(
+        [&](auto& of_kind) {
+            if constexpr (requires { of_kind.radius; })
+                of_kind.radius = radius.value_or(of_kind.radius);
+            if constexpr (requires { of_kind.half_angle; })
+                of_kind.half_angle =
+                    angle ? 0.5 * *angle * std::numbers::pi / 180 : of_kind.half_angle;
+        },
+        light);
     extras.finish("");
 }
 
@@ -81,13 +88,13 @@ void read_medium(HipmapExtras& extras, const std::filesystem::path& scene, const
 
 } // namespace
 
-void read_light_extras(const GltfDocument& document, std::size_t node, std::size_t light,
+void read_light_extras(const GltfDocument& document, const PlacedNode& at, std::size_t light,
                        RawScene& scene)
 {
-    const std::string place = "light " + quote_name(scene.lights.back().name);
+    const std::string place = "light " + quote_name(name_of(scene.lights.back()));
     const json& lights = document.json["extensions"]["KHR_lights_punctual"]["lights"];
     read_light_size({lights[light], place, scene}, scene.lights.back());
-    read_light_size({document.json["nodes"][node], place, scene}, scene.lights.back());
+    read_light_size({document.json["nodes"][at.node], place, scene}, scene.lights.back());
 }
 
 void read_camera_extras(const GltfDocument& document, std::size_t node, std::size_t camera,
@@ -101,7 +108,7 @@ void read_camera_extras(const GltfDocument& document, std::size_t node, std::siz
 void read_empty_extras(const GltfDocument& document, const PlacedNode& at, RawScene& scene)
 {
     const json& node = document.json["nodes"][at.node];
-    HipmapExtras extras(node, name_of(node, "object", at.node), scene);
+    HipmapExtras extras(node, place_of(node, "object", at.node), scene);
     const std::optional<double> power = extras.positive("area_power");
     const std::optional<double> width = extras.positive("area_width");
     const std::optional<double> height = extras.positive("area_height");
@@ -115,7 +122,7 @@ void read_empty_extras(const GltfDocument& document, const PlacedNode& at, RawSc
     if (shape != "rectangle" && shape != "disc")
         extras.fail("area_shape", "must be \"rectangle\" or \"disc\"");
 
-    RawAreaLight light;
+    SceneAreaLight light;
     light.name = clean_name(node.value("name", std::string()));
     light.is_disc = shape == "disc";
     light.centre = glm::dvec3(at.to_world[3]);
@@ -129,7 +136,7 @@ void read_empty_extras(const GltfDocument& document, const PlacedNode& at, RawSc
     const double side = glm::dot(across, glm::dvec3(at.to_world[2])) > 0 ? -1 : 1;
     light.direction = side * glm::normalize(across);
     light.radiance = colour * (*power / (std::numbers::pi * area));
-    scene.area_lights.push_back(light);
+    scene.lights.push_back(light);
 }
 
 void read_world_extras(const GltfDocument& document, RawScene& scene)

@@ -9,8 +9,8 @@ namespace hipmap {
 /// Readers of the extras `hipmap`, which hold what glTF lacks (docs/scene.md lists the keys).  All
 /// of them throw InputError with the place if a value makes no sense, and warn of unknown keys.
 
-/// Reads the size of the light that was added last, from a node and its light.
-void read_light_extras(const GltfDocument& document, std::size_t node, std::size_t light,
+/// Reads the size of the light that was added last, from its node and light `light` of the file.
+void read_light_extras(const GltfDocument& document, const PlacedNode& at, std::size_t light,
                        RawScene& scene);
 /// Reads the lens of the camera that was added last, from a node and its camera.
 void read_camera_extras(const GltfDocument& document, std::size_t node, std::size_t camera,

@@ -34,29 +34,65 @@ glm::dvec3 any_perpendicular(const glm::dvec3& v)
     return glm::normalize(axis - v * glm::dot(axis, v));
 }
 
+/// The angles of a spot's cones from its axis, radians.
+struct ConeAngles {
+    double inner, outer;
+};
+
 /// Blender's exporter writes an inner angle that is not where Blender's rim begins,
 /// docs/light_transport.md (39).
-void take_blenders_rim(Look look, RawLight& out)
+void take_blenders_rim(Look look, ConeAngles& cone, SpotFalloff& falloff)
 {
     const bool has_cosine = look == Look::blender_3_4;
     if (has_cosine) // below zero the cosine ends the light
-        out.outer_angle = std::min(out.outer_angle, kPiDouble / 2);
-    const double blend = std::clamp(1 - out.inner_angle / out.outer_angle, 0.0, 1.0);
-    const double cos_outer = std::cos(out.outer_angle);
-    out.inner_angle = std::acos(std::min(1.0, cos_outer + (1 - cos_outer) * blend));
-    out.falloff = has_cosine ? SpotFalloff::smooth_cosine : SpotFalloff::smooth;
+        cone.outer = std::min(cone.outer, kPiDouble / 2);
+    const double blend = std::clamp(1 - cone.inner / cone.outer, 0.0, 1.0);
+    const double cos_outer = std::cos(cone.outer);
+    cone.inner = std::acos(std::min(1.0, cos_outer + (1 - cos_outer) * blend));
+    falloff = has_cosine ? SpotFalloff::smooth_cosine : SpotFalloff::smooth;
 }
 
-void read_cone(const tinygltf::Light& light, RawLight& out, const RawScene& scene,
+void read_cone(const tinygltf::SpotLight& spot, SceneSpotLight& out, const RawScene& scene,
                const std::string& place)
 {
-    out.inner_angle = light.spot.innerConeAngle;
-    out.outer_angle = light.spot.outerConeAngle;
-    if (!(out.outer_angle > 0 && out.outer_angle < kPiDouble && out.inner_angle >= 0))
+    ConeAngles cone{spot.innerConeAngle, spot.outerConeAngle};
+    if (!(cone.outer > 0 && cone.outer < kPiDouble && cone.inner >= 0))
         throw scene_error(scene.path, place,
                           "its cone angles are out of range; set a spot size above 0");
     if (is_blender(scene.look))
-        take_blenders_rim(scene.look, out);
+        take_blenders_rim(scene.look, cone, out.falloff);
+    out.cos_outer = std::min(static_cast<float>(std::cos(cone.outer)), std::nextafter(1.0f, 0.0f));
+    // A sharp edge (Blender's blend of 0) still needs room to fall off in.
+    out.cos_inner =
+        std::max(static_cast<float>(std::cos(cone.inner)), std::nextafter(out.cos_outer, 1.0f));
+}
+
+/// Returns W/sr or W/m2 for one unit of the file's intensity, docs/scene.md.  per_raw: for one unit
+/// of Blender's own strength.
+double watts_of_unit(LightUnits units, double per_raw)
+{
+    switch (units) {
+    case LightUnits::spec:
+        return 1.0 / kLumensPerWatt;
+    case LightUnits::compat:
+        return 1.0;
+    case LightUnits::raw:
+        return per_raw;
+    }
+    return 1.0;
+}
+
+/// Returns colour times intensity, in the unit of the file.
+glm::dvec3 read_intensity(const tinygltf::Light& light, const RawScene& scene,
+                          const std::string& place)
+{
+    const glm::dvec3 colour = light.color.size() == 3
+                                  ? glm::dvec3(light.color[0], light.color[1], light.color[2])
+                                  : glm::dvec3(1.0);
+    if (!(light.intensity >= 0) || !(colour.x >= 0 && colour.y >= 0 && colour.z >= 0))
+        throw scene_error(scene.path, place,
+                          "its power and colour must not be negative; correct them");
+    return colour * light.intensity;
 }
 
 bool read_projection(const tinygltf::Camera& camera, RawCamera& out, const RawScene& scene,
@@ -99,33 +135,40 @@ bool add_gltf_light(const tinygltf::Model& model, std::size_t index, const std::
 {
     const tinygltf::Light& light = model.lights[index];
     const std::string place = "light " + quote_name(name);
-    RawLight out;
-    out.name = name;
+    const glm::dvec3 position(to_world[3]);
+    const auto radiant_intensity = [&] {
+        return read_intensity(light, scene, place) *
+               watts_of_unit(scene.light_units, 0.25 / kPiDouble);
+    };
+    const auto direction = [&] {
+        const std::optional<glm::dvec3> out = look_direction(to_world);
+        if (!out)
+            throw scene_error(scene.path, place, "its node has scale 0; set the scale to 1");
+        return *out;
+    };
     if (light.type == "point") {
-        out.kind = LightKind::point;
+        scene.lights.push_back(
+            ScenePointLight{.name = name, .position = position, .intensity = radiant_intensity()});
     } else if (light.type == "spot") {
-        out.kind = LightKind::spot;
-        read_cone(light, out, scene, place);
+        SceneSpotLight spot;
+        spot.name = name;
+        read_cone(light.spot, spot, scene, place);
+        spot.position = position;
+        spot.intensity = radiant_intensity();
+        spot.direction = direction();
+        scene.lights.push_back(spot);
     } else if (light.type == "directional") {
-        out.kind = LightKind::directional;
+        SceneSunLight sun;
+        sun.name = name;
+        sun.irradiance =
+            read_intensity(light, scene, place) * watts_of_unit(scene.light_units, 1.0);
+        sun.direction = direction();
+        scene.lights.push_back(sun);
     } else {
         scene.audit.warnings.push_back(place + " is of the unknown kind " + quote_name(light.type) +
                                        " and is skipped");
         return false;
     }
-    const glm::dvec3 colour = light.color.size() == 3
-                                  ? glm::dvec3(light.color[0], light.color[1], light.color[2])
-                                  : glm::dvec3(1.0);
-    if (!(light.intensity >= 0) || !(colour.x >= 0 && colour.y >= 0 && colour.z >= 0))
-        throw scene_error(scene.path, place,
-                          "its power and colour must not be negative; correct them");
-    out.intensity = colour * light.intensity;
-    out.position = glm::dvec3(to_world[3]);
-    const std::optional<glm::dvec3> direction = look_direction(to_world);
-    if (!direction && out.kind != LightKind::point)
-        throw scene_error(scene.path, place, "its node has scale 0; set the scale to 1");
-    out.direction = direction.value_or(out.direction);
-    scene.lights.push_back(out);
     return true;
 }
 

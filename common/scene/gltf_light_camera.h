@@ -8,6 +8,9 @@
 
 namespace hipmap {
 
+/// Luminous efficacy by which photometric units are turned into radiometric ones, lm/W.
+inline constexpr double kLumensPerWatt = 683.0;
+
 /// Adds punctual light `index` of the file (KHR_lights_punctual), named `name`, placed by a node's
 /// `to_world`; the node's scale has no effect.  Returns whether it was added: a light of an unknown
 /// kind is only warned of.  Throws InputError, naming the light: negative intensity or colour, cone

@@ -81,7 +81,7 @@ SceneSource::SceneSource(const std::filesystem::path& path, const SceneOptions& 
 {
     within_memory(path, [&] {
         if (is_gltf(path))
-            impl_->gltf.emplace(path, options.look);
+            impl_->gltf.emplace(path, options);
         else
             impl_->obj = read_obj_as(options.look, path);
         return true;
@@ -108,7 +108,7 @@ LoadedScene SceneSource::at(std::optional<double> time, bool last)
                                             "same");
         if (is_blender(raw.look))
             loaded.audit.assumed.push_back(describe_look(raw.look));
-        loaded.scene = to_scene_units(raw, options.light_units);
+        loaded.scene = to_scene_units(raw);
         complete_scene(loaded, options, impl_->path);
         return loaded;
     });

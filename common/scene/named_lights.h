@@ -1,6 +1,6 @@
 #pragma once
 
-#include "common/scene/scene.h"
+#include "common/scene/scene_light.h"
 
 #include <string>
 #include <string_view>
@@ -12,12 +12,15 @@ namespace hipmap {
 struct NamedLight {
     std::string_view kind; ///< "point light", "spot light", ...
     std::string name;
-    bool emits = false;               ///< it has power
-    bool has_size = false;            ///< its shadows are soft
-    std::vector<glm::vec3> placement; ///< positions and directions, scene units
+    bool emits = false;                ///< it has power
+    bool has_size = false;             ///< its shadows are soft
+    std::vector<glm::dvec3> placement; ///< positions, directions and lengths, scene units
 };
 
-/// Returns all named lights of a scene, grouped by kind.  A new kind of light is added here.
-std::vector<NamedLight> named_lights(const Scene& scene);
+/// Describes a light.
+NamedLight describe_light(const SceneLight& light);
+
+/// Describes all lights, grouped by kind; those of a kind keep their order.
+std::vector<NamedLight> named_lights(const std::vector<SceneLight>& lights);
 
 } // namespace hipmap

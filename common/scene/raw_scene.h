@@ -18,30 +18,6 @@ struct RawObject {
     std::string mesh_name; ///< of the shared mesh data; may be empty
 };
 
-/// A light as its file describes it: intensity in the file's own unit.
-struct RawLight {
-    std::string name;
-    LightKind kind = LightKind::point;
-    glm::dvec3 position{0.0};       ///< metres
-    glm::dvec3 direction{0, 0, -1}; ///< unit
-    glm::dvec3 intensity{1.0};      ///< colour times intensity
-    double inner_angle = 0.0;       ///< radians from the axis; spot
-    double outer_angle = 0.0;
-    SpotFalloff falloff = SpotFalloff::gltf;
-    double radius = 0.0;     ///< metres; point, spot
-    double half_angle = 0.0; ///< radians; directional
-};
-
-/// A flat light that emits to one side.
-struct RawAreaLight {
-    std::string name;
-    bool is_disc = false;
-    glm::dvec3 centre{0.0}; ///< metres
-    glm::dvec3 half_right{1, 0, 0}, half_up{0, 1, 0};
-    glm::dvec3 direction{0, 0, -1}; ///< unit
-    glm::dvec3 radiance{0.0};       ///< W/(m2 sr)
-};
-
 struct RawCamera {
     std::string name;
     Projection projection = Projection::perspective;
@@ -75,16 +51,16 @@ struct RawScene {
     std::vector<RawObject> objects;
     std::vector<Material> materials; ///< media per metre, thickness in metres
     std::vector<TextureImage> images;
-    std::vector<RawLight> lights;
-    std::vector<RawAreaLight> area_lights;
+    std::vector<SceneLight> lights;
     std::vector<RawCamera> cameras;
     glm::dvec3 world{0.0};                ///< radiance of the sky, W/(m2 sr)
     std::filesystem::path world_map_file; ///< empty: none
     double world_strength = 1.0;
     double world_turn_deg = 0.0;
-    Medium around;                   ///< per metre
-    Look look = Look::gltf;          ///< which materials and lights have
-    std::optional<SceneSweep> sweep; ///< of the animation of which this is one moment
+    Medium around;                             ///< per metre
+    Look look = Look::gltf;                    ///< which materials and lights have
+    LightUnits light_units = LightUnits::spec; ///< of the file
+    std::optional<SceneSweep> sweep;           ///< of the animation of which this is one moment
     SceneAudit audit;
 };
 

@@ -44,7 +44,7 @@ void add_lights_and_cameras(const GltfDocument& document, const tinygltf::Model&
             const std::string name =
                 first_name({node.name, model.lights[light].name, "light " + std::to_string(light)});
             if (add_gltf_light(model, light, name, at.to_world, scene))
-                read_light_extras(document, at.node, light, scene);
+                read_light_extras(document, at, light, scene);
         }
         if (node.camera < 0 && punctual == node.extensions.end() && node.mesh < 0)
             read_empty_extras(document, at, scene);
@@ -99,13 +99,14 @@ std::string generator_of(const nlohmann::json& asset)
 
 } // namespace
 
-GltfSource::GltfSource(const std::filesystem::path& path, LookChoice look)
+GltfSource::GltfSource(const std::filesystem::path& path, const SceneOptions& options)
     : document_(read_gltf_document(path)), model_(parse_gltf(document_)), rest_(model_.nodes)
 {
     timeless_.path = path;
     const std::string generator = generator_of(document_.json.at("asset"));
     by_blender_ = look_of_generator(generator).has_value();
-    timeless_.look = choose_look(look, generator);
+    timeless_.look = choose_look(options.look, generator);
+    timeless_.light_units = options.light_units;
     read_gltf_materials(document_, model_, timeless_);
     animation_ = read_gltf_animation(document_, model_, timeless_.audit);
 }

@@ -16,8 +16,9 @@ namespace hipmap {
 /// time.  Not for several threads at once.
 class GltfSource {
   public:
-    /// Reads the file.  Throws InputError with the place and what is wrong.
-    GltfSource(const std::filesystem::path& path, LookChoice look);
+    /// Reads the file.  options: their look and the units of its lights.  Throws InputError with
+    /// the place and what is wrong.
+    GltfSource(const std::filesystem::path& path, const SceneOptions& options);
 
     /// Returns the scene at `time` of the animation, in seconds; none: the nodes as they stand in
     /// the file.  last: no other time will be asked for, so textures need not be copied.  Throws

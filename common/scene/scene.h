@@ -4,7 +4,7 @@
 #include "common/scene/look.h"
 #include "common/scene/medium.h"
 #include "common/scene/mesh.h"
-#include "common/scene/spot_falloff.h"
+#include "common/scene/scene_light.h"
 #include "common/scene/texture.h"
 
 #include <cstdint>
@@ -94,35 +94,6 @@ struct Material {
     }
 };
 
-enum class LightKind : std::uint8_t { point, spot, directional };
-
-/// A light without size (KHR_lights_punctual).
-struct PunctualLight {
-    std::string name;
-    LightKind kind = LightKind::point;
-    glm::vec3 position{0.0f};      ///< scene units; point, spot
-    glm::vec3 direction{0, 0, -1}; ///< the way light travels, unit; spot, directional
-    Rgb intensity{0.0f};           ///< point, spot: W/sr divided by metres_per_unit^2, so that
-                                   ///<   intensity / distance^2 in scene units is W/m2;
-                                   ///< directional: W/m2 on a plane across the direction
-    float cos_inner = 1.0f;        ///< spot: where the rim begins, cos_inner > cos_outer
-    float cos_outer = 0.0f;        ///< spot: none beyond
-    SpotFalloff falloff = SpotFalloff::gltf;
-    float radius = 0.0f;     ///< point, spot: of the sphere that emits, scene units
-    float half_angle = 0.0f; ///< directional: half the angle it fills, radians
-};
-
-/// A flat light that emits to one side, Lambertian.
-struct AreaLight {
-    std::string name;
-    bool is_disc = false;          ///< an ellipse, not a rectangle
-    glm::vec3 centre{0.0f};        ///< scene units
-    glm::vec3 half_right{1, 0, 0}; ///< from the centre to the middle of a side, scene units
-    glm::vec3 half_up{0, 1, 0};
-    glm::vec3 direction{0, 0, -1}; ///< unit, the side that emits
-    Rgb radiance{0.0f};            ///< W/(m2 sr)
-};
-
 enum class Projection : std::uint8_t { perspective, orthographic };
 
 struct Camera {
@@ -148,8 +119,7 @@ struct Scene {
     TriangleMesh mesh;
     std::vector<Material> materials;  ///< [M], at least one
     std::vector<TextureImage> images; ///< those that materials' textures name
-    std::vector<PunctualLight> lights;
-    std::vector<AreaLight> area_lights;
+    std::vector<SceneLight> lights;
     Rgb environment{0.0f};             ///< radiance of a uniform sky, W/(m2 sr)
     std::string environment_map_file;  ///< path of an environment map; empty: none
     float environment_strength = 1.0f; ///< its factor

@@ -5,14 +5,10 @@
 
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace hipmap {
 
 namespace {
-
-/// Luminous efficacy by which glTF's photometric units are turned into radiometric ones, lm/W.
-constexpr double kLumensPerWatt = 683.0;
 
 /// Lights and cameras may lie this many units away: squares and their inverses fit into float.
 constexpr double kFarthest = 0x1p50;
@@ -64,6 +60,50 @@ Bounds<glm::dvec3> box_of_faces(const RawScene& raw)
     return box;
 }
 
+/// Finds the longest way from a point to a position of a light, along some axis.
+struct FarthestPosition : IgnoreNumbers {
+    const glm::dvec3 from;
+    double distance = 0.0;
+
+    explicit FarthestPosition(const glm::dvec3& point) : from(point) {}
+    void position(const glm::dvec3& v) { distance = std::max(distance, longest(v - from)); }
+};
+
+/// Brings the numbers of a light into a frame, and rounds them to float, in which rendering
+/// computes.
+struct NumbersToFrame : IgnoreNumbers {
+    const SceneFrame& frame;
+    bool finite = true; ///< all numbers so far
+
+    explicit NumbersToFrame(const SceneFrame& to) : frame(to) {}
+
+    void position(glm::dvec3& v) { set(v, (v - frame.centre) / frame.metres_per_unit); }
+    void direction(glm::dvec3& v) { set(v, v); }
+    void extent(glm::dvec3& v) { set(v, v / frame.metres_per_unit); }
+    void extent(double& size) { set(size, size / frame.metres_per_unit); }
+    void angle(double& size) { set(size, size); }
+    void radiant_intensity(glm::dvec3& v)
+    {
+        set(v, v / frame.metres_per_unit / frame.metres_per_unit);
+    }
+    void irradiance(glm::dvec3& v) { set(v, v); }
+    void radiance(glm::dvec3& v) { set(v, v); }
+
+  private:
+    void set(glm::dvec3& to, const glm::dvec3& value)
+    {
+        const glm::vec3 rounded(value);
+        finite = finite && is_finite(rounded);
+        to = glm::dvec3(rounded);
+    }
+    void set(double& to, double value)
+    {
+        const auto rounded = static_cast<float>(value);
+        finite = finite && std::isfinite(rounded);
+        to = rounded;
+    }
+};
+
 SceneFrame choose_frame(const RawScene& raw)
 {
     const Bounds<glm::dvec3> box = box_of_faces(raw);
@@ -74,10 +114,10 @@ SceneFrame choose_frame(const RawScene& raw)
     if (raw.sweep && !raw.sweep->others.empty())
         for (const glm::dvec3& corner : {raw.sweep->others.low, raw.sweep->others.high})
             farthest = std::max(farthest, longest(corner - frame.centre));
-    for (const RawLight& light : raw.lights)
-        farthest = std::max(farthest, longest(light.position - frame.centre));
-    for (const RawAreaLight& light : raw.area_lights)
-        farthest = std::max(farthest, longest(light.centre - frame.centre));
+    FarthestPosition of_lights(frame.centre);
+    for (const SceneLight& light : raw.lights)
+        each_number(light, of_lights);
+    farthest = std::max(farthest, of_lights.distance);
     for (const RawCamera& camera : raw.cameras)
         farthest = std::max(farthest, longest(camera.position - frame.centre));
     if (farthest > kFarthest * frame.metres_per_unit)
@@ -88,10 +128,7 @@ SceneFrame choose_frame(const RawScene& raw)
 /// Converts the elements of one scene and checks what comes out.
 class UnitConverter {
   public:
-    UnitConverter(const RawScene& raw, const SceneFrame& frame, LightUnits units)
-        : raw_(raw), frame_(frame), units_(units)
-    {
-    }
+    UnitConverter(const RawScene& raw, const SceneFrame& frame) : raw_(raw), frame_(frame) {}
 
     glm::vec3 position(const glm::dvec3& world) const
     {
@@ -114,45 +151,12 @@ class UnitConverter {
         return out;
     }
 
-    PunctualLight light(const RawLight& metres) const
+    SceneLight light(SceneLight metres) const
     {
-        PunctualLight out;
-        out.name = metres.name;
-        out.kind = metres.kind;
-        out.position = position(metres.position);
-        out.direction = glm::vec3(metres.direction);
-        glm::dvec3 intensity = metres.intensity * radiometric(metres.kind);
-        if (metres.kind != LightKind::directional)
-            intensity = intensity / frame_.metres_per_unit / frame_.metres_per_unit;
-        out.intensity = Rgb(intensity);
-        out.cos_outer =
-            std::min(static_cast<float>(std::cos(metres.outer_angle)), std::nextafter(1.0f, 0.0f));
-        // A sharp edge (Blender's blend of 0) still needs room to fall off in.
-        out.cos_inner = std::max(static_cast<float>(std::cos(metres.inner_angle)),
-                                 std::nextafter(out.cos_outer, 1.0f));
-        out.falloff = metres.falloff;
-        out.radius = static_cast<float>(metres.radius / frame_.metres_per_unit);
-        out.half_angle = static_cast<float>(metres.half_angle);
-        demand(is_finite(out.position) && is_finite(out.direction) && is_finite(out.intensity) &&
-                   std::isfinite(out.radius),
-               "light", out.name);
-        return out;
-    }
-
-    AreaLight area_light(const RawAreaLight& metres) const
-    {
-        AreaLight out;
-        out.name = metres.name;
-        out.is_disc = metres.is_disc;
-        out.centre = position(metres.centre);
-        out.half_right = glm::vec3(metres.half_right / frame_.metres_per_unit);
-        out.half_up = glm::vec3(metres.half_up / frame_.metres_per_unit);
-        out.direction = glm::vec3(metres.direction);
-        out.radiance = Rgb(metres.radiance);
-        demand(is_finite(out.centre) && is_finite(out.half_right) && is_finite(out.half_up) &&
-                   is_finite(out.direction) && is_finite(out.radiance),
-               "area light", out.name);
-        return out;
+        NumbersToFrame to_frame(frame_);
+        each_number(metres, to_frame);
+        demand(to_frame.finite, "light", name_of(metres));
+        return metres;
     }
 
     Rgb world(const glm::dvec3& radiance) const
@@ -200,20 +204,6 @@ class UnitConverter {
     }
 
   private:
-    /// W/sr or W/m2 for one unit of the file's intensity; docs/scene.md.
-    double radiometric(LightKind kind) const
-    {
-        switch (units_) {
-        case LightUnits::spec:
-            return 1.0 / kLumensPerWatt;
-        case LightUnits::compat:
-            return 1.0;
-        case LightUnits::raw:
-            return kind == LightKind::directional ? 1.0 : 0.25 / std::numbers::pi;
-        }
-        return 1.0;
-    }
-
     void demand(bool good, const char* kind, const std::string& name) const
     {
         if (!good)
@@ -223,7 +213,6 @@ class UnitConverter {
 
     const RawScene& raw_;
     const SceneFrame& frame_;
-    LightUnits units_;
 };
 
 void check_size(const RawScene& raw)
@@ -248,13 +237,13 @@ void check_positions(const RawScene& raw)
 
 } // namespace
 
-Scene to_scene_units(RawScene& raw, LightUnits units)
+Scene to_scene_units(RawScene& raw)
 {
     check_size(raw);
     check_positions(raw);
     Scene scene;
     scene.frame = choose_frame(raw);
-    const UnitConverter convert(raw, scene.frame, units);
+    const UnitConverter convert(raw, scene.frame);
 
     TriangleMesh& mesh = scene.mesh;
     mesh.positions.reserve(raw.positions.size());
@@ -271,10 +260,8 @@ Scene to_scene_units(RawScene& raw, LightUnits units)
     for (const Material& material : raw.materials)
         scene.materials.push_back(convert.material(material));
     scene.images = std::move(raw.images);
-    for (const RawLight& light : raw.lights)
+    for (const SceneLight& light : raw.lights)
         scene.lights.push_back(convert.light(light));
-    for (const RawAreaLight& light : raw.area_lights)
-        scene.area_lights.push_back(convert.area_light(light));
     scene.environment = convert.world(raw.world);
     scene.around = convert.around(raw.around);
     scene.environment_map_file = raw.world_map_file.string();

@@ -10,6 +10,6 @@ namespace hipmap {
 /// of it fits into float. Throws InputError, naming the element, if a number is not finite, there
 /// is no face at all, or there are more than 2^32 - 2 faces or vertices.  Empties the arrays of
 /// `raw` as it goes.
-Scene to_scene_units(RawScene& raw, LightUnits units);
+Scene to_scene_units(RawScene& raw);
 
 } // namespace hipmap

@@ -20,7 +20,7 @@ std::string gathering_materials(const SceneFacts& facts)
 std::vector<std::string> lights_with_size(const SceneFacts& facts)
 {
     std::vector<std::string> out;
-    for (const NamedLight& light : named_lights(facts.scene))
+    for (const NamedLight& light : named_lights(facts.scene.lights))
         if (light.emits && light.has_size)
             out.push_back(light.name);
     return out;

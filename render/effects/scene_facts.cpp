@@ -35,7 +35,7 @@ SceneFacts gather_facts(const Scene& scene, const Partition& partition)
         facts.has_light = facts.has_light || !is_black(scene.materials[material].emission) ||
                           !is_black(scene.materials[material].medium_emission);
     }
-    const std::vector<NamedLight> lights = named_lights(scene);
+    const std::vector<NamedLight> lights = named_lights(scene.lights);
     facts.has_light = facts.has_light || !is_black(scene.environment) ||
                       !scene.environment_map_file.empty() || scene.around.emits() ||
                       std::any_of(lights.begin(), lights.end(),

@@ -20,28 +20,42 @@ SceneSphere sphere_around(const TriangleMesh& mesh)
                        : SceneSphere{box.centre(), 0.5f * glm::length(box.extent())};
 }
 
-Light light_from(const PunctualLight& light, const SceneSphere& sphere)
+SpotCone cone_of(const SceneSpotLight& light)
 {
-    if (light.kind == LightKind::directional)
-        return SunLight{light.direction, light.intensity, light.half_angle, sphere};
-    const SpotCone cone{light.direction, light.cos_inner, light.cos_outer, light.falloff};
-    const bool is_spot = light.kind == LightKind::spot;
-    if (light.radius > 0)
-        return SphereLight{light.position, light.radius, light.intensity,
-                           is_spot ? std::optional(cone) : std::nullopt};
-    if (is_spot)
-        return SpotLight{light.position, light.intensity, cone};
-    return PointLight{light.position, light.intensity};
+    return {glm::vec3(light.direction), light.cos_inner, light.cos_outer, light.falloff};
 }
 
-Light light_from(const AreaLight& light)
+Light light_from(const ScenePointLight& light, const SceneSphere&)
+{
+    const glm::vec3 position(light.position);
+    if (light.radius > 0)
+        return SphereLight{position, static_cast<float>(light.radius), Rgb(light.intensity), {}};
+    return PointLight{position, Rgb(light.intensity)};
+}
+
+Light light_from(const SceneSpotLight& light, const SceneSphere&)
+{
+    const glm::vec3 position(light.position);
+    if (light.radius > 0)
+        return SphereLight{position, static_cast<float>(light.radius), Rgb(light.intensity),
+                           cone_of(light)};
+    return SpotLight{position, Rgb(light.intensity), cone_of(light)};
+}
+
+Light light_from(const SceneSunLight& light, const SceneSphere& sphere)
+{
+    return SunLight{glm::vec3(light.direction), Rgb(light.irradiance),
+                    static_cast<float>(light.half_angle), sphere};
+}
+
+Light light_from(const SceneAreaLight& light, const SceneSphere&)
 {
     return PlanarLight{light.is_disc ? PlanarLight::Shape::ellipse : PlanarLight::Shape::rectangle,
-                       light.centre,
-                       light.half_right,
-                       light.half_up,
-                       light.direction,
-                       light.radiance};
+                       glm::vec3(light.centre),
+                       glm::vec3(light.half_right),
+                       glm::vec3(light.half_up),
+                       glm::vec3(light.direction),
+                       Rgb(light.radiance)};
 }
 
 std::vector<FacePower> powers_of_faces(const SurfaceEmission& surfaces)
@@ -78,10 +92,9 @@ LightSet collect_lights(const Scene& scene, const LightSources& sources)
 {
     const SceneSphere sphere = sphere_around(scene.mesh);
     std::vector<Light> lights;
-    for (const PunctualLight& light : scene.lights)
-        lights.push_back(light_from(light, sphere));
-    for (const AreaLight& light : scene.area_lights)
-        lights.push_back(light_from(light));
+    for (const SceneLight& light : scene.lights)
+        lights.push_back(std::visit(
+            [&](const auto& of_kind) -> Light { return light_from(of_kind, sphere); }, light));
     const std::vector<FacePower> powers = powers_of_faces(sources.surfaces);
     add_emissive_meshes(sources.surfaces, powers, lights);
     if (sources.environment_map != nullptr && !sources.environment_map->empty())

@@ -11,12 +11,11 @@ constexpr double kDark = 0.001;
 const char* const kHidden = "no path finds a sun through glass or in a mirror";
 
 /// Irradiance 1 across `direction`.
-PunctualLight sun_along(const glm::vec3& direction)
+SceneSunLight sun_along(const glm::vec3& direction)
 {
-    PunctualLight sun;
-    sun.kind = LightKind::directional;
+    SceneSunLight sun;
     sun.direction = direction;
-    sun.intensity = Rgb(1);
+    sun.irradiance = Rgb(1);
     return sun;
 }
 

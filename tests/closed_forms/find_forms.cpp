@@ -44,11 +44,10 @@ RenderOptions options_for(const ClosedForm& form, const Method& method)
 /// from a ball.
 struct LitBall {
     static constexpr double kRadius = 0.2, kDistance = 0.5, kIndex = 1.5;
-    PunctualLight light;
+    SceneSpotLight light;
 
     LitBall()
     {
-        light.kind = LightKind::spot;
         light.position = {0, kDistance - 0.2, 0};
         light.direction = {0, -1, 0};
         light.intensity = Rgb(1);

@@ -26,7 +26,7 @@ ClosedForm under_point_light(const std::string& name, float radius)
 {
     constexpr double kSide = 0.5, kHeight = 0.4, kIntensity = 3;
     ClosedForm out{name, "ρ/π I Ω/A", floor_seen(kSide), 0, PhotonsRead::direct, kPhotons};
-    PunctualLight light;
+    ScenePointLight light;
     light.radius = radius;
     light.position = {0, kHeight, 0};
     light.intensity = Rgb(kIntensity);
@@ -43,8 +43,7 @@ ClosedForm under_spot()
     ClosedForm out{"smooth edge of a spot", "ρ/π I t² cos θ/d²",
                    floor_seen(kSide),       0,
                    PhotonsRead::direct,     kPhotons};
-    PunctualLight light;
-    light.kind = LightKind::spot;
+    SceneSpotLight light;
     light.position = {0, kHeight, 0};
     light.direction = kDown;
     light.intensity = Rgb(kIntensity);
@@ -64,11 +63,10 @@ ClosedForm under_spot()
 ClosedForm under_sun(const std::string& name, float half_angle)
 {
     ClosedForm out{name, "ρ/π E cos θ", floor_seen(0.5f), 0, PhotonsRead::direct, kPhotons};
-    PunctualLight sun;
+    SceneSunLight sun;
     sun.half_angle = half_angle;
-    sun.kind = LightKind::directional;
     sun.direction = glm::normalize(glm::vec3(1, -2, 0));
-    sun.intensity = Rgb(5);
+    sun.irradiance = Rgb(5);
     out.scene.lights = {sun};
     out.expected = kHalf / M_PI * 5 * 2 / std::sqrt(5.0);
     return out;
@@ -106,13 +104,13 @@ ClosedForm under_rectangle_light()
                    0,
                    PhotonsRead::direct,
                    kPhotons};
-    AreaLight light;
+    SceneAreaLight light;
     light.centre = {0, kHeight, 0};
     light.half_right = {kSide / 2, 0, 0};
     light.half_up = {0, 0, kSide / 2};
     light.direction = kDown;
     light.radiance = Rgb(2);
-    out.scene.area_lights = {light};
+    out.scene.lights = {light};
     out.expected = kHalf * 2 * facing_squares(kSide / kHeight);
     return out;
 }
@@ -126,14 +124,14 @@ ClosedForm under_disc_light()
                    0,
                    PhotonsRead::direct,
                    kPhotons};
-    AreaLight light;
+    SceneAreaLight light;
     light.is_disc = true;
     light.centre = {0, kHeight, 0};
     light.half_right = {kRadius, 0, 0};
     light.half_up = {0, 0, kRadius};
     light.direction = kDown;
     light.radiance = Rgb(2);
-    out.scene.area_lights = {light};
+    out.scene.lights = {light};
     // Howell's catalogue, B-13.
     out.expected = mean_over_square(kSide, [=](double x, double z) {
         const double a2 = x * x + z * z, h2 = kHeight * kHeight, r2 = kRadius * kRadius;
@@ -200,10 +198,9 @@ ClosedForm lit_by_a_wall()
     out.scene.materials[0] = tiny::diffuse(Rgb(static_cast<float>(form.kFloorAlbedo)));
     tiny::add(out.scene, tiny::parallelogram({0, low, side / 2}, {0, 0, -side}, {0, side, 0}),
               tiny::diffuse(Rgb(static_cast<float>(form.kWallAlbedo))));
-    PunctualLight sun;
-    sun.kind = LightKind::directional;
+    SceneSunLight sun;
     sun.direction = form.direction;
-    sun.intensity = Rgb(static_cast<float>(form.kSun));
+    sun.irradiance = Rgb(static_cast<float>(form.kSun));
     out.scene.lights = {sun};
     out.scene.cameras[0] =
         tiny::square_view({near + side / 2, 0, 0}, kDown, static_cast<float>(form.kView), 0.05f);

@@ -71,8 +71,7 @@ ClosedForm scattered_once()
     ClosedForm out{"point light in thin fog", "∫ s p I/d² exp(-t (d + d'))",
                    tiny::cube_of(medium, kSide), 0};
     out.why_not_photons = "hardly any photon of a pass is scattered";
-    PunctualLight light;
-    light.kind = LightKind::point;
+    ScenePointLight light;
     light.position = {0.4f, 0, 0};
     light.intensity = Rgb(1);
     out.scene.lights = {light};

@@ -166,7 +166,7 @@ TEST_CASE("a fingerprint of the content follows what can be seen, not names",
         [](Scene& s) { s.materials.emplace_back(); },
         [](Scene& s) { s.images.emplace_back(); },
         [](Scene& s) { s.lights.emplace_back(); },
-        [](Scene& s) { s.area_lights.emplace_back(); },
+        [](Scene& s) { s.lights.emplace_back(SceneAreaLight{}); },
         [](Scene& s) { s.environment.z += 1; },
         [](Scene& s) { s.cameras[0].position.x += 1; },
         [](Scene& s) { s.look = Look::blender_4; }};

@@ -114,7 +114,8 @@ TEST_CASE("what hangs on a node that moves comes along: meshes, lights, cameras"
     const Scene scene = load_at(file, 1).scene;
     const SceneFrame& frame = scene.frame;
     check_near(world(scene, 2), {4 + 2, 0, 0});
-    check_near(frame.centre + frame.metres_per_unit * glm::dvec3(scene.lights.at(0).position),
+    check_near(frame.centre +
+                   frame.metres_per_unit * std::get<ScenePointLight>(scene.lights.at(0)).position,
                {4, 0, 0});
     check_near(frame.centre + frame.metres_per_unit * glm::dvec3(scene.cameras.at(0).position),
                {4, 0, 0});

@@ -64,8 +64,9 @@ TEST_CASE("what glTF lacks is read from extras as an object and as JSON text",
         const LoadedScene loaded = load(file);
         const Scene& scene = loaded.scene;
         REQUIRE(scene.frame.metres_per_unit == 2.0);
-        CHECK(scene.lights.at(0).radius == 0.25f);
-        CHECK(scene.lights.at(1).half_angle == Approx(std::numbers::pi / 180));
+        CHECK(std::get<ScenePointLight>(scene.lights.at(0)).radius == 0.25f);
+        CHECK(std::get<SceneSunLight>(scene.lights.at(1)).half_angle ==
+              Approx(std::numbers::pi / 180));
         CHECK(scene.cameras.at(0).aperture_radius == Approx(0.01));
         CHECK(scene.cameras.at(0).focus_distance == 2.0f);
         CHECK(scene.cameras.at(0).shift == glm::vec2(0, -0.25f));
@@ -79,12 +80,12 @@ TEST_CASE("what glTF lacks is read from extras as an object and as JSON text",
         CHECK(scene.around.phase.kind == PhaseKind::henyey_greenstein);
         CHECK(scene.around.phase.g == 0.75f);
         CHECK(scene.environment == Rgb(0.5f, 1, 2));
-        REQUIRE(scene.area_lights.size() == 1);
-        const AreaLight& area = scene.area_lights[0];
+        REQUIRE(scene.lights.size() == 3);
+        const auto& area = std::get<SceneAreaLight>(scene.lights[2]);
         CHECK(area.name == "Area");
-        CHECK(area.half_right == glm::vec3(0.5f, 0, 0));
-        CHECK(area.half_up == glm::vec3(0, 0.75f, 0));
-        CHECK(area.direction == glm::vec3(0, 0, -1));
+        CHECK(area.half_right == glm::dvec3(0.5, 0, 0));
+        CHECK(area.half_up == glm::dvec3(0, 0.75, 0));
+        CHECK(area.direction == glm::dvec3(0, 0, -1));
         // Power = pi times radiance times area.
         CHECK(area.radiance.x * std::numbers::pi * 6 == Approx(100));
         CHECK_FALSE(says(loaded.audit.warnings, "not rendered yet"));
@@ -104,7 +105,7 @@ TEST_CASE("an area light may be a disc, takes its node's scale and emits along i
                              {"area_shape", "disc"},
                              {"area_color", {1, 0.5, 0}}},
                             false);
-    const AreaLight area = load(file).scene.area_lights.at(0);
+    const auto area = std::get<SceneAreaLight>(load(file).scene.lights.at(2));
     CHECK(area.is_disc);
     CHECK(area.direction.y == Approx(-1));
     CHECK(glm::length(area.half_right) == Approx(1.5));

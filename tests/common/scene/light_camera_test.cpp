@@ -36,7 +36,7 @@ GltfFile with_camera(const json& camera, const json& node = json::object())
     return file;
 }
 
-PunctualLight only_light(const GltfFile& file, LightUnits units = LightUnits::spec)
+SceneLight only_light(const GltfFile& file, LightUnits units = LightUnits::spec)
 {
     SceneOptions options;
     options.light_units = units;
@@ -62,18 +62,21 @@ TEST_CASE("Blender's three lighting modes give the same light", "[scene][lights]
                  {LightUnits::raw, watts, strength}};
     for (const auto& mode : modes) {
         for (const char* kind : {"point", "spot"}) {
-            const PunctualLight light = only_light(with_light({{"type", kind},
-                                                               {"intensity", mode.point},
-                                                               {"color", {1, 0.5, 0}},
-                                                               {"spot", json::object()}}),
-                                                   mode.units);
-            CHECK(light.intensity.x == Approx(watts / (4 * kPiDouble)));
-            CHECK(light.intensity.y == Approx(watts / (8 * kPiDouble)));
-            CHECK(light.intensity.z == 0.0f);
+            const SceneLight light = only_light(with_light({{"type", kind},
+                                                            {"intensity", mode.point},
+                                                            {"color", {1, 0.5, 0}},
+                                                            {"spot", json::object()}}),
+                                                mode.units);
+            const glm::dvec3 intensity = std::string(kind) == "point"
+                                             ? std::get<ScenePointLight>(light).intensity
+                                             : std::get<SceneSpotLight>(light).intensity;
+            CHECK(intensity.x == Approx(watts / (4 * kPiDouble)));
+            CHECK(intensity.y == Approx(watts / (8 * kPiDouble)));
+            CHECK(intensity.z == 0);
         }
-        const PunctualLight sun =
-            only_light(with_light({{"type", "directional"}, {"intensity", mode.sun}}), mode.units);
-        CHECK(sun.intensity.x == Approx(strength));
+        const auto sun = std::get<SceneSunLight>(
+            only_light(with_light({{"type", "directional"}, {"intensity", mode.sun}}), mode.units));
+        CHECK(sun.irradiance.x == Approx(strength));
     }
 }
 
@@ -86,8 +89,9 @@ TEST_CASE("irradiance from a point light does not depend on the scene's size", "
         file.root["nodes"][0]["scale"] = {size, size, size};
         const Scene scene = load(file).scene;
         const glm::dvec3 floor = -scene.frame.centre / scene.frame.metres_per_unit; // the origin
-        const glm::dvec3 away = glm::dvec3(scene.lights.at(0).position) - floor;
-        CHECK(scene.lights[0].intensity.x / glm::dot(away, away) == Approx(0.25).epsilon(1e-5));
+        const auto& light = std::get<ScenePointLight>(scene.lights.at(0));
+        const glm::dvec3 away = light.position - floor;
+        CHECK(light.intensity.x / glm::dot(away, away) == Approx(0.25).epsilon(1e-5));
     }
 }
 
@@ -95,8 +99,8 @@ TEST_CASE("lights emit along their node's -Z and its scale means nothing", "[sce
 {
     // A quarter turn about x takes -Z to -Y.
     const double half = std::sqrt(0.5);
-    const PunctualLight light = only_light(with_light(
-        {{"type", "directional"}}, {{"rotation", {-half, 0, 0, half}}, {"scale", {5, 0.1, 2}}}));
+    const auto light = std::get<SceneSunLight>(only_light(with_light(
+        {{"type", "directional"}}, {{"rotation", {-half, 0, 0, half}}, {"scale", {5, 0.1, 2}}})));
     CHECK(light.direction.x == Approx(0).margin(1e-6));
     CHECK(light.direction.y == Approx(-1));
     CHECK(light.direction.z == Approx(0).margin(1e-6));
@@ -107,9 +111,9 @@ TEST_CASE("a spot always has room to fall off between its cones", "[scene][light
 {
     for (const double outer : {1e-6, 0.3, kPiDouble / 4, 1.5707963705062866})
         for (const double blend : {0.0, 1e-9, 0.5, 1.0}) {
-            const PunctualLight spot = only_light(with_light(
+            const auto spot = std::get<SceneSpotLight>(only_light(with_light(
                 {{"type", "spot"},
-                 {"spot", {{"outerConeAngle", outer}, {"innerConeAngle", outer * (1 - blend)}}}}));
+                 {"spot", {{"outerConeAngle", outer}, {"innerConeAngle", outer * (1 - blend)}}}})));
             CHECK(spot.cos_inner > spot.cos_outer);
             CHECK(spot.cos_inner <= 1.0f);
             CHECK(spot.cos_outer == Approx(std::cos(outer)).margin(1e-6));

@@ -51,7 +51,7 @@ Rgb absorption_of(const json& generator)
     return scene.materials[0].absorption / static_cast<float>(scene.frame.metres_per_unit);
 }
 
-PunctualLight spot_of(const char* generator, double outer, double blend)
+SceneSpotLight spot_of(const char* generator, double outer, double blend)
 {
     GltfFile file = written_by(generator);
     file.root["extensions"]["KHR_lights_punctual"]["lights"] = {
@@ -59,7 +59,7 @@ PunctualLight spot_of(const char* generator, double outer, double blend)
          {"spot", {{"outerConeAngle", outer}, {"innerConeAngle", outer * (1 - blend)}}}}};
     file.root["nodes"].push_back({{"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
     file.root["scenes"][0]["nodes"] = {0, 1};
-    return load(file).scene.lights.at(0);
+    return std::get<SceneSpotLight>(load(file).scene.lights.at(0));
 }
 
 Material bare_material_of(const json& generator)
@@ -138,18 +138,18 @@ TEST_CASE("look: a spot's rim begins where Blender's does", "[scene][look]")
     // 60 degrees to the rim's end, blend 0.25: cosines 0.5 and 0.5 + 0.5 * 0.25.
     const double outer = std::acos(0.5);
     for (const char* generator : {kBlender34, kBlender36, kBlender42}) {
-        const PunctualLight spot = spot_of(generator, outer, 0.25);
+        const SceneSpotLight spot = spot_of(generator, outer, 0.25);
         CHECK(spot.cos_outer == Approx(0.5));
         CHECK(spot.cos_inner == Approx(0.625));
         CHECK(spot_of(generator, outer, 1).cos_inner == Approx(1));
-        const PunctualLight sharp = spot_of(generator, outer, 0);
+        const SceneSpotLight sharp = spot_of(generator, outer, 0);
         CHECK(sharp.cos_inner > sharp.cos_outer);
         CHECK(sharp.cos_inner == Approx(0.5));
     }
     CHECK(spot_of(kBlender34, outer, 0.25).falloff == SpotFalloff::smooth_cosine);
     CHECK(spot_of(kBlender36, outer, 0.25).falloff == SpotFalloff::smooth);
     CHECK(spot_of(kBlender42, outer, 0.25).falloff == SpotFalloff::smooth);
-    const PunctualLight other = spot_of("", outer, 0.25);
+    const SceneSpotLight other = spot_of("", outer, 0.25);
     CHECK(other.falloff == SpotFalloff::gltf);
     CHECK(other.cos_inner == Approx(std::cos(0.75 * outer)));
     CHECK(spot_of(kBlender34, 2.0, 0.5).cos_outer >= 0);

@@ -177,10 +177,13 @@ TEST_CASE("stock Blender exports load with their lights in one unit", "[scene][f
     CHECK(load_blender("cornell_separate/cornell.gltf").scene.mesh.positions ==
           cornell.scene.mesh.positions);
 
-    const PunctualLight standard = load_blender("cornell_point_standard.glb").scene.lights.at(0);
+    const auto point_of = [](const Scene& scene) {
+        return std::get<ScenePointLight>(scene.lights.at(0));
+    };
+    const ScenePointLight standard = point_of(load_blender("cornell_point_standard.glb").scene);
     for (const auto& [file, units] : {std::pair{"cornell_point_unitless.glb", LightUnits::compat},
                                       std::pair{"cornell_point_raw.glb", LightUnits::raw}}) {
-        const PunctualLight light = load_blender(file, units).scene.lights.at(0);
+        const ScenePointLight light = point_of(load_blender(file, units).scene);
         CHECK(glm::length(light.intensity - standard.intensity) <
               1e-5f * glm::length(standard.intensity));
     }

@@ -27,7 +27,7 @@ Scene plain_floor()
 {
     Scene scene = tiny::diffuse_floor();
     scene.materials[0].name = "floor";
-    PunctualLight light;
+    ScenePointLight light;
     light.position = {0, 0.3f, 0};
     light.intensity = Rgb(1);
     scene.lights.push_back(light);
@@ -165,16 +165,18 @@ TEST_CASE("effect plan: an effect is on if and only if the scene calls for it", 
     under_sky.lights.clear();
     CHECK(on_in(plan_of(under_sky)) == of_sky);
     Scene under_ball = plain_floor();
-    under_ball.lights[0].radius = 0.1f;
-    under_ball.lights[0].name = "Bulb";
+    auto& ball = std::get<ScenePointLight>(under_ball.lights[0]);
+    ball.radius = 0.1;
+    ball.name = "Bulb";
     CHECK(on_in(plan_of(under_ball)) == Effects{Effect::soft_shadows, Effect::indirect});
     CHECK(plan_of(under_ball).effects[0].reason ==
           "light comes from the area of the lights 'Bulb'");
     Scene under_panel = plain_floor();
     under_panel.lights.clear();
     CHECK(on_in(plan_of(under_panel)) == Effects{});
-    under_panel.area_lights.resize(1);
-    under_panel.area_lights[0].radiance = Rgb(1);
+    SceneAreaLight panel;
+    panel.radiance = Rgb(1);
+    under_panel.lights = {panel};
     CHECK(on_in(plan_of(under_panel)) == Effects{Effect::soft_shadows, Effect::indirect});
 }
 

@@ -31,7 +31,7 @@ Material half_emissive()
 Scene lit_floor()
 {
     Scene scene = tiny::diffuse_floor();
-    PunctualLight light;
+    ScenePointLight light;
     light.position = {0, 0.3f, 0};
     light.intensity = Rgb(1);
     scene.lights.push_back(light);
@@ -137,10 +137,9 @@ TEST_CASE("alpha: photons lie as densely where light passes as where it is stopp
         cut_bars(scene);
     else
         scene.materials.back() = see_through(scene.materials.back(), 0.25f);
-    PunctualLight sun;
-    sun.kind = LightKind::directional;
+    SceneSunLight sun;
     sun.direction = {0, -1, 0};
-    sun.intensity = Rgb(3);
+    sun.irradiance = Rgb(3);
     scene.lights.push_back(sun);
     const auto ready = tiny::ready(scene);
     RunningMean on_sheet, on_floor;

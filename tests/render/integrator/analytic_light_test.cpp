@@ -15,31 +15,28 @@ namespace {
 /// A ball, a ball that is a spot, a sun, a sheared rectangle and an ellipse over the floor.
 Scene with_light(Scene scene, int kind)
 {
-    PunctualLight light;
-    light.position = {0.1f, 0.25f, 0.05f};
-    light.intensity = {1, 2, 3};
-    light.radius = 0.1f;
-    light.direction = glm::normalize(glm::vec3(-0.2f, -1, 0.1f));
-    AreaLight area;
-    area.centre = light.position;
+    const glm::vec3 position(0.1f, 0.25f, 0.05f), intensity(1, 2, 3);
+    const glm::vec3 direction = glm::normalize(glm::vec3(-0.2f, -1, 0.1f));
+    const ScenePointLight ball{
+        .name = "", .position = position, .intensity = intensity, .radius = 0.1f};
+    const SceneSpotLight spot{.name = "",
+                              .position = position,
+                              .direction = direction,
+                              .intensity = intensity,
+                              .cos_inner = std::cos(0.4f),
+                              .cos_outer = std::cos(0.8f),
+                              .radius = 0.1f};
+    const SceneSunLight sun{
+        .name = "", .direction = direction, .irradiance = intensity, .half_angle = 0.3f};
+    SceneAreaLight area;
+    area.centre = position;
     area.half_right = {0.15f, 0, 0};
     area.half_up = {0.03f, 0.02f, -0.1f};
     area.direction = -glm::normalize(glm::cross(area.half_right, area.half_up));
     area.is_disc = kind == 4;
     area.radiance = {4, 3, 2};
-    if (kind == 1) {
-        light.kind = LightKind::spot;
-        light.cos_inner = std::cos(0.4f);
-        light.cos_outer = std::cos(0.8f);
-    }
-    if (kind == 2) {
-        light.kind = LightKind::directional;
-        light.half_angle = 0.3f;
-    }
-    if (kind < 3)
-        scene.lights = {light};
-    else
-        scene.area_lights = {area};
+    const SceneLight lights[] = {ball, spot, sun, area, area};
+    scene.lights = {lights[kind]};
     return scene;
 }
 
@@ -47,7 +44,7 @@ Scene with_light(Scene scene, int kind)
 Scene among_many(Scene scene)
 {
     for (int i = 0; i < 20; ++i) {
-        PunctualLight light;
+        ScenePointLight light;
         light.position = {0.1f * static_cast<float>(i) - 1, 3, 0};
         light.intensity = Rgb(1e-6f);
         light.radius = i % 2 == 0 ? 0.01f : 0.0f;

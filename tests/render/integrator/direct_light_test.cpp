@@ -39,7 +39,7 @@ RunningMean irradiance_at(const tiny::ReadyScene& ready, float x, float z, int s
 TEST_CASE("direct light: a point light by the inverse square and the cosine", "[integrator]")
 {
     Scene scene = tiny::diffuse_floor();
-    PunctualLight light;
+    ScenePointLight light;
     light.position = {0.1f, 0.4f, -0.2f};
     light.intensity = Rgb(3);
     scene.lights = {light};
@@ -54,16 +54,14 @@ TEST_CASE("direct light: a point light by the inverse square and the cosine", "[
 TEST_CASE("direct light: a sun by the cosine, a spot by its cone", "[integrator]")
 {
     Scene scene = tiny::diffuse_floor();
-    PunctualLight sun;
-    sun.kind = LightKind::directional;
+    SceneSunLight sun;
     sun.direction = glm::normalize(glm::vec3(1, -2, 0));
-    sun.intensity = Rgb(5);
+    sun.irradiance = Rgb(5);
     scene.lights = {sun};
     CHECK(irradiance_at(*tiny::ready(scene), 0.2f, 0.1f, 2).mean() ==
           Approx(5 * 2 / std::sqrt(5.0)));
 
-    PunctualLight spot;
-    spot.kind = LightKind::spot;
+    SceneSpotLight spot;
     spot.position = {0, 0.5f, 0};
     spot.direction = {0, -1, 0};
     spot.intensity = Rgb(2);
@@ -126,7 +124,7 @@ TEST_CASE("direct light: many lights are sampled without bias", "[integrator]")
     Scene scene = tiny::diffuse_floor();
     double truth = 0;
     for (int i = 0; i < 100; ++i) {
-        PunctualLight light;
+        ScenePointLight light;
         light.position = {0.01f * static_cast<float>(i) - 0.5f, 0.3f, 0.1f};
         light.intensity = Rgb(static_cast<float>(i % 7));
         const double distance2 = glm::dot(glm::dvec3(light.position), glm::dvec3(light.position));

@@ -82,7 +82,7 @@ TEST_CASE("glossy light: a point light's highlight is glTF's formula", "[integra
     Scene scene = tiny::diffuse_floor();
     const Rgb gold(1, 0.8f, 0.3f);
     scene.materials[0] = glossy(tiny::mirror(gold), static_cast<float>(roughness));
-    PunctualLight light;
+    ScenePointLight light;
     light.position = {0.2f, 0.25f, 0.1f};
     light.intensity = Rgb(3);
     scene.lights = {light};

@@ -48,7 +48,7 @@ Scene light_in_glass()
     tiny::scale(box, 0.2f);
     tiny::move(box, {0, 0.2f, 0});
     tiny::add(scene, box, tiny::glass(1.5f));
-    PunctualLight light;
+    ScenePointLight light;
     light.position = {0, 0.2f, 0};
     light.intensity = Rgb(1);
     scene.lights.push_back(light);

@@ -149,8 +149,7 @@ TEST_CASE("media: light that is scattered once", "[integrator][media]")
     medium.scattering = Rgb(1e-3f);
     medium.phase = {PhaseKind::henyey_greenstein, 0.5f};
     Scene scene = tiny::cube_of(medium, 0.2f);
-    PunctualLight light;
-    light.kind = LightKind::point;
+    ScenePointLight light;
     light.position = {0.4f, 0, 0};
     light.intensity = Rgb(1);
     scene.lights = {light};

@@ -86,7 +86,7 @@ TEST_CASE("paper light: a light below a sheet lights what is seen of it from abo
 {
     Scene scene = tiny::make_scene(tiny::floor_at(0, 1));
     scene.materials[0] = paper(Rgb(0.5f), {0.9f, 0.8f, 0.3f});
-    PunctualLight light;
+    ScenePointLight light;
     light.position = {0, -0.3f, 0};
     light.intensity = Rgb(2);
     scene.lights.push_back(light);

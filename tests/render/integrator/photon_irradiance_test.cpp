@@ -40,7 +40,7 @@ void check_against(const tiny::ReadyScene& ready, double truth)
 TEST_CASE("photon irradiance: under a point light by the inverse square", "[integrator]")
 {
     Scene scene = tiny::diffuse_floor();
-    PunctualLight light;
+    ScenePointLight light;
     light.position = {0, 0.5f, 0};
     light.intensity = Rgb(3);
     scene.lights = {light};

@@ -12,10 +12,9 @@ namespace {
 
 const SpotCone kCone{glm::normalize(glm::vec3(1, 2, -2)), std::cos(0.3f), std::cos(0.7f)};
 
-PunctualLight spot_light()
+SceneSpotLight spot_light()
 {
-    PunctualLight light;
-    light.kind = LightKind::spot;
+    SceneSpotLight light;
     light.intensity = {1, 2, 3};
     light.direction = kCone.direction;
     light.cos_inner = kCone.cos_inner;
@@ -83,7 +82,7 @@ TEST_CASE("emission: a spot's light paths follow its intensity", "[lights]")
             const float cosine = static_cast<float>(1 - (i + 0.5) * height);
             const glm::vec3 direction =
                 Frame(kCone.direction).to_world(direction_from_cosine(cosine, 0.1f));
-            truth += scene.lights[0].intensity.y * falloff(kCone, direction) * 2 * kPi * height;
+            truth += spot_light().intensity.y * falloff(kCone, direction) * 2 * kPi * height;
         }
         const RunningMean mean =
             emitted_in_cone(ready->render->lights, kCone.direction, std::cos(angle), 200000);
@@ -96,12 +95,11 @@ TEST_CASE("emission: all paths together carry the power of the lights", "[lights
     Scene scene = tiny::diffuse_floor();
     tiny::add(scene, tiny::floor_at(0.5f, -0.3f), tiny::emissive({4, 5, 6}));
     scene.materials.back().double_sided = true;
-    PunctualLight point;
+    ScenePointLight point;
     point.intensity = {1, 2, 3};
     point.position = {0, 0.2f, 0};
-    PunctualLight sun;
-    sun.kind = LightKind::directional;
-    sun.intensity = {3, 2, 1};
+    SceneSunLight sun;
+    sun.irradiance = {3, 2, 1};
     scene.lights = {point, spot_light(), sun};
     scene.environment = {0.1f, 0.2f, 0.3f};
     const auto ready = tiny::ready(scene);
@@ -126,7 +124,7 @@ TEST_CASE("emission: all paths together carry the power of the lights", "[lights
 TEST_CASE("emission: every light that emits has paths, a dark one has none", "[lights]")
 {
     Scene scene = tiny::diffuse_floor();
-    PunctualLight bright, faint, dark;
+    ScenePointLight bright, faint, dark;
     bright.intensity = Rgb(1e6f);
     faint.intensity = Rgb(1e-6f);
     scene.lights = {bright, dark, faint};

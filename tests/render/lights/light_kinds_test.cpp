@@ -46,30 +46,33 @@ bool is_delta(Kind kind)
     return is_one_of(kind, {Kind::point, Kind::spot, Kind::sun});
 }
 
-PunctualLight punctual_light(Kind kind)
+const glm::vec3 kDirection = glm::normalize(glm::vec3(-0.2f, -1, 0.1f));
+const glm::vec3 kLight(1, 2, 3); ///< radiant intensity or irradiance
+
+SceneLight punctual_light(Kind kind)
 {
-    PunctualLight light;
-    light.position = kMiddle;
-    light.intensity = {1, 2, 3};
-    light.direction = glm::normalize(glm::vec3(-0.2f, -1, 0.1f));
-    if (is_one_of(kind, {Kind::sphere, Kind::spot_sphere}))
-        light.radius = 0.1f;
-    if (is_one_of(kind, {Kind::spot, Kind::spot_sphere})) {
-        light.kind = LightKind::spot;
-        light.cos_inner = std::cos(0.4f);
-        light.cos_outer = std::cos(0.8f);
-    }
-    if (is_one_of(kind, {Kind::sun, Kind::wide_sun}))
-        light.kind = LightKind::directional;
-    if (kind == Kind::wide_sun)
-        light.half_angle = 0.3f;
-    return light;
+    const float radius = is_one_of(kind, {Kind::sphere, Kind::spot_sphere}) ? 0.1f : 0.0f;
+    if (is_one_of(kind, {Kind::point, Kind::sphere}))
+        return ScenePointLight{
+            .name = "", .position = kMiddle, .intensity = kLight, .radius = radius};
+    if (is_one_of(kind, {Kind::spot, Kind::spot_sphere}))
+        return SceneSpotLight{.name = "",
+                              .position = kMiddle,
+                              .direction = kDirection,
+                              .intensity = kLight,
+                              .cos_inner = std::cos(0.4f),
+                              .cos_outer = std::cos(0.8f),
+                              .radius = radius};
+    return SceneSunLight{.name = "",
+                         .direction = kDirection,
+                         .irradiance = kLight,
+                         .half_angle = kind == Kind::wide_sun ? 0.3f : 0.0f};
 }
 
 /// Sheared.
-AreaLight area_light(Kind kind)
+SceneAreaLight area_light(Kind kind)
 {
-    AreaLight light;
+    SceneAreaLight light;
     light.centre = kMiddle;
     light.half_right = {0.15f, 0, 0};
     light.half_up = {0.03f, 0.02f, -0.1f};
@@ -95,7 +98,7 @@ Scene lit_scene(Kind kind)
     if (kind <= Kind::wide_sun)
         scene.lights = {punctual_light(kind)};
     else if (kind <= Kind::ellipse)
-        scene.area_lights = {area_light(kind)};
+        scene.lights = {area_light(kind)};
     else if (kind <= Kind::ball)
         tiny::add(scene, emissive_mesh(kind), tiny::emissive({4, 3, 2}));
     else if (kind == Kind::even_world)
@@ -290,17 +293,16 @@ TEST_CASE("light kinds: lights without size bring their irradiance in closed for
     const LitScene at = lit(lit_scene(kind), kind);
     INFO("kind " << static_cast<int>(kind));
     RandomSequence random(9, RandomStream::eye_paths, 0, 0);
-    const PunctualLight light = punctual_light(kind);
-    const glm::dvec3 way = glm::dvec3(light.position) - glm::dvec3(kPosition);
+    const glm::dvec3 way = glm::dvec3(kMiddle) - glm::dvec3(kPosition);
     const double distance = glm::length(way);
     double truth = 2 * way.y / std::pow(distance, 3);
     if (kind == Kind::spot) {
-        const double cosine = -glm::dot(way, glm::dvec3(light.direction)) / distance;
+        const double cosine = -glm::dot(way, glm::dvec3(kDirection)) / distance;
         const double inner = std::cos(0.4), outer = std::cos(0.8);
         truth *= std::pow(std::clamp((cosine - outer) / (inner - outer), 0.0, 1.0), 2);
     }
     if (kind == Kind::sun)
-        truth = -2.0 * light.direction.y;
+        truth = -2.0 * kDirection.y;
     CHECK(sampled_irradiance(at, kPosition, random) == Approx(truth).epsilon(1e-5));
 }
 

@@ -31,10 +31,9 @@ TEST_CASE("dispersion: a wedge bends the light of each photon by the index of it
     Material glass = tiny::glass(kIndex);
     glass.dispersion = kDispersion;
     tiny::add(scene, wedge(), glass);
-    PunctualLight sun;
-    sun.kind = LightKind::directional;
+    SceneSunLight sun;
     sun.direction = {0, -1, 0};
-    sun.intensity = Rgb(1);
+    sun.irradiance = Rgb(1);
     scene.lights.push_back(sun);
     const auto ready = tiny::ready(scene);
     PhotonOptions options;

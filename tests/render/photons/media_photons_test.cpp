@@ -22,7 +22,7 @@ Scene misty_room()
     fog.absorption = {1, 0, 2};
     tiny::add(scene, cube, fog);
     scene.around.scattering = {0.5f, 1, 0.25f};
-    PunctualLight light;
+    ScenePointLight light;
     light.position = {0.1f, 0.42f, 0.02f};
     light.intensity = {1, 2, 3};
     scene.lights = {light};

@@ -29,7 +29,7 @@ Scene open_room()
     tiny::add(scene, ball, tiny::mirror({0.9f, 0.8f, 0.7f}));
     TriangleMesh light = tiny::floor_at(0.4f, -0.3f);
     tiny::add(scene, light, tiny::emissive({3, 4, 5}));
-    PunctualLight point;
+    ScenePointLight point;
     point.position = {0.1f, 0.1f, 0.2f};
     point.intensity = {1, 2, 1};
     scene.lights = {point};
@@ -119,7 +119,7 @@ TEST_CASE("trace photons: direct photons carry the irradiance of a point light",
     // A point light at height h over the middle of a square: flux through it in closed form.
     Scene scene = tiny::make_scene(tiny::floor_at(0, 1));
     scene.materials[0] = tiny::diffuse(Rgb(0.5f));
-    PunctualLight light;
+    ScenePointLight light;
     light.position = {0, 0.25f, 0};
     light.intensity = Rgb(1);
     scene.lights = {light};
@@ -163,7 +163,7 @@ TEST_CASE("trace photons: power is stored without the coat's share where photons
     Scene scene = tiny::make_scene(tiny::floor_at(0, 1));
     scene.materials[0] = tiny::diffuse(Rgb(0.5f));
     scene.materials[0].specular = 1;
-    PunctualLight light;
+    ScenePointLight light;
     light.position = {0, 0.25f, 0};
     light.intensity = Rgb(1);
     scene.lights = {light};
@@ -193,10 +193,9 @@ TEST_CASE("trace photons: a closed glass ball absorbs by Beer and Lambert", "[ph
     Scene scene = tiny::make_scene(slab);
     scene.materials[0] = tiny::glass(1.0f); // no reflection: only absorption is left
     scene.materials[0].absorption = {1, 2, 4};
-    PunctualLight sun;
-    sun.kind = LightKind::directional;
+    SceneSunLight sun;
     sun.direction = {0, -1, 0};
-    sun.intensity = Rgb(1);
+    sun.irradiance = Rgb(1);
     scene.lights = {sun};
     const auto ready = tiny::ready(scene);
     const TracedPhotons traced = trace_photons(*ready->render, {100000, 1, 0, true});
@@ -214,14 +213,14 @@ TEST_CASE("trace photons: a closed glass ball absorbs by Beer and Lambert", "[ph
 TEST_CASE("trace photons: aimed paths bring the caustics that others bring, with more photons",
           "[photons]")
 {
-    PunctualLight point, spot, sun;
+    ScenePointLight point;
+    SceneSpotLight spot;
+    SceneSunLight sun;
     point.position = spot.position = {0.1f, 0.35f, 0.2f};
-    point.intensity = spot.intensity = sun.intensity = {1, 2, 1};
-    spot.kind = LightKind::spot;
+    point.intensity = spot.intensity = sun.irradiance = {1, 2, 1};
     spot.direction = glm::normalize(glm::vec3(-0.3f, -0.6f, -0.2f));
     spot.cos_inner = 0.95f;
     spot.cos_outer = 0.8f;
-    sun.kind = LightKind::directional;
     sun.direction = glm::normalize(glm::vec3(0.9f, -1, 0.1f));
     const int kind = GENERATE(0, 1, 2, 3, 4);
     Scene scene = open_room();
@@ -229,7 +228,7 @@ TEST_CASE("trace photons: aimed paths bring the caustics that others bring, with
         scene.materials.back().emission = Rgb(0);
     scene.lights.clear();
     if (kind < 3)
-        scene.lights = {std::vector{point, spot, sun}[static_cast<std::size_t>(kind)]};
+        scene.lights = {std::vector<SceneLight>{point, spot, sun}[static_cast<std::size_t>(kind)]};
     if (kind == 4)
         scene.environment = {1, 0.5f, 2};
     const auto ready = tiny::ready(scene);
