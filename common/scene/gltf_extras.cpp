@@ -1,8 +1,10 @@
 #include "common/scene/gltf_extras.h"
 
 #include "common/scene/density_file.h"
+#include "common/scene/gltf_light_camera.h"
 #include "common/scene/gltf_reflection.h"
 #include "common/scene/hipmap_extras.h"
+#include "common/scene/ies_file.h"
 #include "common/scene/scene_file.h"
 #include "common/scene/scene_names.h"
 
@@ -24,7 +26,7 @@ std::string place_of(const json& thing, const char* kind, std::size_t index)
     return std::string(kind) + " " + quote_name(name.empty() ? std::to_string(index) : name);
 }
 
-void read_light_size(HipmapExtras extras, SceneLight& light)
+void read_light_size(HipmapExtras& extras, SceneLight& light)
 {
     const std::optional<double> radius = extras.positive("radius");
     const std::optional<double> angle = extras.positive("angle_deg");
@@ -39,7 +41,50 @@ void read_light_size(HipmapExtras extras, SceneLight& light)
                     angle ? 0.5 * *angle * std::numbers::pi / 180 : of_kind.half_angle;
         },
         light);
-    extras.finish("");
+}
+
+/// Returns the colour of a light; white if it has none.
+glm::dvec3 colour_of(const json& light)
+{
+    const auto found = light.find("color");
+    if (found == light.end() || !found->is_array() || found->size() != 3)
+        return glm::dvec3(1.0);
+    glm::dvec3 out(1.0);
+    for (int c = 0; c < 3; ++c)
+        if ((*found)[c].is_number())
+            out[c] = (*found)[c].get<double>();
+    return out;
+}
+
+/// Makes the point light that was added last a light of the photometric web that its extras name.
+/// of_file: the light in the file.
+void read_profile(HipmapExtras& extras, const json& of_file, const PlacedNode& at, RawScene& scene)
+{
+    const std::optional<std::string> name = extras.text("ies");
+    const std::optional<double> scale = extras.positive("ies_scale");
+    if (scale && !name)
+        extras.fail("ies_scale", "needs 'ies'");
+    if (!name)
+        return;
+    const auto* const point = std::get_if<ScenePointLight>(&scene.lights.back());
+    if (point == nullptr)
+        extras.fail("ies",
+                    "is for point lights, and only once for each; make the light a point light");
+    const std::string place = "light " + quote_name(point->name);
+    if (point->radius > 0)
+        scene.audit.assumed.push_back(place + ": radius not used, because an IES light is a point");
+    SceneIesLight light;
+    light.name = point->name;
+    light.position = point->position;
+    light.direction = -glm::normalize(glm::dvec3(at.to_world[2]));
+    const glm::dvec3 down = -glm::dvec3(at.to_world[1]);
+    const glm::dvec3 across = down - light.direction * glm::dot(down, light.direction);
+    if (!(glm::length(across) > 0))
+        extras.fail("ies", "needs an object whose scale is not 0");
+    light.start = glm::normalize(across);
+    light.intensity = colour_of(of_file) * scale.value_or(1.0) / kLumensPerWatt;
+    light.web = read_ies(file_beside(scene.path, place + ", custom property 'hipmap'", *name));
+    scene.lights.back() = std::move(light);
 }
 
 void read_lens(HipmapExtras extras, RawCamera& camera)
@@ -93,8 +138,12 @@ void read_light_extras(const GltfDocument& document, const PlacedNode& at, std::
 {
     const std::string place = "light " + quote_name(name_of(scene.lights.back()));
     const json& lights = document.json["extensions"]["KHR_lights_punctual"]["lights"];
-    read_light_size({lights[light], place, scene}, scene.lights.back());
-    read_light_size({document.json["nodes"][at.node], place, scene}, scene.lights.back());
+    for (const json* from : {&lights[light], &document.json["nodes"][at.node]}) {
+        HipmapExtras extras(*from, place, scene);
+        read_light_size(extras, scene.lights.back());
+        read_profile(extras, lights[light], at, scene);
+        extras.finish("");
+    }
 }
 
 void read_camera_extras(const GltfDocument& document, std::size_t node, std::size_t camera,

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <type_traits>
 #include <variant>
+#include <vector>
 
 namespace hipmap {
 
@@ -80,8 +81,29 @@ struct SceneAreaLight {
     glm::dvec3 radiance{0.0};
 };
 
+/// The intensities of a luminaire by direction, as type C of LM-63 measures them: bilinear in both
+/// angles between the directions of the table, zero beyond its polar angles.
+struct PhotometricWeb {
+    std::vector<double> polar;   ///< [P] radians from the axis, 0 to pi, rising, at least two
+    std::vector<double> azimuth; ///< [A] radians about the axis, rising from 0 to 2 pi
+    std::vector<double> candela; ///< [P * A] azimuth fastest; some are above zero
+};
+
+/// A point light that emits by a photometric web, which .ies files hold.
+struct SceneIesLight {
+    static constexpr std::string_view kKind = "IES light";
+
+    std::string name;
+    glm::dvec3 position{0.0};
+    glm::dvec3 direction{0, 0, -1}; ///< unit, of the polar angle 0
+    glm::dvec3 start{0, -1, 0};     ///< unit, across the direction, of the azimuth 0
+    glm::dvec3 intensity{0.0};      ///< radiant intensity of one candela of the web
+    PhotometricWeb web;
+};
+
 /// A light of any kind.  Audit and messages list lights in the order of the kinds here.
-using SceneLight = std::variant<ScenePointLight, SceneSpotLight, SceneSunLight, SceneAreaLight>;
+using SceneLight =
+    std::variant<ScenePointLight, SceneSpotLight, SceneSunLight, SceneAreaLight, SceneIesLight>;
 
 /// `Type` is `Kind`, const or not.
 template <typename Type, typename Kind>
@@ -120,6 +142,17 @@ void each_number(MaybeConst<SceneAreaLight> auto& light, auto& visit)
     visit.extent(light.half_up);
     visit.direction(light.direction);
     visit.radiance(light.radiance);
+}
+
+void each_number(MaybeConst<SceneIesLight> auto& light, auto& visit)
+{
+    visit.position(light.position);
+    visit.direction(light.direction);
+    visit.direction(light.start);
+    visit.radiant_intensity(light.intensity);
+    for (auto* table : {&light.web.polar, &light.web.azimuth, &light.web.candela})
+        for (auto& number : *table)
+            visit.plain(number);
 }
 
 /// Calls the visitor for each number of a light of any kind.

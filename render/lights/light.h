@@ -3,6 +3,7 @@
 #include "render/lights/constant_environment.h"
 #include "render/lights/emissive_media.h"
 #include "render/lights/emissive_mesh.h"
+#include "render/lights/ies_light.h"
 #include "render/lights/image_environment.h"
 #include "render/lights/planar_light.h"
 #include "render/lights/point_light.h"
@@ -17,8 +18,8 @@ namespace hipmap {
 
 /// A light of any kind.  light_kind.h describes the functions, the header of a kind its
 /// particulars.
-using Light = std::variant<PointLight, SpotLight, SphereLight, SunLight, PlanarLight, EmissiveMesh,
-                           ConstantEnvironment, ImageEnvironment, EmissiveMedia>;
+using Light = std::variant<PointLight, SpotLight, IesLight, SphereLight, SunLight, PlanarLight,
+                           EmissiveMesh, ConstantEnvironment, ImageEnvironment, EmissiveMedia>;
 
 /// Says whether a kind of light has all functions of light_kind.h.  The check comes before the
 /// functions of `Light` are declared, to which every kind would convert.

@@ -17,6 +17,7 @@ namespace {
 enum class Kind {
     point,
     spot,
+    web, ///< an IES light
     sphere,
     spot_sphere,
     sun,
@@ -30,9 +31,9 @@ enum class Kind {
     emissive_media,
 };
 const std::vector<Kind> kKinds = {
-    Kind::point,      Kind::spot,        Kind::sphere,        Kind::spot_sphere, Kind::sun,
-    Kind::wide_sun,   Kind::rectangle,   Kind::ellipse,       Kind::panel,       Kind::ball,
-    Kind::even_world, Kind::image_world, Kind::emissive_media};
+    Kind::point, Kind::spot,       Kind::web,         Kind::sphere,        Kind::spot_sphere,
+    Kind::sun,   Kind::wide_sun,   Kind::rectangle,   Kind::ellipse,       Kind::panel,
+    Kind::ball,  Kind::even_world, Kind::image_world, Kind::emissive_media};
 const glm::vec3 kMiddle(0.1f, 0.25f, 0.05f); ///< of lights with a place
 
 bool is_one_of(Kind kind, std::initializer_list<Kind> kinds)
@@ -43,7 +44,7 @@ bool is_one_of(Kind kind, std::initializer_list<Kind> kinds)
 /// Light arrives from one direction alone.
 bool is_delta(Kind kind)
 {
-    return is_one_of(kind, {Kind::point, Kind::spot, Kind::sun});
+    return is_one_of(kind, {Kind::point, Kind::spot, Kind::web, Kind::sun});
 }
 
 const glm::vec3 kDirection = glm::normalize(glm::vec3(-0.2f, -1, 0.1f));
@@ -63,6 +64,15 @@ SceneLight punctual_light(Kind kind)
                               .cos_inner = std::cos(0.4f),
                               .cos_outer = std::cos(0.8f),
                               .radius = radius};
+    if (kind == Kind::web)
+        return SceneIesLight{.name = "",
+                             .position = kMiddle,
+                             .direction = kDirection,
+                             .start = glm::normalize(glm::cross(kDirection, {1, 0, 0})),
+                             .intensity = kLight,
+                             .web = {.polar = {0, 0.5, 1.2, 2},
+                                     .azimuth = {0, 2, 2 * double{kPi}},
+                                     .candela = {1, 1, 1, 2, 0.5, 2, 0.2, 3, 0.2, 0, 1, 0}}};
     return SceneSunLight{.name = "",
                          .direction = kDirection,
                          .irradiance = kLight,
