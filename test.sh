@@ -11,8 +11,8 @@ Installs the packages that are missing (as root or with sudo), builds hipmap and
 runs them all.  Arguments after -- go to ctest, such as -R partition.
 
   --sanitize   build and run with AddressSanitizer and UndefinedBehaviorSanitizer
-  --fuzz       run the fuzz targets of the glTF, OBJ, partition and state readers instead, each for so
-               long, with both sanitizers (clang); what they find stays in build/fuzz/corpus
+  --fuzz       run the fuzz targets of the glTF, OBJ, IES, partition and state readers instead, each
+               for so long, with both sanitizers (clang); what they find stays in build/fuzz/corpus
   --help       print this text
 TEXT
 }
@@ -73,9 +73,9 @@ fuzz() {
 }
 
 if [[ -n $fuzz_seconds ]]; then
-    "$root/.ci/setup.sh" fuzz preprocess render fuzz_gltf fuzz_obj fuzz_partition \
+    "$root/.ci/setup.sh" fuzz preprocess render fuzz_gltf fuzz_obj fuzz_ies fuzz_partition \
         fuzz_state
-    for target in gltf obj partition state; do
+    for target in gltf obj ies partition state; do
         fuzz "$target"
     done
     exit
