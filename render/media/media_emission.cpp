@@ -60,6 +60,7 @@ std::vector<EmissivePart> emissive_parts(const MediaSet& media, Ray ray)
         const SurfacePoint at = surface_point(media.mesh, hit->face, hit->barycentric);
         cross(media, hit->face, glm::dot(ray.direction, at.geometric_normal) <= 0, inside);
         ray.origin = offset_origin(at, ray.direction);
+        ray.near = Ray{}.near;
         ray.far = std::numeric_limits<float>::infinity();
     }
     return out;

@@ -146,6 +146,7 @@ WalkEnd walk(const MediaSet& media, Ray ray, MediumStack& inside, const Visit& v
         cross(media, hit->face, front, inside);
         before += hit->distance;
         ray.origin = offset_origin(at, ray.direction);
+        ray.near = Ray{}.near; // a camera's clipping plane lies behind
         ray.far -= hit->distance;
     }
     return {};

@@ -108,6 +108,18 @@ TEST_CASE("media: an emissive slab sends e/a (1 - exp(-a d))", "[integrator][med
         check(measure(tiny::cube_of(medium), integrator, 2), 1.5 * (1 - std::exp(-3.0)), 1e-4);
 }
 
+TEST_CASE("media: a slab thinner than the camera's clipping distance is as any other",
+          "[integrator][media]")
+{
+    Medium medium;
+    medium.absorption = Rgb(2);
+    medium.emission = Rgb(3);
+    Scene scene = tiny::cube_of(medium);
+    scene.cameras[0].near_clip = 1.2f;
+    for (const Integrator integrator : kAll)
+        check(measure(scene, integrator, 2), 1.5 * (1 - std::exp(-2.0)), 1e-4);
+}
+
 TEST_CASE("media: with an albedo of one nothing is seen under an even sky", "[integrator][media]")
 {
     Medium medium;
