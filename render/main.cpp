@@ -1,5 +1,6 @@
 #include "common/scene/print_audit.h"
 #include "common/scene/scene_names.h"
+#include "render/describe_error.h"
 #include "render/merge.h"
 #include "render/outputs.h"
 #include "render/print_results.h"

@@ -2,6 +2,7 @@
 
 #include "common/input_error.h"
 #include "common/scene/scene_names.h"
+#include "render/describe_error.h"
 #include "render/outputs.h"
 #include "render/statistics.h"
 

@@ -24,8 +24,8 @@ RenderArguments arguments_of_frame(const RenderArguments& all, int frame)
     RenderArguments out = all;
     set_frame(out.scene_options, out.frames, frame);
     OutputFiles& files = out.files;
-    for (std::filesystem::path* file :
-         {&out.partition, &files.error_image, &files.statistics, &files.state})
+    out.partition = frame_path(out.partition, frame);
+    for (std::filesystem::path* file : files.single_files())
         *file = frame_path(*file, frame);
     for (std::filesystem::path& image : files.images)
         image = frame_path(image, frame);

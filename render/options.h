@@ -7,6 +7,7 @@
 #include "render/effects/effect_plan.h"
 #include "render/integrator/run_passes.h"
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <vector>
@@ -33,6 +34,12 @@ struct OutputFiles {
     std::optional<float> exposure_ev;  ///< of 8-bit images; none: auto
     ViewChoice view_choice;            ///< of 8-bit images
     DisplayView view;                  ///< what it names
+
+    /// Returns the names of all files but the images.
+    std::array<std::filesystem::path*, 3> single_files()
+    {
+        return {&error_image, &statistics, &state};
+    }
 };
 
 /// How a render tells its progress.

@@ -4,13 +4,13 @@
 #include "common/image/exposure.h"
 #include "common/image/exr_file.h"
 #include "common/image/write_image.h"
+#include "common/input_error.h"
 #include "common/scene/scene_names.h"
 #include "common/stopwatch.h"
 #include "render/film/error_picture.h"
+#include "render/film/image_error.h"
+#include "render/settings.h"
 
-#include <sys/resource.h>
-
-#include <algorithm>
 #include <iomanip>
 #include <sstream>
 
@@ -18,8 +18,7 @@ namespace hipmap {
 
 namespace {
 
-/// A day: errors that take longer are called not practical.
-constexpr double kMostPracticalSeconds = 24 * 3600;
+constexpr double kMostExposure = 100;
 
 void write_exr_with_error(const std::filesystem::path& path, const Image& image, const Film& film,
                           const std::vector<ErrorCheck>& checks)
@@ -70,7 +69,71 @@ std::optional<LegendedPicture> write_error_image(const std::filesystem::path& pa
     return written;
 }
 
+void parse_error_image(const std::string& text, std::filesystem::path& error_image)
+{
+    error_image = text;
+    if (image_format(error_image) != ImageFormat::png)
+        throw InputError(text + ": the error image must be .png; -o FILE.exr holds the error "
+                                "by pixel in numbers");
+}
+
+OptionField exposure_field(std::optional<float>& exposure_ev)
+{
+    OptionField out = parsed_field(
+        [&](const std::string& text) {
+            if (text == "auto")
+                exposure_ev.reset();
+            else
+                exposure_ev = std::stof(text);
+        },
+        [&] { return number_value(exposure_ev); }, "EV|auto");
+    out.add = [add = out.add](CLI::App& app, const std::string& flags) {
+        return add(app, flags)
+            ->check(CLI::IsMember({"auto"}) | finite_in(-kMostExposure, kMostExposure));
+    };
+    out.values = text_of(NumberRange{-kMostExposure, kMostExposure}) + ", auto";
+    return out;
+}
+
 } // namespace
+
+std::vector<OptionRow> output_rows(OutputFiles& files, bool required)
+{
+    return {{.name = "output",
+             .section = kFilesSection,
+             .field = files_field(files.images),
+             .help = "Image to write; repeatable. .exr, .pfm and .hdr hold radiance, W/(m2 sr), "
+                     ".exr its noise, bias and error too; .png and .ppm are exposed sRGB",
+             .flags = "-o,--output",
+             .required = required},
+            {.name = "error-image",
+             .section = kFilesSection,
+             .field = parsed_field(
+                 [&](const std::string& text) { parse_error_image(text, files.error_image); }, {},
+                 "FILE"),
+             .help = "Write an image of the relative error of each pixel in false colour, .png"},
+            {.name = "stats",
+             .section = kFilesSection,
+             .field = file_field(files.statistics),
+             .help = "Write statistics as JSON"},
+            {.name = "exposure",
+             .section = kImageSection,
+             .field = exposure_field(files.exposure_ev),
+             .help = "Exposure of 8-bit images in stops",
+             .unset = "auto"},
+            {.name = "ocio",
+             .section = kImageSection,
+             .field = text_field(files.view_choice.config, "CONFIG|blender"),
+             .help = "Show 8-bit images through a view of this OpenColorIO configuration file; "
+                     "blender: that of the installed Blender",
+             .unset = "none: sRGB"},
+            {.name = "view",
+             .section = kImageSection,
+             .field = text_field(files.view_choice.view, "NAME"),
+             .help = "View of the configuration, such as Filmic or AgX",
+             .unset = "the configuration's default",
+             .needs = "ocio"}};
+}
 
 void check_outputs(const OutputFiles& files)
 {
@@ -78,9 +141,10 @@ void check_outputs(const OutputFiles& files)
         image_format(image); // refuses an unknown suffix
         check_writable(image);
     }
-    for (const std::filesystem::path& file : {files.error_image, files.statistics, files.state})
-        if (!file.empty())
-            check_writable(file);
+    OutputFiles copy = files;
+    for (const std::filesystem::path* file : copy.single_files())
+        if (!file->empty())
+            check_writable(*file);
 }
 
 bool is_exposed(const std::filesystem::path& image)
@@ -108,83 +172,6 @@ void write_statistics(const OutputFiles& files, const std::string& json, Report&
         return;
     write_file(files.statistics, json);
     report.wrote(files.statistics);
-}
-
-std::string percent(double share)
-{
-    const double value = 100 * share;
-    std::ostringstream text;
-    if (value >= 1)
-        text << std::fixed << std::setprecision(value < 10 ? 1 : 0);
-    else
-        text << std::setprecision(2);
-    text << value << " %";
-    return text.str();
-}
-
-std::string describe_error(const ErrorCheck& check)
-{
-    const ImageError& error = check.error;
-    std::string text = "accuracy: error " + percent(error.error);
-    if (std::isfinite(error.high))
-        text += " (95 % confidence: " + percent(error.low) + " to " + percent(error.high) + ")";
-    if (error.bias == BiasKnowledge::unknown)
-        text += " of noise alone; the bias of estimates from the k nearest photons is unknown";
-    if (error.bias == BiasKnowledge::from_radii)
-        text += "; noise " + percent(std::sqrt(error.noise2)) + ", bias " +
-                percent(std::sqrt(std::max(error.bias2, 0.0)));
-    if (error.clamp2 > 0)
-        text += "; bias of --clamp " + percent(std::sqrt(error.clamp2));
-    return text;
-}
-
-std::string describe_need(const ErrorCost& cost)
-{
-    if (!std::isfinite(cost.seconds) || cost.seconds > kMostPracticalSeconds ||
-        cost.passes > static_cast<double>(kMostPasses))
-        return "is not practical (more than a day)";
-    return "would take about " + counted(static_cast<std::size_t>(cost.passes), "pass", "passes") +
-           ", " + brief_time(cost.seconds);
-}
-
-std::string describe_cost(const RenderState& state, double target)
-{
-    const ErrorCheck& last = state.checks.back();
-    const ErrorLaw law = error_law(state.checks, state.radius_decay);
-    const bool of_target = target > 0 && target / 2 < last.error.error;
-    const ErrorCost half =
-        error_cost(state.checks, law, (of_target ? target : last.error.error) / 2, 0);
-    std::string text = "cost: " + percent(last.error.error) + " in " +
-                       counted(last.passes, "pass", "passes") + ", " + brief_time(last.seconds);
-    if (!std::isfinite(half.passes) || last.error.error == 0)
-        return text;
-    return text + "; " + percent(half.error) + " " + describe_need(half);
-}
-
-std::vector<ErrorCost> error_costs(const RenderState& state, double target)
-{
-    const std::vector<ErrorCheck>& checks = state.checks;
-    std::vector<ErrorCost> costs;
-    if (checks.empty() || !(checks.back().error.error > 0))
-        return costs;
-    std::vector<double> errors = {0.2, 0.1, 0.05, 0.02, 0.01, 0.005, checks.back().error.error / 2};
-    if (target > 0)
-        errors.insert(errors.end(), {target, target / 2});
-    std::sort(errors.begin(), errors.end(), std::greater<>());
-    errors.erase(std::unique(errors.begin(), errors.end()), errors.end());
-    const ErrorLaw law = error_law(checks, state.radius_decay);
-    for (const double error : errors)
-        costs.push_back(error_cost(checks, law, error, state.photons_per_pass));
-    return costs;
-}
-
-std::uint64_t peak_memory()
-{
-    constexpr std::uint64_t kUnit = 1024; // Linux counts in KiB
-    rusage usage = {};
-    if (::getrusage(RUSAGE_SELF, &usage) != 0)
-        return 0;
-    return static_cast<std::uint64_t>(usage.ru_maxrss) * kUnit;
 }
 
 } // namespace hipmap

@@ -1,9 +1,8 @@
 #pragma once
 
+#include "common/command_line/option_table.h"
 #include "common/image/legend.h"
 #include "common/report.h"
-#include "render/film/error_cost.h"
-#include "render/film/render_state.h"
 #include "render/options.h"
 
 #include <filesystem>
@@ -19,6 +18,10 @@ struct WrittenFiles {
     double seconds = 0;       ///< writing them
     std::size_t warnings = 0; ///< of the whole run until then
 };
+
+/// Returns the options that say which files `render` and `render merge` write, and how 8-bit images
+/// are exposed.
+std::vector<OptionRow> output_rows(OutputFiles& files, bool required);
 
 /// Throws InputError unless every file could be written and every image has a known suffix.
 /// Changes no file.
@@ -36,26 +39,5 @@ WrittenFiles write_images(const OutputFiles& files, const Image& image, const Re
 
 /// Writes the statistics if they were requested, and reports the file.  json: their text.
 void write_statistics(const OutputFiles& files, const std::string& json, Report& report);
-
-/// Formats a share as a percentage: "3.2 %" of 0.032.
-std::string percent(double share);
-
-/// Describes the estimated error of an image in words.
-std::string describe_error(const ErrorCheck& check);
-
-/// Describes what an error takes: "would take about 23 passes, 46 s"; beyond a day: "is not
-/// practical (more than a day)".
-std::string describe_need(const ErrorCost& cost);
-
-/// Describes the cost of halving the error: of the target while it is to be reached, else of the
-/// current error.  target: the requested error, 0 for none.
-std::string describe_cost(const RenderState& state, double target);
-
-/// Returns the errors of a cost table: half of the current error, round ones, and the target and
-/// half of it.  target: 0 for none.
-std::vector<ErrorCost> error_costs(const RenderState& state, double target);
-
-/// Returns the most memory that this process has held, bytes; 0: unknown.
-std::uint64_t peak_memory();
 
 } // namespace hipmap

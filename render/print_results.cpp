@@ -1,7 +1,7 @@
 #include "render/print_results.h"
 
+#include "render/describe_error.h"
 #include "render/integrator/integrators.h"
-#include "render/outputs.h"
 
 #include <sstream>
 

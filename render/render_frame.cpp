@@ -2,9 +2,9 @@
 
 #include "common/scene/scene_names.h"
 #include "common/stopwatch.h"
+#include "render/describe_error.h"
 #include "render/integrator/integrators.h"
 #include "render/integrator/moving_source.h"
-#include "render/outputs.h"
 
 namespace hipmap {
 

@@ -1,12 +1,12 @@
 #include "render/settings.h"
 
-#include "common/image/image_format.h"
 #include "common/input_error.h"
 #include "common/partition/partition_file.h"
 #include "common/report.h"
 #include "common/scene/fingerprint.h"
 #include "render/dissertation_settings.h"
 #include "render/integrator/integrators.h"
+#include "render/outputs.h"
 
 #include <cstdio>
 
@@ -40,7 +40,6 @@ constexpr double kDraftSeconds = 60, kGoodSeconds = 20 * 60;
 constexpr double kMostPhotons = 4e9;
 constexpr double kMostNeighbours = 1e6;
 constexpr double kMostSamples = 65536;
-constexpr double kMostExposure = 100;
 constexpr double kMostClamp = 1e9;
 constexpr double kMostPassesAsked = 1e6;
 constexpr double kMostFirstPass = 1e15;
@@ -51,7 +50,6 @@ constexpr double kLongestShutter = 1000;
 constexpr const char* kMethodSection = "Method";
 constexpr const char* kEffectsSection = "Effects";
 constexpr const char* kEndSection = "When to end";
-constexpr const char* kImageSection = "Image";
 
 /// "5%" and "5" are 0.05.
 double parse_error(const std::string& text)
@@ -64,32 +62,6 @@ double parse_error(const std::string& text)
         throw CLI::ValidationError(
             "--error", "'" + text + "' is not an error; write a percentage from 0.001 to 100");
     return percent / 100;
-}
-
-void parse_error_image(const std::string& text, std::filesystem::path& error_image)
-{
-    error_image = text;
-    if (image_format(error_image) != ImageFormat::png)
-        throw InputError(text + ": the error image must be .png; -o FILE.exr holds the error "
-                                "by pixel in numbers");
-}
-
-OptionField exposure_field(std::optional<float>& exposure_ev)
-{
-    OptionField out = parsed_field(
-        [&](const std::string& text) {
-            if (text == "auto")
-                exposure_ev.reset();
-            else
-                exposure_ev = std::stof(text);
-        },
-        [&] { return number_value(exposure_ev); }, "EV|auto");
-    out.add = [add = out.add](CLI::App& app, const std::string& flags) {
-        return add(app, flags)
-            ->check(CLI::IsMember({"auto"}) | finite_in(-kMostExposure, kMostExposure));
-    };
-    out.values = text_of(NumberRange{-kMostExposure, kMostExposure}) + ", auto";
-    return out;
 }
 
 void choose_quality(Quality quality, RenderArguments& arguments)
@@ -131,45 +103,6 @@ OptionRow quality_row(RenderArguments& arguments)
             .help = "Settings at once, each overridden by its own option: draft (--integrator "
                     "direct --passes 4 --time 60), good (--error 5% --time 1200), final (--error "
                     "2%) or standard (none)"};
-}
-
-/// The files that `render` and `render merge` write, and how 8-bit images are exposed.
-std::vector<OptionRow> output_rows(OutputFiles& files, bool required)
-{
-    return {{.name = "output",
-             .section = kFilesSection,
-             .field = files_field(files.images),
-             .help = "Image to write; repeatable. .exr, .pfm and .hdr hold radiance, W/(m2 sr), "
-                     ".exr its noise, bias and error too; .png and .ppm are exposed sRGB",
-             .flags = "-o,--output",
-             .required = required},
-            {.name = "error-image",
-             .section = kFilesSection,
-             .field = parsed_field(
-                 [&](const std::string& text) { parse_error_image(text, files.error_image); }, {},
-                 "FILE"),
-             .help = "Write an image of the relative error of each pixel in false colour, .png"},
-            {.name = "stats",
-             .section = kFilesSection,
-             .field = file_field(files.statistics),
-             .help = "Write statistics as JSON"},
-            {.name = "exposure",
-             .section = kImageSection,
-             .field = exposure_field(files.exposure_ev),
-             .help = "Exposure of 8-bit images in stops",
-             .unset = "auto"},
-            {.name = "ocio",
-             .section = kImageSection,
-             .field = text_field(files.view_choice.config, "CONFIG|blender"),
-             .help = "Show 8-bit images through a view of this OpenColorIO configuration file; "
-                     "blender: that of the installed Blender",
-             .unset = "none: sRGB"},
-            {.name = "view",
-             .section = kImageSection,
-             .field = text_field(files.view_choice.view, "NAME"),
-             .help = "View of the configuration, such as Filmic or AgX",
-             .unset = "the configuration's default",
-             .needs = "ocio"}};
 }
 
 OptionRow photons_row(std::optional<std::uint64_t>& photons)

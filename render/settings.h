@@ -7,6 +7,9 @@
 
 namespace hipmap {
 
+/// The heading of options that say what an image is like.
+inline constexpr const char* kImageSection = "Image";
+
 /// Returns every option of `render`, bound to `arguments`, which must outlive the rows.  Their
 /// initial values are the defaults.
 std::vector<OptionRow> option_rows(RenderArguments& arguments);

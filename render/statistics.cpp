@@ -2,7 +2,7 @@
 
 #include "common/image/picture_json.h"
 #include "common/scene/named_lights.h"
-#include "render/outputs.h"
+#include "render/describe_error.h"
 #include "render/settings.h"
 
 namespace hipmap {

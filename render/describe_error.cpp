@@ -1,0 +1,99 @@
+#include "render/describe_error.h"
+
+#include "common/report.h"
+#include "common/scene/scene_names.h"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+namespace hipmap {
+
+namespace {
+
+/// A day: errors that take longer are called not practical.
+constexpr double kMostPracticalSeconds = 24 * 3600;
+
+} // namespace
+
+std::string percent(double share)
+{
+    const double value = 100 * share;
+    std::ostringstream text;
+    if (value >= 1)
+        text << std::fixed << std::setprecision(value < 10 ? 1 : 0);
+    else
+        text << std::setprecision(2);
+    text << value << " %";
+    return text.str();
+}
+
+std::string describe_error(const ErrorCheck& check)
+{
+    const ImageError& error = check.error;
+    std::string text = "accuracy: error " + percent(error.error);
+    if (std::isfinite(error.high))
+        text += " (95 % confidence: " + percent(error.low) + " to " + percent(error.high) + ")";
+    if (error.bias == BiasKnowledge::unknown)
+        text += " of noise alone; the bias of estimates from the k nearest photons is unknown";
+    if (error.bias == BiasKnowledge::from_radii)
+        text += "; noise " + percent(std::sqrt(error.noise2)) + ", bias " +
+                percent(std::sqrt(std::max(error.bias2, 0.0)));
+    if (error.clamp2 > 0)
+        text += "; bias of --clamp " + percent(std::sqrt(error.clamp2));
+    return text;
+}
+
+std::string describe_need(const ErrorCost& cost)
+{
+    if (!std::isfinite(cost.seconds) || cost.seconds > kMostPracticalSeconds ||
+        cost.passes > static_cast<double>(kMostPasses))
+        return "is not practical (more than a day)";
+    return "would take about " + counted(static_cast<std::size_t>(cost.passes), "pass", "passes") +
+           ", " + brief_time(cost.seconds);
+}
+
+std::string describe_cost(const RenderState& state, double target)
+{
+    const ErrorCheck& last = state.checks.back();
+    const ErrorLaw law = error_law(state.checks, state.radius_decay);
+    const bool of_target = target > 0 && target / 2 < last.error.error;
+    const ErrorCost half =
+        error_cost(state.checks, law, (of_target ? target : last.error.error) / 2, 0);
+    std::string text = "cost: " + percent(last.error.error) + " in " +
+                       counted(last.passes, "pass", "passes") + ", " + brief_time(last.seconds);
+    if (!std::isfinite(half.passes) || last.error.error == 0)
+        return text;
+    return text + "; " + percent(half.error) + " " + describe_need(half);
+}
+
+std::vector<ErrorCost> error_costs(const RenderState& state, double target)
+{
+    const std::vector<ErrorCheck>& checks = state.checks;
+    std::vector<ErrorCost> costs;
+    if (checks.empty() || !(checks.back().error.error > 0))
+        return costs;
+    std::vector<double> errors = {0.2, 0.1, 0.05, 0.02, 0.01, 0.005, checks.back().error.error / 2};
+    if (target > 0)
+        errors.insert(errors.end(), {target, target / 2});
+    std::sort(errors.begin(), errors.end(), std::greater<>());
+    errors.erase(std::unique(errors.begin(), errors.end()), errors.end());
+    const ErrorLaw law = error_law(checks, state.radius_decay);
+    for (const double error : errors)
+        costs.push_back(error_cost(checks, law, error, state.photons_per_pass));
+    return costs;
+}
+
+std::uint64_t peak_memory()
+{
+    constexpr std::uint64_t kUnit = 1024; // Linux counts in KiB
+    rusage usage = {};
+    if (::getrusage(RUSAGE_SELF, &usage) != 0)
+        return 0;
+    return static_cast<std::uint64_t>(usage.ru_maxrss) * kUnit;
+}
+
+} // namespace hipmap

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "render/film/error_cost.h"
+#include "render/film/render_state.h"
+
+#include <string>
+#include <vector>
+
+namespace hipmap {
+
+/// Formats a share as a percentage: "3.2 %" of 0.032.
+std::string percent(double share);
+
+/// Describes the estimated error of an image in words.
+std::string describe_error(const ErrorCheck& check);
+
+/// Describes what an error takes: "would take about 23 passes, 46 s"; beyond a day: "is not
+/// practical (more than a day)".
+std::string describe_need(const ErrorCost& cost);
+
+/// Describes the cost of halving the error: of the target while it is to be reached, else of the
+/// current error.  target: the requested error, 0 for none.
+std::string describe_cost(const RenderState& state, double target);
+
+/// Returns the errors of a cost table: half of the current error, round ones, and the target and
+/// half of it.  target: 0 for none.
+std::vector<ErrorCost> error_costs(const RenderState& state, double target);
+
+/// Returns the most memory that this process has held, bytes; 0: unknown.
+std::uint64_t peak_memory();
+
+} // namespace hipmap
