@@ -42,6 +42,7 @@ void write_results(const PreparedFrame& frame, const RenderedFrame& rendered,
         print_error(arguments, rendered.state, report);
     const WrittenFiles written =
         write_images(arguments.files, rendered.result.image, rendered.state, report);
+    write_requested_layers(arguments, rendered, report);
     write_statistics(arguments.files, statistics_json(frame, rendered, written), report);
     if (previous != nullptr && !report.verbose())
         report.take_files();

@@ -42,8 +42,10 @@ void complete_arguments(RenderArguments& arguments)
     complete_files(arguments.files);
     for (const std::filesystem::path& image : arguments.files.images)
         image_format(image); // refuses an unknown suffix
-    if (arguments.files.images.empty() && !arguments.quote && !arguments.explain)
-        throw InputError("--output is missing; give an image with -o, or use --quote or --explain");
+    if (arguments.files.images.empty() && arguments.files.layers.empty() && !arguments.quote &&
+        !arguments.explain)
+        throw InputError("--output is missing; give an image with -o, or use --layers, --quote or "
+                         "--explain");
     if (arguments.quote && !arguments.files.state.empty())
         throw InputError("--quote keeps no passes; remove --state");
     if (!may_end(arguments.stops))

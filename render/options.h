@@ -6,6 +6,7 @@
 #include "render/dissertation_settings.h"
 #include "render/effects/effect_plan.h"
 #include "render/integrator/run_passes.h"
+#include "render/layers/layer_file.h"
 
 #include <array>
 #include <filesystem>
@@ -28,6 +29,7 @@ enum class Quality : std::uint8_t { standard, draft, good, final };
 struct OutputFiles {
     std::vector<std::filesystem::path> images;
     std::filesystem::path error_image; ///< empty: none
+    std::filesystem::path layers;      ///< empty: none; not of `render merge`
     std::filesystem::path statistics;  ///< empty: none
     std::filesystem::path state;       ///< to keep, and for `render` to resume; empty: none
     bool replace_state = false;        ///< start over if the state is of another render
@@ -36,9 +38,9 @@ struct OutputFiles {
     DisplayView view;                  ///< what it names
 
     /// Returns the names of all files but the images.
-    std::array<std::filesystem::path*, 3> single_files()
+    std::array<std::filesystem::path*, 4> single_files()
     {
-        return {&error_image, &statistics, &state};
+        return {&error_image, &layers, &statistics, &state};
     }
 };
 
@@ -51,6 +53,7 @@ struct RenderArguments {
     std::filesystem::path scene;
     std::filesystem::path partition;
     OutputFiles files;
+    LayerChoice layers;
     Quality quality = Quality::standard;
     StopRules stops;
     bool quote = false;   ///< only say what errors cost

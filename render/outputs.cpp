@@ -11,6 +11,7 @@
 #include "render/film/image_error.h"
 #include "render/settings.h"
 
+#include <algorithm>
 #include <iomanip>
 #include <sstream>
 
@@ -95,6 +96,36 @@ OptionField exposure_field(std::optional<float>& exposure_ev)
     return out;
 }
 
+void parse_layer_file(const std::string& text, std::filesystem::path& layers)
+{
+    layers = text;
+    if (image_format(layers) != ImageFormat::exr)
+        throw InputError(text + ": layers must be .exr, which alone holds several");
+}
+
+/// "combined, depth": in a list without spaces manual pages could not break the line.
+std::string listed(std::span<const LayerRow* const> rows)
+{
+    std::vector<std::string> names;
+    for (const LayerRow* row : rows)
+        names.emplace_back(row->name);
+    return joined(names);
+}
+
+OptionField layer_names_field(std::vector<const LayerRow*>& rows)
+{
+    return parsed_field([&](const std::string& text) { rows = parse_layers(text); },
+                        [&] { return rows.empty() ? SettingValue() : SettingValue(text_of(rows)); },
+                        "LIST");
+}
+
+/// Whether a layer shows an error that is not known yet.
+bool lacks_error(const LayerRow* row, const RenderState& state)
+{
+    const auto* const of = std::get_if<OfFilm>(&row->read);
+    return of != nullptr && of->needs_error && state.checks.empty();
+}
+
 } // namespace
 
 std::vector<OptionRow> output_rows(OutputFiles& files, bool required)
@@ -135,6 +166,28 @@ std::vector<OptionRow> output_rows(OutputFiles& files, bool required)
              .needs = "ocio"}};
 }
 
+std::vector<OptionRow> layer_option_rows(OutputFiles& files, LayerChoice& layers)
+{
+    return {
+        {.name = "layers",
+         .section = kFilesSection,
+         .field = parsed_field(
+             [&](const std::string& text) { parse_layer_file(text, files.layers); }, {}, "FILE"),
+         .help = "Write render passes, such as depth and normals, as one multi-layer .exr that "
+                 "Blender reads"},
+        {.name = "layer-names",
+         .section = kImageSection,
+         .field = layer_names_field(layers.rows),
+         .help = "Layers that --layers writes: " + listed(chosen_layers({})),
+         .unset = "all",
+         .needs = "layers"},
+        {.name = "view-layer",
+         .section = kImageSection,
+         .field = text_field(layers.view_layer, "NAME"),
+         .help = "View layer of Blender that the layers of --layers belong to",
+         .needs = "layers"}};
+}
+
 void check_outputs(const OutputFiles& files)
 {
     for (const std::filesystem::path& image : files.images) {
@@ -164,6 +217,29 @@ WrittenFiles write_images(const OutputFiles& files, const Image& image, const Re
     out.seconds = writing.seconds();
     out.warnings = report.warnings();
     return out;
+}
+
+void write_requested_layers(const RenderArguments& arguments, const RenderedFrame& frame,
+                            Report& report)
+{
+    const std::filesystem::path& path = arguments.files.layers;
+    if (path.empty())
+        return;
+    std::vector<const LayerRow*> rows = chosen_layers(arguments.layers);
+    const auto unknown = std::stable_partition(rows.begin(), rows.end(), [&](const LayerRow* row) {
+        return !lacks_error(row, frame.state);
+    });
+    if (unknown != rows.end())
+        report.warn(path.string() + ": written without " + listed(std::span(unknown, rows.end())) +
+                    ", for which two passes or more are needed");
+    rows.erase(unknown, rows.end());
+    std::vector<LayerImage> layers = frame.layers;
+    for (const LayerRow* row : rows)
+        if (std::holds_alternative<OfFilm>(row->read))
+            layers.push_back(film_layer(*row, frame.result.image, frame.state.film));
+    const Image& image = frame.result.image;
+    write_layers(path, arguments.layers.view_layer, image.width, image.height, layers);
+    report.wrote(path, counted(layers.size(), "layer"));
 }
 
 void write_statistics(const OutputFiles& files, const std::string& json, Report& report)

@@ -4,6 +4,7 @@
 #include "common/image/legend.h"
 #include "common/report.h"
 #include "render/options.h"
+#include "render/previous_frame.h"
 
 #include <filesystem>
 #include <optional>
@@ -23,6 +24,9 @@ struct WrittenFiles {
 /// are exposed.
 std::vector<OptionRow> output_rows(OutputFiles& files, bool required);
 
+/// Returns the options of the file of layers.
+std::vector<OptionRow> layer_option_rows(OutputFiles& files, LayerChoice& layers);
+
 /// Throws InputError unless every file could be written and every image has a known suffix.
 /// Changes no file.
 void check_outputs(const OutputFiles& files);
@@ -36,6 +40,12 @@ bool is_exposed(const std::filesystem::path& image);
 /// cannot be written.
 WrittenFiles write_images(const OutputFiles& files, const Image& image, const RenderState& state,
                           Report& report);
+
+/// Writes the layers of a frame if they were requested, and reports the file.  With less than two
+/// passes those that show errors are left out, with a warning.  Throws InputError if the file
+/// cannot be written.
+void write_requested_layers(const RenderArguments& arguments, const RenderedFrame& frame,
+                            Report& report);
 
 /// Writes the statistics if they were requested, and reports the file.  json: their text.
 void write_statistics(const OutputFiles& files, const std::string& json, Report& report);

@@ -3,6 +3,7 @@
 #include "common/stopwatch.h"
 #include "render/integrator/photon_cache.h"
 #include "render/integrator/run_passes.h"
+#include "render/layers/layer.h"
 #include "render/lights/environment_map.h"
 
 #include <optional>
@@ -16,7 +17,8 @@ struct RenderedFrame {
     RenderState state;
     RunResult result;
     RenderStatistics statistics;
-    double seconds_rays = 0; ///< building the ray tracing structure
+    double seconds_rays = 0;        ///< building the ray tracing structure
+    std::vector<LayerImage> layers; ///< of surfaces, those that were requested
 };
 
 /// Where a frame stands among all frames of a run.

@@ -5,6 +5,7 @@
 #include "render/describe_error.h"
 #include "render/integrator/integrators.h"
 #include "render/integrator/moving_source.h"
+#include "render/layers/surface_layers.h"
 
 namespace hipmap {
 
@@ -114,6 +115,9 @@ RenderedFrame render_passes(PreparedFrame& frame, SceneSource& source, PreviousF
                  describe_stops(frame.arguments.stops));
     out.result =
         run_and_save(frame.arguments, passes, make_control(place, control, report), out.state);
+    if (!frame.arguments.files.layers.empty())
+        out.layers =
+            surface_layers(scene, frame.arguments.render, chosen_layers(frame.arguments.layers));
     if (place != nullptr)
         report.end_quietly();
     else

@@ -306,6 +306,7 @@ std::string hex(std::uint64_t word)
 std::vector<OptionRow> option_rows(RenderArguments& arguments)
 {
     std::vector<OptionRow> rows = output_rows(arguments.files, false);
+    append_rows(rows, layer_option_rows(arguments.files, arguments.layers));
     rows.push_back(quality_row(arguments));
     append_rows(rows, image_rows(arguments));
     append_rows(rows, method_rows(arguments));

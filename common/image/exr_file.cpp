@@ -9,6 +9,7 @@
 #include <OpenEXR/ImfIO.h>
 #include <OpenEXR/ImfInputFile.h>
 #include <OpenEXR/ImfOutputFile.h>
+#include <OpenEXR/ImfStringAttribute.h>
 
 #include <algorithm>
 #include <array>
@@ -24,6 +25,10 @@ namespace hipmap {
 namespace {
 
 constexpr std::array<const char*, 3> kChannelNames = {"R", "G", "B"};
+/// The attribute and the value by which Blender knows files whose channels are named layer, pass
+/// and component.
+constexpr const char* kBlenderAttribute = "BlenderMultiChannel";
+constexpr const char* kBlenderNames = "Blender V2.55.1 and newer";
 constexpr std::int64_t kMaxPixels = std::int64_t(1) << 28; // a header may promise anything
 
 /// Keeps what is written, so that the file is made in one step.
@@ -90,13 +95,31 @@ void insert_slices(Imf::FrameBuffer& buffer, Image& image, std::string_view laye
     }
 }
 
+float finite_or_zero(float value)
+{
+    return std::isfinite(value) ? value : 0.0f;
+}
+
 Image finite_copy(const Image& image)
 {
     Image copy = image;
     for (Rgb& pixel : copy.pixels)
         for (int c = 0; c < 3; ++c)
-            pixel[c] = std::isfinite(pixel[c]) ? pixel[c] : 0.0f;
+            pixel[c] = finite_or_zero(pixel[c]);
     return copy;
+}
+
+/// Writes what the buffer shows, as many rows as the header promises, in one step.
+void write_slices(const std::filesystem::path& path, const Imf::Header& header,
+                  const Imf::FrameBuffer& buffer)
+{
+    MemoryOutput stream;
+    {
+        Imf::OutputFile file(stream, header, 0); // its destructor writes the table of offsets
+        file.setFrameBuffer(buffer);
+        file.writePixels(header.dataWindow().max.y + 1);
+    }
+    write_file(path, stream.bytes());
 }
 
 void check_channels(const Imf::Header& header, std::string_view layer)
@@ -150,13 +173,27 @@ void write_exr(const std::filesystem::path& path, const Image& image, std::span<
             header.channels().insert(channel_name(names[i], c), Imf::Channel(Imf::FLOAT));
         insert_slices(buffer, images[i], names[i], 0, 0);
     }
-    MemoryOutput stream;
-    {
-        Imf::OutputFile file(stream, header, 0); // its destructor writes the table of offsets
-        file.setFrameBuffer(buffer);
-        file.writePixels(image.height);
+    write_slices(path, header, buffer);
+}
+
+void write_exr_channels(const std::filesystem::path& path, int width, int height,
+                        std::span<const ExrChannel> channels)
+{
+    Imf::Header header(width, height);
+    header.compression() = Imf::ZIP_COMPRESSION;
+    header.insert(kBlenderAttribute, Imf::StringAttribute(kBlenderNames));
+    Imf::FrameBuffer buffer;
+    const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    std::vector<std::vector<float>> copies;
+    for (const ExrChannel& channel : channels) {
+        std::vector<float>& copy = copies.emplace_back(pixels);
+        for (std::size_t i = 0; i < pixels; ++i)
+            copy[i] = finite_or_zero(channel.first[i * channel.stride]);
+        header.channels().insert(channel.name, Imf::Channel(Imf::FLOAT));
+        buffer.insert(channel.name,
+                      Imf::Slice::Make(Imf::FLOAT, copy.data(), Imath::V2i(0, 0), width, height));
     }
-    write_file(path, stream.bytes());
+    write_slices(path, header, buffer);
 }
 
 Image read_exr(const std::filesystem::path& path, std::string_view layer)

@@ -21,6 +21,20 @@ struct Layer {
 void write_exr(const std::filesystem::path& path, const Image& image,
                std::span<const Layer> layers);
 
+/// A channel of an .exr file: of each pixel, from the top left row by row, the float at
+/// `first[pixel * stride]`.
+struct ExrChannel {
+    std::string name; ///< "ViewLayer.Depth.Z"
+    const float* first = nullptr;
+    std::size_t stride = 1;
+};
+
+/// Writes channels of an image of the given size as one multi-layer .exr file, marked as Blender
+/// marks its own: linear float, lossless.  A value that is not finite is written as 0.  Throws
+/// InputError if the file cannot be written.
+void write_exr_channels(const std::filesystem::path& path, int width, int height,
+                        std::span<const ExrChannel> channels);
+
 /// Reads R, G, B (half or float) of the named layer of an .exr file, or of the main image if
 /// `layer` is empty.  Throws InputError: no such file, not EXR, damaged, no such layer.
 Image read_exr(const std::filesystem::path& path, std::string_view layer = {});
