@@ -8,6 +8,7 @@ import bpy
 
 from .job import (has_partition, make_job, preprocess_command, remove_leftovers, render_command,
                   write_notes)
+from .passes import Rects, register_passes, renumber
 from .run import Child, ToolError, read_pfm, warnings_of
 from .scene_export import SceneError
 from .world import WorldError
@@ -23,14 +24,6 @@ class _Cancelled(Exception):
 
 def _percent(error):
     return f"{100 * error:.2g} %"
-
-
-def _fill(passes, pixels):
-    """Writes pixels [n, 4] into the pass Combined."""
-    if len(passes) == 1:
-        passes.foreach_set("rect", pixels.ravel())
-    else:  # slower: by lists
-        passes["Combined"].rect = pixels.tolist()
 
 
 class HipmapEngine(bpy.types.RenderEngine):
@@ -57,11 +50,17 @@ class HipmapEngine(bpy.types.RenderEngine):
         for line in self.job.losses:
             self.report({"WARNING"}, line)
 
+    def update_render_passes(self, scene=None, renderlayer=None):
+        """Names the passes of a view layer."""
+        register_passes(self, scene, renderlayer)
+
     def render(self, depsgraph):
         """Runs the programs and shows every pass."""
         if self.job is None:
             return
         layer = depsgraph.view_layer.name
+        for one in self.job.passes_asked:
+            self.add_pass(one.name, len(one.channels), one.channels, layer=layer)
         remove_leftovers(self.job)
         try:
             self._make_partition()
@@ -142,6 +141,8 @@ class HipmapEngine(bpy.types.RenderEngine):
         if event.get("images"):
             self._show_image(layer)
         if event["event"] == "end":
+            if self.job.passes_asked:
+                self._show_layers(layer)
             write_notes(self.job, passes=event["passes"])
             self.report({"INFO"}, f"{', '.join(parts)}, {event['seconds']:.1f} s")
 
@@ -154,8 +155,23 @@ class HipmapEngine(bpy.types.RenderEngine):
         pixels, width, height = read_pfm(self.job.path("scene.pfm"))
         result = self.begin_result(0, 0, width, height, layer=layer)
         try:
-            _fill(result.layers[0].passes, pixels)
+            rects = Rects(result.layers[0].passes, width * height)
+            rects.of("Combined")[:] = pixels.ravel()
+            rects.write()
         finally:  # a result that is left open crashes Blender
+            self.end_result(result)
+
+    def _show_layers(self, layer):
+        picture = self.job.picture
+        width, height = picture.part_width, picture.part_height
+        result = self.begin_result(0, 0, width, height, layer=layer)
+        try:
+            result.load_from_file(self.job.path("layers.exr"))
+            rects = Rects(result.layers[0].passes, width * height)
+            rects.read()
+            renumber(rects, self.job.numbers)
+            rects.write()
+        finally:
             self.end_result(result)
 
 

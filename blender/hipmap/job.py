@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 import bpy
 
 from .frame import picture_of
+from .passes import asked_passes
 from .properties import programs_folder
 from .run import find_tool
 from .scene_export import SceneError, export_depsgraph
@@ -29,6 +30,9 @@ class Job:
     proceed: bool
     passes: int  # to add; 0: another rule ends the render
     losses: list = field(default_factory=list)
+    view_layer: str = ""
+    passes_asked: list = field(default_factory=list)  # render passes besides Combined
+    numbers: dict = field(default_factory=dict)  # pass indices, by pass: in the order of the file
 
     def path(self, name):
         """The path of one of the job's files."""
@@ -72,11 +76,15 @@ def make_job(context, depsgraph):
     folder = folder_of(scene, depsgraph.view_layer)
     exported = export_depsgraph(depsgraph, os.path.join(folder, "scene.glb"), picture)
     partition_options = ["--angle", f"{round(math.degrees(settings.angle), 4):g}"]
+    passes_asked = asked_passes(depsgraph.view_layer)
+    names = [one.name for one in passes_asked]
+    numbers = {name: found for name, found in exported.numbers.items() if name in names}
     return Job(folder, tools["preprocess"], tools["render"], picture,
                _render_options(settings, picture), partition_options,
                exported.geometry + " ".join(partition_options), settings.keep_passes,
                settings.keep_passes and settings.proceed,
-               settings.passes if settings.stop_at == "PASSES" else 0, exported.losses)
+               settings.passes if settings.stop_at == "PASSES" else 0, exported.losses,
+               depsgraph.view_layer.name, passes_asked, numbers)
 
 
 def remove_leftovers(job):
@@ -125,4 +133,12 @@ def render_command(job):
     ending = ["--passes", str(before + job.passes)] if job.passes else []
     keeping = ["--state", job.path("scene.state")] if job.keep_passes else []
     return [job.render, job.path("scene.glb"), job.path("scene.hpm"), "-o", job.path("scene.pfm"),
-            "--progress", "json", *keeping, *job.options, *ending]
+            "--progress", "json", *keeping, *_layer_options(job), *job.options, *ending]
+
+
+def _layer_options(job):
+    if not job.passes_asked:
+        return []
+    names = ["combined", *(one.layer for one in job.passes_asked)]
+    return ["--layers", job.path("layers.exr"), "--layer-names", ",".join(names),
+            "--view-layer", job.view_layer]

@@ -197,6 +197,7 @@ class MaterialWriter:
         self._textures = TextureWriter(glb)
         self._written = {}
         self.losses = []
+        self.numbers = []  # pass indices, by their place in the file
 
     def write(self, material):
         """Returns the WrittenMaterial of a material of Blender; None: a face without one, diffuse
@@ -221,5 +222,6 @@ class MaterialWriter:
         if material:
             self.losses += [f"material '{material.name}': {loss}" for loss in
                             entry.surface.losses]
+        self.numbers.append(material.pass_index if material else 0)
         return WrittenMaterial(self._glb.add("materials", entry.json), entry.uv_names,
                                entry.colour_layer)

@@ -42,6 +42,7 @@ class ExportedScene:
     path: str
     geometry: str  # a hash of all faces: equal ones have the same partition
     triangles: int
+    numbers: dict = field(default_factory=dict)  # pass indices of its objects and materials, by pass
     losses: list = field(default_factory=list)
 
 
@@ -68,6 +69,7 @@ class _Writer:
         self.hash = hashlib.sha256()
         self.triangles_of = {}
         self.triangles = 0
+        self.object_numbers = []
 
     def add(self, instance):
         """Adds one instance of the evaluated scene."""
@@ -89,6 +91,7 @@ class _Writer:
             return
         matrix = _matrix(instance.matrix_world)
         self.triangles += self.triangles_of[mesh]
+        self.object_numbers.append(item.pass_index)
         self.hash.update(repr((mesh, matrix)).encode())
         self.glb.add_root({"name": item.name, "mesh": mesh, "matrix": matrix})
 
@@ -220,5 +223,6 @@ def export_depsgraph(depsgraph, path, picture):
             writer.add(instance)
     writer.add_world(scene.world, os.path.dirname(path))
     writer.glb.write(path)
-    return ExportedScene(path, writer.hash.hexdigest(), writer.triangles,
+    numbers = {"IndexOB": writer.object_numbers, "IndexMA": writer.materials.numbers}
+    return ExportedScene(path, writer.hash.hexdigest(), writer.triangles, numbers,
                          without_repeats(writer.losses + writer.materials.losses))
