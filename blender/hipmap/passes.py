@@ -27,6 +27,9 @@ PASSES = (
     Pass("object-index", "IndexOB", "X", "VALUE", "use_pass_object_index"),
     Pass("material-index", "IndexMA", "X", "VALUE", "use_pass_material_index"),
     Pass("diffuse-color", "DiffCol", "RGB", "COLOR", "use_pass_diffuse_color"),
+    Pass("denoising-albedo", "Denoising Albedo", "RGB", "COLOR", "denoising_albedo",
+         ("Denoising Albedo", "Deliver the share of light that surfaces scatter, for the compositor's "
+                              "Denoise node")),
     Pass("map", "Map ID", "X", "VALUE", "map_id",
          ("Map ID", "Deliver the number of the shared photon map")),
     Pass("noise", "Noise", "RGB", "COLOR", "noise",

@@ -1,6 +1,7 @@
 #include "render/layers/layer_table.h"
 
 #include "render/film/image_error.h"
+#include "render/shading/scatter.h"
 
 namespace hipmap {
 
@@ -64,6 +65,16 @@ glm::vec4 diffuse_colour(const FirstSurface& surface)
     return {(bsdf.diffuse + bsdf.diffuse_transmitted) * bsdf.layers.diffuse_average, 0};
 }
 
+/// Of all lobes together, below 1 also where layers add their light to that of lobes below.
+glm::vec4 scattered_colour(const FirstSurface& surface)
+{
+    const SpecularLobes specular = specular_lobes(surface.at);
+    const Rgb all = scattered_share(surface.at, Lobes::gathered) +
+                    scattered_share(surface.at, Lobes::followed) + specular.mirror +
+                    specular.transmit;
+    return {glm::min(all, Rgb(1)), 0};
+}
+
 constexpr LayerRow kRows[] = {
     {"combined", "Combined", "RGBA", "the image; opacity is 1",
      OfFilm{[](const Image& image, const Film&) { return image; }}},
@@ -79,6 +90,9 @@ constexpr LayerRow kRows[] = {
     {"diffuse-color", "DiffCol", "RGB",
      "diffuse colour of the surface, averaged over the pixel; black on metal and glass",
      OfMean{diffuse_colour}},
+    {"denoising-albedo", "Denoising Albedo", "RGB",
+     "share of light that the surface scatters, for denoisers, averaged over the pixel",
+     OfMean{scattered_colour}},
     {"object-index", "IndexOB", "X", "number of the object in the file, from 1; 0: nothing",
      OfCentre{object_number}},
     {"material-index", "IndexMA", "X", "number of the material in the file, from 1; 0: nothing",

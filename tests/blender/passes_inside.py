@@ -76,7 +76,7 @@ def check_sockets(scene):
     node = next(one for one in scene.node_tree.nodes if one.type == "R_LAYERS")
     offered = {socket.name for socket in node.outputs if socket.enabled}
     scene.use_nodes = False
-    wanted = {"Depth", "Normal", "IndexOB", "DiffCol", "Map ID", "Noise"}
+    wanted = {"Depth", "Normal", "IndexOB", "DiffCol", "Denoising Albedo", "Map ID", "Noise"}
     assert wanted <= offered, offered
 
 
@@ -87,7 +87,7 @@ view_layer.name = "Main.layer 1"
 for switch in SWITCHES:
     setattr(view_layer, switch, True)
 install_addon.set_up(OUT)
-for switch in ("map_id", "noise", "error"):
+for switch in ("map_id", "noise", "error", "denoising_albedo"):
     setattr(view_layer.hipmap, switch, True)
 check_sockets(the_scene)
 multilayer(the_scene, "hipmap")

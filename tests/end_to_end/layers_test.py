@@ -38,7 +38,7 @@ class Layers(ToolsTestCase):
     def test_the_image_is_combined_and_does_not_depend_on_layers(self):
         channels, said = self.layers("a.exr", "-o", self.path("a.pfm"), "-o", self.path("b.exr"),
                                      "--threads", 2)
-        self.assertIn("a.exr (10 layers)", said)
+        self.assertRegex(said, r"a.exr \(\d+ layers\)")
         self.succeed("render", *self.command("-o", self.path("c.pfm")))
         self.assertEqual(self.content("a.pfm"), self.content("c.pfm"))
         image = ExrFile(self.path("b.exr")).channels

@@ -159,6 +159,27 @@ TEST_CASE("surface_layers: the diffuse colour is the base colour that metal and 
     }
 }
 
+TEST_CASE("surface_layers: the albedo is what all lobes scatter", "[layers]")
+{
+    Material white = tiny::diffuse(Rgb(1));
+    white.specular = 1;
+    const Rgb grey(0.8f, 0.4f, 0.2f);
+    const std::vector<std::pair<Material, Rgb>> albedos = {
+        {tiny::diffuse(grey), grey}, // Lambert
+        {white, Rgb(1)},             // a coat takes nothing from white
+        {tiny::mirror(grey), grey},  // facing the camera: reflectance at normal incidence
+        {tiny::glass(1.5f), Rgb(1)}, // what it does not reflect it transmits
+        {tiny::emissive(Rgb(5)), Rgb(0)}};
+    for (const auto& [material, albedo] : albedos) {
+        Scene scene = facing_scene();
+        add_square(scene, 0, 4, material);
+        const auto values =
+            layer_of(*tiny::ready(std::move(scene)), image(2, 2), "denoising-albedo");
+        for (int c = 0; c < 12; ++c)
+            CHECK(values[c] == Approx(albedo[c % 3]).margin(0.01));
+    }
+}
+
 TEST_CASE("surface_layers: means weigh surfaces by the pixel filter", "[layers]")
 {
     const auto ready = two_squares(); // whose middle is an edge between columns 1 and 2
