@@ -1,13 +1,12 @@
 #!/usr/bin/env python3
 """Counts what effects cost a scene that has none of them.
 
-    cmake --preset release -B build/matt -DHIPMAP_MATT_ONLY=ON -DHIPMAP_TESTS=OFF
-    cmake --build build/matt --target render
-    bench/cost_of_absence.py [--without build/matt] [--scene assets/cornell_diffuse.glb]
+    bench/cost_of_absence.py [--scene assets/cornell_diffuse.glb] [--size 24 --photons 3000]
 
 Instructions of a pass on one thread (valgrind's callgrind: one run after another gives the same), and bytes a
-photon, of render in build/release over those of a build with all effects of materials but the diffuse lobe compiled
-out.  Exit code 1 if a ratio is above 1.01 or the two builds' images differ.
+photon, of render in build/release over those of a build without the code of all effects but the diffuse lobe: the
+sources are copied to build/matte, where MATTE makes constants of the conditions under which effects run.  Exit code 1 if
+a ratio is above 1.01 or the two builds' images differ.
 """
 
 import argparse
@@ -23,7 +22,45 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 INTEGRATORS = ("path", "progressive", "direct")
 MARK = 1.01
 FEW_PASSES, MANY_PASSES = 1, 3
+MATTE = (
+    ("render/shading/interaction.h", "return bsdf().is_diffuse;", "return true;"),
+    ("render/shading/interaction.h", "return inside != nullptr;", "return false;"),
+    ("render/shading/interaction.h", "if (!is_black(absorption))", "if (false)"),
+    ("render/shading/render_scene.h", "return media.has_value();", "return false;"),
+    ("render/shading/render_scene.h", "return all_plain || plain[material] != 0;",
+     "return true;"),
+    ("render/shading/dispersion.h", "if (at.bsdf().dispersion > 0 && at.solid)", "if (false)"),
+    ("render/media/medium_stack.h", "kMost = 8;", "kMost = 1;"),
+    ("render/lights/light_set.h", "return !lights.met.empty() || lights.chosen_are_met;",
+     "return false;"),
+    ("render/lights/emissive_mesh.h", "return !material.textured", "return true"),
+    ("render/paths/direct_light.h", "scene.lit_by_faces ?", "true ?"),
+    ("render/paths/path_state.h", "if (!scene.clear)", "if (false)"),
+)
 FEW_PHOTONS, MANY_PHOTONS = 200_000, 1_000_000
+
+
+def build_without(folder):
+    """Copies the sources to a folder, takes the effects out, and builds render there."""
+    source, build = folder / "source", folder / "release"
+    files = subprocess.run(["git", "ls-files", "-z"], cwd=ROOT, check=True, capture_output=True,
+                           text=True).stdout.split("\0")
+    for name in filter(None, files):
+        text = (ROOT / name).read_bytes()
+        for path, was, becomes in MATTE:
+            if path == name:
+                if text.count(was.encode()) != 1:
+                    sys.exit(f"error: {name}: not once \"{was}\"; bring MATTE in line")
+                text = text.replace(was.encode(), becomes.encode())
+        to = source / name
+        to.parent.mkdir(parents=True, exist_ok=True)
+        if not to.exists() or to.read_bytes() != text:
+            to.write_bytes(text)
+    subprocess.run(["cmake", "-S", source, "-B", build, "-G", "Ninja", "-DHIPMAP_TESTS=OFF",
+                    "-DCMAKE_BUILD_TYPE=Release"], check=True, stdout=subprocess.DEVNULL)
+    subprocess.run(["cmake", "--build", build, "--target", "render"], check=True,
+                   stdout=subprocess.DEVNULL)
+    return build
 
 
 class Lab:
@@ -70,8 +107,6 @@ def parse_options():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
     parser.add_argument("--tools", type=pathlib.Path, default=ROOT / "build/release",
                         help="the build to measure [build/release]")
-    parser.add_argument("--without", type=pathlib.Path, default=ROOT / "build/matt",
-                        help="the build with effects compiled out [build/matt]")
     parser.add_argument("--scene", type=pathlib.Path, default=ROOT / "assets/cornell_diffuse.glb")
     parser.add_argument("--size", type=int, default=64, help="pixels across [64]")
     parser.add_argument("--photons", type=int, default=20_000, help="light paths a pass [20000]")
@@ -80,18 +115,19 @@ def parse_options():
 
 def main():
     options = parse_options()
+    without = build_without(ROOT / "build/matte")
     good = True
     with tempfile.TemporaryDirectory() as folder:
         lab = Lab(options, folder)
         print(f"{'':12} {'with':>14} {'without':>14} {'ratio':>8}")
         for integrator in INTEGRATORS:
             ours, image = lab.instructions(options.tools, integrator)
-            theirs, other_image = lab.instructions(options.without, integrator)
+            theirs, other_image = lab.instructions(without, integrator)
             print(f"{integrator:12} {ours:14.0f} {theirs:14.0f} {ours / theirs:8.4f}")
             good = good and ours <= MARK * theirs and image == other_image
             if image != other_image:
                 print(f"{integrator}: the images differ")
-        ours, theirs = lab.bytes_of_photon(options.tools), lab.bytes_of_photon(options.without)
+        ours, theirs = lab.bytes_of_photon(options.tools), lab.bytes_of_photon(without)
         print(f"{'bytes/photon':12} {ours:14.1f} {theirs:14.1f} {ours / theirs:8.4f}")
     return 0 if good else 1
 

@@ -3,7 +3,6 @@
 #include "common/rays/surface_point.h"
 #include "render/lights/light_kind.h"
 #include "render/lights/light_tree.h"
-#include "render/media/matt_only.h"
 
 #include <functional>
 #include <span>
@@ -82,9 +81,8 @@ inline Rgb radiance_towards(const EmissiveMesh& light, const EmissivePoint& poin
     const SurfaceEmission::OfMaterial& material = light.emission->of_face(point.surface.face);
     if (!material.both_sides && !(glm::dot(direction, point.surface.geometric_normal) > 0))
         return Rgb(0);
-    return kMattOnly || !material.textured
-               ? material.radiance
-               : light.emission->at(point.surface.face, point.barycentric);
+    return !material.textured ? material.radiance
+                              : light.emission->at(point.surface.face, point.barycentric);
 }
 
 /// Converts a pdf per area into one per solid angle, for a point `distance` away along `direction`

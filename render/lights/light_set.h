@@ -28,7 +28,7 @@ LightSet make_light_set(std::vector<Light> lights, EmissiveMesh faces);
 /// Returns whether rays from surfaces can meet some analytic light.
 inline bool has_met_lights(const LightSet& lights)
 {
-    return !kMattOnly && (!lights.met.empty() || lights.chosen_are_met);
+    return !lights.met.empty() || lights.chosen_are_met;
 }
 
 /// Returns whether only emissive meshes and media emit light.

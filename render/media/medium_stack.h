@@ -1,7 +1,6 @@
 #pragma once
 
 #include "common/scene/mesh.h"
-#include "render/media/matt_only.h"
 
 #include <array>
 #include <cstddef>
@@ -12,7 +11,7 @@ namespace hipmap {
 /// The media that a point is in, by their materials: of those with the highest priority, the last
 /// one entered fills the point.  Media nested deeper than kMost are ignored.
 struct MediumStack {
-    static constexpr std::size_t kMost = kMattOnly ? 1 : 8;
+    static constexpr std::size_t kMost = 8;
     std::array<MaterialId, kMost> entered; ///< [count] by priority, then as entered; no more is
                                            ///<     set, as most rays enter nothing
     std::size_t count = 0;

@@ -71,8 +71,8 @@ Rgb light_of_all_kinds(const RenderScene& scene, const Interaction& at, const Lo
 inline Rgb light_sampled_light(const RenderScene& scene, const Interaction& at,
                                const LobeRays& rays, RandomSequence& random)
 {
-    return scene.is_lit_by_faces() ? emissive_light(scene, at, rays, random)
-                                   : light_of_all_kinds(scene, at, rays, random);
+    return scene.lit_by_faces ? emissive_light(scene, at, rays, random)
+                              : light_of_all_kinds(scene, at, rays, random);
 }
 
 /// Returns BSDF-sampled light: the direct light that one ray drawn from the gathered lobes finds.

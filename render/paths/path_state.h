@@ -50,7 +50,7 @@ inline MediaFlight reach(const RenderScene& scene, PathState& path, bool sees_li
         out = through_media();
     } else {
         out.hit = scene.rays.nearest(path.ray);
-        if (!scene.is_clear())
+        if (!scene.clear)
             cross_air(scene, out.hit, sees_lights, path, light);
     }
     if (sees_lights && !out.hit && !out.scattered)

@@ -32,7 +32,7 @@ void disperse_here(Interaction& at, float& nanometres, Rgb& carried, RandomSeque
 /// Calls disperse_here wherever the solid that a path meets is dispersive.
 inline void disperse(Interaction& at, float& nanometres, Rgb& carried, RandomSequence& random)
 {
-    if (!kMattOnly && at.bsdf().dispersion > 0 && at.solid)
+    if (at.bsdf().dispersion > 0 && at.solid)
         disperse_here(at, nanometres, carried, random);
 }
 

@@ -36,12 +36,12 @@ struct Interaction {
     /// Returns the cosines of `back`.
     Incidence seen() const;
     /// Returns whether the surface has only a diffuse lobe, which may be black.
-    bool is_diffuse() const { return kMattOnly || bsdf().is_diffuse; }
+    bool is_diffuse() const { return bsdf().is_diffuse; }
     /// Returns whether photons are gathered here, at a surface or in a medium.
     bool gathers() const { return phase != nullptr || bsdf().gathers; }
     bool follows() const { return bsdf().follows; }
     bool has_coat_normal() const { return coat_normal != glm::vec3(0); }
-    bool in_media() const { return !kMattOnly && inside != nullptr; }
+    bool in_media() const { return inside != nullptr; }
 };
 
 /// Computes the interaction at a hit.  Cost: constant.  Thread-safe.
@@ -119,7 +119,7 @@ inline Rgb transmittance(const Rgb& absorption, float distance)
 /// Multiplies a throughput by the transmittance of `distance`.
 inline void absorb(const Rgb& absorption, float distance, Rgb& throughput)
 {
-    if (!kMattOnly && !is_black(absorption))
+    if (!is_black(absorption))
         throughput *= glm::exp(-absorption * distance);
 }
 

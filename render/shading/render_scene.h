@@ -41,16 +41,11 @@ struct RenderScene {
     RenderScene(RenderScene&&) = delete; // media borrow the rays, lights the rest
 
     const TriangleMesh& mesh() const { return scene.mesh; }
-    bool has_media() const { return !kMattOnly && media.has_value(); }
+    bool has_media() const { return media.has_value(); }
     /// Returns whether the scene has nested dielectrics.
     bool has_nested() const { return has_media() && media->nested; }
-    bool is_clear() const { return kMattOnly || clear; }
     /// Returns whether the material is the same at all points.
-    bool is_plain(MaterialId material) const
-    {
-        return kMattOnly || all_plain || plain[material] != 0;
-    }
-    bool is_lit_by_faces() const { return kMattOnly || lit_by_faces; }
+    bool is_plain(MaterialId material) const { return all_plain || plain[material] != 0; }
 };
 
 /// Returns the radiance that a point of a face emits, from the sides that emit.
