@@ -184,7 +184,7 @@ std::vector<OptionRow> image_rows(RenderArguments& arguments)
              .help = "Limit samples to this radiance, W/(m2 sr), against fireflies; lights seen "
                      "directly stay. The error counts the light removed as bias; 0: no limit",
              .changes = Changes::passes,
-             .only_with = {{"", "integrator", {"progressive", "direct"}}}},
+             .only_with = {{"", "integrator", {"progressive", "direct", "path"}}}},
             {.name = "filter",
              .section = kImageSection,
              .field = choice_field<PixelFilter>(render.filter, kFilters),

@@ -15,8 +15,9 @@ struct LobeProbabilities {
 /// docs/light_transport.md (14).
 class PathTracer {
   public:
-    PathTracer(const RenderScene& scene, const LightClasses& light, RandomSequence& random)
-        : scene_(scene), light_(light), random_(random)
+    PathTracer(const RenderScene& scene, const LightClasses& light, SeenLights seen,
+               RandomSequence& random)
+        : scene_(scene), light_(light), seen_(seen), random_(random)
     {
     }
 
@@ -33,7 +34,9 @@ class PathTracer {
     /// it has left the scene.
     bool step()
     {
-        const bool sees_lights = light_.caustic || path_.behind != EyePathClass::caustic;
+        const bool sees_lights =
+            (light_.caustic || path_.behind != EyePathClass::caustic) &&
+            (seen_ == SeenLights::added || path_.behind != EyePathClass::specular);
         const MediaFlight reached =
             reach(scene_, path_, sees_lights, radiance_, [this] { return fly(*scene_.media); });
         if (reached.scattered) {
@@ -127,6 +130,7 @@ class PathTracer {
 
     const RenderScene& scene_;
     const LightClasses& light_;
+    const SeenLights seen_;
     RandomSequence& random_;
     PathState path_;
     Rgb radiance_{0.0f};
@@ -149,10 +153,10 @@ struct PathMethod {
         {
         }
 
-        Rgb trace(const Ray& ray, SeenLights /*seen*/, RandomSequence& random,
+        Rgb trace(const Ray& ray, SeenLights seen, RandomSequence& random,
                   Scratch& /*scratch*/) const
         {
-            return trace_path(scene, ray, random, light);
+            return trace_path(scene, ray, random, light, seen);
         }
     };
 
@@ -162,9 +166,9 @@ struct PathMethod {
 } // namespace
 
 Rgb trace_path(const RenderScene& scene, const Ray& ray, RandomSequence& random,
-               const LightClasses& light)
+               const LightClasses& light, SeenLights seen)
 {
-    return PathTracer(scene, light, random).trace(ray);
+    return PathTracer(scene, light, seen, random).trace(ray);
 }
 
 PassSource make_path_source(const RenderScene& scene, const RenderOptions& options,

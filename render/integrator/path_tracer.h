@@ -13,9 +13,10 @@ namespace hipmap {
 /// materials and lights with the photon maps, but neither photons nor maps, and so serves as the
 /// reference. Unbiased except for light that only a specular surface can bring from a point, spot
 /// or sun, which no path finds.  May not be finite if the scene's numbers overflow; the film drops
-/// such samples. Thread-safe. light: the classes of light to trace; others count zero.
+/// such samples. Thread-safe. light: the classes of light to trace; others count zero.  seen:
+/// left_out leaves out what trace_seen_lights returns.
 Rgb trace_path(const RenderScene& scene, const Ray& ray, RandomSequence& random,
-               const LightClasses& light = {});
+               const LightClasses& light = {}, SeenLights seen = SeenLights::added);
 
 /// Makes the path tracer as an integrator.  Borrows and counts as make_pass_source does.
 PassSource make_path_source(const RenderScene& scene, const RenderOptions& options,

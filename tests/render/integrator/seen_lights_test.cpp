@@ -1,5 +1,6 @@
 #include "render/integrator/gather_path.h"
 #include "render/integrator/light_sample_allocation.h"
+#include "render/integrator/path_tracer.h"
 #include "render/integrator/pixel_samples.h"
 #include "tests/support/statistics.h"
 #include "tests/support/tiny_rooms.h"
@@ -73,6 +74,13 @@ TEST_CASE("seen lights: all the light there is where nothing else reflects", "[i
         },
         left_over);
     CHECK(std::abs(direct.z_score(0)) < kMostZ);
+    const RunningMean path = difference(
+        *ready->render,
+        [&](const Ray& ray, SeenLights seen, RandomSequence& random) {
+            return trace_path(*ready->render, ray, random, {}, seen);
+        },
+        left_over);
+    CHECK(std::abs(path.z_score(0)) < kMostZ);
     GatherScratch scratch;
     const FirstRadii radii;
     const GatherMaps gather{*ready->render, surfaces, none, none, none, radii};
