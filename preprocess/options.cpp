@@ -59,7 +59,8 @@ std::vector<OptionRow> output_rows(PreprocessArguments& arguments)
             {.name = "size",
              .section = kFilesSection,
              .field = size_field(arguments.size),
-             .help = "Size of these images in pixels; W alone takes the camera's aspect"},
+             .help = "Size of these images in pixels, or percent of the default; W alone takes "
+                     "the camera's aspect"},
             {.name = "json",
              .section = kFilesSection,
              .field = file_field(arguments.json),

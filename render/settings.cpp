@@ -171,7 +171,8 @@ std::vector<OptionRow> image_rows(RenderArguments& arguments)
     return {{.name = "size",
              .section = kImageSection,
              .field = size_field(arguments.size),
-             .help = "Image size in pixels; W alone takes the camera's aspect",
+             .help = "Image size in pixels, or percent of the default; W alone takes the camera's "
+                     "aspect",
              .changes = Changes::passes},
             {.name = "samples",
              .section = kImageSection,

@@ -43,8 +43,24 @@ int parse_pixels(const std::string& digits, const std::string& text)
     if (value < 1 || value > kMostPixelsAcross)
         throw CLI::ValidationError("--size", "'" + text +
                                                  "' is not an image size; write WIDTHxHEIGHT or "
-                                                 "WIDTH in pixels, 1 to 65536");
+                                                 "WIDTH in pixels, 1 to 65536, or a percentage");
     return value;
+}
+
+/// Returns `text` percent of a size; a side of 0 stays.
+PictureSize share_of(const PictureSize& whole, const std::string& text)
+{
+    double percent = 0;
+    if (!CLI::detail::lexical_cast(text.substr(0, text.size() - 1), percent))
+        percent = 0; // refused below
+    const auto share = [&](int side) {
+        const double pixels = side * percent / 100;
+        if (side == 0 || (pixels > 0 && pixels < 1))
+            return std::min(side, 1);
+        const bool possible = pixels <= kMostPixelsAcross;
+        return parse_pixels(possible ? std::to_string(std::lround(pixels)) : "", text);
+    };
+    return {share(whole.width), share(whole.height)};
 }
 
 } // namespace
@@ -119,13 +135,10 @@ CLI::Validator finite_in(double low, double high)
     return {check, plain_number(low) + " to " + plain_number(high)};
 }
 
-PictureSize parse_picture_size(const std::string& text)
+PictureSize parse_picture_size(const std::string& text, const PictureSize& whole)
 {
     if (text.ends_with('%'))
-        throw CLI::ValidationError("--size",
-                                   "'" + text +
-                                       "' is a share of an unknown size: scene files hold "
-                                       "the aspect of a camera but no pixels; write WIDTH");
+        return share_of(whole, text);
     const std::size_t cross = text.find_first_of("xX");
     if (cross == std::string::npos)
         return {parse_pixels(text, text), 0};

@@ -44,8 +44,9 @@ struct PictureSize {
     int height = 0;
 };
 
-/// Parses an image size: "WxH" or "W", each 1 to 65,536.
-PictureSize parse_picture_size(const std::string& text);
+/// Parses an image size: "WxH" or "W", each 1 to 65,536, or "50%", a share of both sides of
+/// `whole`.
+PictureSize parse_picture_size(const std::string& text, const PictureSize& whole);
 
 /// Returns `size` with a missing height filled in.  aspect: width over height.
 PictureSize complete_size(PictureSize size, float aspect);

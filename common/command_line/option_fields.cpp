@@ -91,8 +91,8 @@ OptionField files_field(std::vector<std::filesystem::path>& into)
 
 OptionField size_field(PictureSize& into)
 {
-    return parsed_field([&into](const std::string& text) { into = parse_picture_size(text); },
-                        [&into] { return SettingValue(text_of(into)); }, "WxH");
+    return parsed_field([&into](const std::string& text) { into = parse_picture_size(text, into); },
+                        [&into] { return SettingValue(text_of(into)); }, "WxH|W|P%");
 }
 
 OptionField parsed_field(std::function<void(const std::string&)> parse,

@@ -110,7 +110,8 @@ OptionField file_field(std::filesystem::path& into, std::string placeholder = "F
 /// Makes an option field for several files, each given by its own option.
 OptionField files_field(std::vector<std::filesystem::path>& into);
 
-/// Makes an option field for a width and height in pixels, or a width alone.
+/// Makes an option field for a width and height in pixels, a width alone, or a percentage of the
+/// field's default.
 OptionField size_field(PictureSize& into);
 
 /// Makes an option field for text that `parse` reads.  `parse` throws CLI::ValidationError or

@@ -222,7 +222,12 @@ TEST_CASE("settings: a quality sets several options, and each of them overrides 
     CHECK(standard.stops.passes == kDefaultPasses);
 }
 
-TEST_CASE("settings: a share of an unknown size is refused", "[settings]")
+TEST_CASE("settings: a size in percent is a share of the default", "[settings]")
 {
-    CHECK_THROWS_WITH(parse({"--size", "50%"}), Catch::Contains("write WIDTH"));
+    const PictureSize half = parse({"--size", "50%"}).size;
+    CHECK(half.width == RenderArguments().size.width / 2);
+    CHECK(half.height == 0); // by the camera
+    CHECK(parse({"--size", "0.01%"}).size.width == 1);
+    for (const char* wrong : {"0%", "%", "-5%", "nan%", "1e9%", "5x%"})
+        CHECK_THROWS_WITH(parse({"--size", wrong}), Catch::Contains("write WIDTH"));
 }
