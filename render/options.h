@@ -3,6 +3,7 @@
 #include "common/command_line/frames.h"
 #include "common/command_line/scene_arguments.h"
 #include "common/image/view_transform.h"
+#include "render/crop.h"
 #include "render/dissertation_settings.h"
 #include "render/effects/effect_plan.h"
 #include "render/integrator/run_passes.h"
@@ -71,7 +72,8 @@ struct RenderArguments {
     bool energy_compensation = false;     ///< of all metal
     std::optional<std::uint64_t> photons; ///< of a pass; none: as many as it has samples
     PictureSize size{512, 0};
-    unsigned threads = 0; ///< 0: all cores
+    std::optional<Crop> crop; ///< none: the whole image
+    unsigned threads = 0;     ///< 0: all cores
     ProgressFormat progress = ProgressFormat::text;
     bool verbose = false;
 };

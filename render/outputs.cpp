@@ -25,14 +25,14 @@ void write_exr_with_error(const std::filesystem::path& path, const Image& image,
                           const std::vector<ErrorCheck>& checks)
 {
     if (checks.empty()) {
-        write_exr(path, image, {});
+        write_exr(path, image, {}, film.place);
         return;
     }
     const ErrorLayers layers = error_layers(film);
     std::vector<Layer> named = {{"noise", &layers.noise}, {"error", &layers.error}};
     if (!layers.bias.pixels.empty())
         named.push_back({"bias", &layers.bias});
-    write_exr(path, image, named);
+    write_exr(path, image, named, film.place);
 }
 
 /// Returns the exposure of 8-bit images.
@@ -238,7 +238,8 @@ void write_requested_layers(const RenderArguments& arguments, const RenderedFram
         if (std::holds_alternative<OfFilm>(row->read))
             layers.push_back(film_layer(*row, frame.result.image, frame.state.film));
     const Image& image = frame.result.image;
-    write_layers(path, arguments.layers.view_layer, image.width, image.height, layers);
+    write_layers(path, arguments.layers.view_layer,
+                 {image.width, image.height, frame.state.film.place}, layers);
     report.wrote(path, counted(layers.size(), "layer"));
 }
 

@@ -50,6 +50,11 @@ void complete_by_scene(RenderArguments& arguments, const Scene& scene)
     arguments.scene_options.look = choice_of(scene.look);
     arguments.render.width = size.width;
     arguments.render.height = size.height;
+    if (arguments.crop)
+        arguments.render.crop = pixels_of(*arguments.crop, size);
+    arguments.crop.reset();
+    if (!arguments.render.crop.empty())
+        arguments.crop = crop_of(arguments.render.crop);
     arguments.render.photons = *arguments.photons;
 }
 

@@ -22,6 +22,16 @@ RenderState begin_or_resume(const PreparedFrame& frame, const PassSource& source
     return state;
 }
 
+std::string describe_pixels(const PassSource& source)
+{
+    const std::string size = std::to_string(source.width) + "x" + std::to_string(source.height);
+    const ImagePlace& place = source.place;
+    if (place.whole_width == 0)
+        return size;
+    return size + " pixels at " + std::to_string(place.x) + "," + std::to_string(place.y) + " of " +
+           std::to_string(place.whole_width) + "x" + std::to_string(place.whole_height);
+}
+
 std::string describe_stops(const StopRules& stops)
 {
     std::string text;
@@ -111,8 +121,7 @@ RenderedFrame render_passes(PreparedFrame& frame, SceneSource& source, PreviousF
     out.state = begin_or_resume(frame, passes, report);
     const FramePlace* const place = previous != nullptr ? &previous->place : nullptr;
     report.begin((place != nullptr ? place->text() + ", " : "rendering ") +
-                 std::to_string(passes.width) + "x" + std::to_string(passes.height) +
-                 describe_stops(frame.arguments.stops));
+                 describe_pixels(passes) + describe_stops(frame.arguments.stops));
     out.result =
         run_and_save(frame.arguments, passes, make_control(place, control, report), out.state);
     if (!frame.arguments.files.layers.empty())

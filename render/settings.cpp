@@ -174,6 +174,14 @@ std::vector<OptionRow> image_rows(RenderArguments& arguments)
              .help = "Image size in pixels, or percent of the default; W alone takes the camera's "
                      "aspect",
              .changes = Changes::passes},
+            {.name = "crop",
+             .section = kImageSection,
+             .field = crop_field(arguments.crop),
+             .help = "Render only this part of the image, from the left and the top, in pixels or "
+                     "percent, up to X1 and Y1 exclusively. Its pixels equal those of the whole "
+                     "image, bit for bit",
+             .unset = "the whole image",
+             .changes = Changes::passes},
             {.name = "samples",
              .section = kImageSection,
              .field = number_field(render.samples, {1, kMostSamples}),

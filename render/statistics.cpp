@@ -228,8 +228,8 @@ std::string statistics_json(const PreparedFrame& frame, const RenderedFrame& ren
     json["partition"] = {{"file", arguments.partition.string()},
                          {"shared_maps", frame.partition.map_count}};
     json["audit"] = audit_json(frame.loaded.audit);
-    json["image"] = image_json(arguments.render.width, arguments.render.height,
-                               arguments.files.images, written.exposure_ev);
+    json["image"] = image_json(state.film.width, state.film.height, arguments.files.images,
+                               written.exposure_ev);
     json["pictures"] = pictures_json(written);
     json["options"] = settings_json(values_of(arguments));
     json["effects"] = effects_json(frame.effects);

@@ -109,6 +109,18 @@ Image finite_copy(const Image& image)
     return copy;
 }
 
+Imf::Header header_of(const ExrWindow& window)
+{
+    const ImagePlace& place = window.place;
+    const bool whole = place.whole_width == 0;
+    Imf::Header header(whole ? window.width : place.whole_width,
+                       whole ? window.height : place.whole_height);
+    header.dataWindow() = {{place.x, place.y},
+                           {place.x + window.width - 1, place.y + window.height - 1}};
+    header.compression() = Imf::ZIP_COMPRESSION;
+    return header;
+}
+
 /// Writes what the buffer shows, as many rows as the header promises, in one step.
 void write_slices(const std::filesystem::path& path, const Imf::Header& header,
                   const Imf::FrameBuffer& buffer)
@@ -117,7 +129,7 @@ void write_slices(const std::filesystem::path& path, const Imf::Header& header,
     {
         Imf::OutputFile file(stream, header, 0); // its destructor writes the table of offsets
         file.setFrameBuffer(buffer);
-        file.writePixels(header.dataWindow().max.y + 1);
+        file.writePixels(header.dataWindow().max.y - header.dataWindow().min.y + 1);
     }
     write_file(path, stream.bytes());
 }
@@ -155,7 +167,8 @@ Image read_exr_bytes(std::span<const std::byte> bytes, std::string_view layer)
 
 } // namespace
 
-void write_exr(const std::filesystem::path& path, const Image& image, std::span<const Layer> layers)
+void write_exr(const std::filesystem::path& path, const Image& image, std::span<const Layer> layers,
+               const ImagePlace& place)
 {
     std::vector<std::string> names = {""};
     std::vector<Image> images = {finite_copy(image)};
@@ -165,33 +178,32 @@ void write_exr(const std::filesystem::path& path, const Image& image, std::span<
         images.push_back(finite_copy(*layer.image));
     }
 
-    Imf::Header header(image.width, image.height);
-    header.compression() = Imf::ZIP_COMPRESSION;
+    Imf::Header header = header_of({image.width, image.height, place});
     Imf::FrameBuffer buffer;
     for (std::size_t i = 0; i < images.size(); ++i) {
         for (std::size_t c = 0; c < kChannelNames.size(); ++c)
             header.channels().insert(channel_name(names[i], c), Imf::Channel(Imf::FLOAT));
-        insert_slices(buffer, images[i], names[i], 0, 0);
+        insert_slices(buffer, images[i], names[i], place.x, place.y);
     }
     write_slices(path, header, buffer);
 }
 
-void write_exr_channels(const std::filesystem::path& path, int width, int height,
+void write_exr_channels(const std::filesystem::path& path, const ExrWindow& window,
                         std::span<const ExrChannel> channels)
 {
-    Imf::Header header(width, height);
-    header.compression() = Imf::ZIP_COMPRESSION;
+    Imf::Header header = header_of(window);
     header.insert(kBlenderAttribute, Imf::StringAttribute(kBlenderNames));
     Imf::FrameBuffer buffer;
-    const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    const auto pixels = static_cast<std::size_t>(window.width) * window.height;
+    const Imath::V2i origin(window.place.x, window.place.y);
     std::vector<std::vector<float>> copies;
     for (const ExrChannel& channel : channels) {
         std::vector<float>& copy = copies.emplace_back(pixels);
         for (std::size_t i = 0; i < pixels; ++i)
             copy[i] = finite_or_zero(channel.first[i * channel.stride]);
         header.channels().insert(channel.name, Imf::Channel(Imf::FLOAT));
-        buffer.insert(channel.name,
-                      Imf::Slice::Make(Imf::FLOAT, copy.data(), Imath::V2i(0, 0), width, height));
+        buffer.insert(channel.name, Imf::Slice::Make(Imf::FLOAT, copy.data(), origin, window.width,
+                                                     window.height));
     }
     write_slices(path, header, buffer);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "common/image/image.h"
+#include "common/image/pixel_rect.h"
 
 #include <filesystem>
 #include <span>
@@ -16,10 +17,11 @@ struct Layer {
 };
 
 /// Writes `image` as channels R, G, B and each layer beside it: linear float, lossless.  Equal
-/// images give equal bytes on any machine.  A channel that is not finite is written as 0.  Throws
-/// InputError if the file cannot be written.
-void write_exr(const std::filesystem::path& path, const Image& image,
-               std::span<const Layer> layers);
+/// images give equal bytes on any machine.  A channel that is not finite is written as 0.  place:
+/// of the image and the layers; the data window is theirs, the display window that of the whole
+/// image.  Throws InputError if the file cannot be written.
+void write_exr(const std::filesystem::path& path, const Image& image, std::span<const Layer> layers,
+               const ImagePlace& place = {});
 
 /// A channel of an .exr file: of each pixel, from the top left row by row, the float at
 /// `first[pixel * stride]`.
@@ -29,10 +31,17 @@ struct ExrChannel {
     std::size_t stride = 1;
 };
 
-/// Writes channels of an image of the given size as one multi-layer .exr file, marked as Blender
-/// marks its own: linear float, lossless.  A value that is not finite is written as 0.  Throws
-/// InputError if the file cannot be written.
-void write_exr_channels(const std::filesystem::path& path, int width, int height,
+/// The pixels that an .exr file holds.
+struct ExrWindow {
+    int width = 0;
+    int height = 0;
+    ImagePlace place = {};
+};
+
+/// Writes channels of the pixels of a window as one multi-layer .exr file, marked as Blender marks
+/// its own: linear float, lossless.  A value that is not finite is written as 0.  Throws InputError
+/// if the file cannot be written.
+void write_exr_channels(const std::filesystem::path& path, const ExrWindow& window,
                         std::span<const ExrChannel> channels);
 
 /// Reads R, G, B (half or float) of the named layer of an .exr file, or of the main image if

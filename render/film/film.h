@@ -1,5 +1,6 @@
 #pragma once
 
+#include "common/image/pixel_rect.h"
 #include "render/film/pass_images.h"
 #include "render/film/pass_set.h"
 
@@ -28,7 +29,8 @@ enum class BiasKnowledge : std::uint8_t {
 struct Film {
     int width = 0;
     int height = 0;
-    int scale = 0; ///< values are counted in units of 2^-scale W/(m2 sr), docs/error.md (2)
+    ImagePlace place; ///< of its pixels
+    int scale = 0;    ///< values are counted in units of 2^-scale W/(m2 sr), docs/error.md (2)
     std::uint64_t allocation = 0; ///< checksum of its sample allocation, docs/error.md (14)
     BiasKnowledge bias = BiasKnowledge::unknown;
     PassSet passes;

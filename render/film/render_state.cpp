@@ -18,6 +18,10 @@ void put_film(StateWriter& out, const Film& film)
 {
     out.put(film.width);
     out.put(film.height);
+    out.put(film.place.x);
+    out.put(film.place.y);
+    out.put(film.place.whole_width);
+    out.put(film.place.whole_height);
     out.put(film.scale);
     out.put(film.allocation);
     out.put(static_cast<std::uint32_t>(film.bias));
@@ -82,6 +86,20 @@ void get_lost(StateReader& in, Film& film)
     }
 }
 
+/// Reads the place of an image of this size: within the whole image, unless it is whole.
+ImagePlace get_place(StateReader& in, int width, int height)
+{
+    ImagePlace place;
+    for (int* value : {&place.x, &place.y, &place.whole_width, &place.whole_height}) {
+        *value = in.get<int>();
+        in.require(*value >= 0 && *value <= kMostSide, "place of the image");
+    }
+    in.require(place == ImagePlace() ||
+                   (place.x + width <= place.whole_width && place.y + height <= place.whole_height),
+               "place of the image");
+    return place;
+}
+
 Film get_film(StateReader& in)
 {
     Film film;
@@ -90,6 +108,7 @@ Film get_film(StateReader& in)
     in.require(film.width > 0 && film.height > 0 && film.width <= kMostSide &&
                    film.height <= kMostSide,
                "image size");
+    film.place = get_place(in, film.width, film.height);
     film.scale = in.get<int>();
     in.require(film.scale >= -kMostScale && film.scale <= kMostScale, "scale");
     film.allocation = in.get<std::uint64_t>();
@@ -212,9 +231,10 @@ void merge_state(RenderState& into, const RenderState& from, const std::filesyst
     check_settings(path, from.settings, into.settings);
     const Film& film = from.film;
     if (film.width != into.film.width || film.height != into.film.height ||
-        film.scale != into.film.scale || film.allocation != into.film.allocation ||
-        film.bias != into.film.bias || film.cut.empty() != into.film.cut.empty())
-        throw InputError(path.string() + ": its image has another size or unit, or another "
+        film.place != into.film.place || film.scale != into.film.scale ||
+        film.allocation != into.film.allocation || film.bias != into.film.bias ||
+        film.cut.empty() != into.film.cut.empty())
+        throw InputError(path.string() + ": its image has another size, place or unit, or another "
                                          "allocation of samples; render it again");
     if (const auto pass = common_pass(into.film.passes, film.passes))
         throw InputError(path.string() + ": pass " + std::to_string(*pass) +

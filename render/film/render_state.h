@@ -10,7 +10,7 @@
 namespace hipmap {
 
 /// The version of the format of states.
-inline constexpr std::uint32_t kStateVersion = 5;
+inline constexpr std::uint32_t kStateVersion = 6;
 
 /// Everything needed to resume a render, or to merge it with others; docs/error.md.
 struct RenderState {

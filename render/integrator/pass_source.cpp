@@ -4,12 +4,22 @@
 
 namespace hipmap {
 
+void set_window(PassSource& source, const RenderOptions& options)
+{
+    const PixelRect pixels = rendered_pixels(options);
+    source.width = pixels.width();
+    source.height = pixels.height();
+    if (!options.crop.empty())
+        source.place = {pixels.x0, pixels.y0, options.width, options.height};
+}
+
 RenderOptions pilot_options(RenderOptions options)
 {
     constexpr int kPilotSide = 32;
     constexpr std::uint64_t kPilotShare = 16;
     options.width = std::min(options.width, kPilotSide);
     options.height = std::min(options.height, kPilotSide);
+    options.crop = {};
     options.samples = 1;
     options.photons /= kPilotShare;
     options.filter = PixelFilter::box;

@@ -23,8 +23,9 @@ struct PhotonCache;
 
 /// An integrator, as the loop over passes sees it.
 struct PassSource {
-    int width = 0;
+    int width = 0; ///< of the images of its passes
     int height = 0;
+    ImagePlace place; ///< of these images
     /// The mean of the channels of a pilot image, which is the unit of the film.  It depends on
     /// scene and settings alone, so that states of several runs can be merged.
     double pilot_mean = 0;
@@ -44,6 +45,9 @@ struct PassSource {
 
 /// The pass number of pilots, which no pass of an image has.
 inline constexpr std::uint64_t kPilotPass = ~std::uint64_t{0};
+
+/// Sets the size and the place of the images of a source to the pixels that are rendered.
+void set_window(PassSource& source, const RenderOptions& options);
 
 /// Returns options for an image of which only the mean is needed: small, with few photons.
 RenderOptions pilot_options(RenderOptions options);

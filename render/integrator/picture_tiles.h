@@ -32,43 +32,62 @@ struct TileSums {
     }
 };
 
-/// The tiles of an image.
+/// The tiles of an image that hold the pixels to render or pixels next to these, whose samples
+/// count in them.
 struct TileGrid {
-    int width = 0; ///< of the image, in pixels
-    int height = 0;
-    int across() const { return (width + kTile - 1) / kTile; }
-    int down() const { return (height + kTile - 1) / kTile; }
+    PixelRect rendered; ///< pixels of the image
+    PixelRect traced;   ///< these, and those next to them
+    PixelRect tiles; ///< of the tiles of the whole image, which do not depend on what is rendered
+
+    int across() const { return tiles.width(); }
+    int count() const { return tiles.width() * tiles.height(); }
 };
 
-/// Renders a tile of 16 x 16 pixels; adds to `dropped` the samples left out because they were not
-/// finite.
+inline TileGrid tile_grid(const RenderOptions& options)
+{
+    const PixelRect rendered = rendered_pixels(options);
+    const PixelRect traced = {std::max(0, rendered.x0 - 1), std::max(0, rendered.y0 - 1),
+                              std::min(rendered.x1 + 1, options.width),
+                              std::min(rendered.y1 + 1, options.height)};
+    const PixelRect tiles = {traced.x0 / kTile, traced.y0 / kTile, (traced.x1 + kTile - 1) / kTile,
+                             (traced.y1 + kTile - 1) / kTile};
+    return {rendered, traced, tiles};
+}
+
+/// Renders the traced pixels of a tile of 16 x 16; tile: its index in the grid.  Adds to `dropped`
+/// the samples left out because they were not finite.
 template <std::size_t images, typename Trace>
 TileSums<images> render_tile(const PictureJob& job, const TileGrid& grid, int tile,
                              std::uint64_t& dropped, const Trace& trace)
 {
-    const int x0 = tile % grid.across() * kTile, y0 = tile / grid.across() * kTile;
+    const int x0 = (grid.tiles.x0 + tile % grid.across()) * kTile;
+    const int y0 = (grid.tiles.y0 + tile / grid.across()) * kTile;
+    const PixelRect& traced = grid.traced;
     TileSums<images> sums;
-    for (int y = y0; y < std::min(y0 + kTile, grid.height); ++y)
-        for (int x = x0; x < std::min(x0 + kTile, grid.width); ++x) {
+    for (int y = std::max(y0, traced.y0); y < std::min(y0 + kTile, traced.y1); ++y)
+        for (int x = std::max(x0, traced.x0); x < std::min(x0 + kTile, traced.x1); ++x) {
             const auto samples = sample_pixel<images>(job, x, y, trace);
-            dropped += job.samples(static_cast<std::uint64_t>(y) * grid.width + x) - samples.kept;
+            dropped += job.samples(job.index_of(x, y)) - samples.kept;
             sums.add(x - x0, y - y0, samples);
         }
     return sums;
 }
 
-/// Sums the values and weights that all tiles contribute to pixel x, y, in the order of the tiles.
-/// Tiles without sums are skipped.
+/// Sums the values and weights that all tiles contribute to the rendered pixel x, y, in the order
+/// of the tiles.
 template <std::size_t images>
 Samples<images> gather_tiles(const TileGrid& grid, const std::vector<TileSums<images>>& tiles,
                              int x, int y, float& weight)
 {
     Samples<images> sum{};
     weight = 0;
-    for (int v = std::max(0, y - 1) / kTile; v <= std::min(y + 1, grid.height - 1) / kTile; ++v)
-        for (int u = std::max(0, x - 1) / kTile; u <= std::min(x + 1, grid.width - 1) / kTile;
-             ++u) {
-            const TileSums<images>& tile = tiles[static_cast<std::size_t>(v * grid.across() + u)];
+    const PixelRect& traced = grid.traced;
+    for (int v = std::max(traced.y0, y - 1) / kTile; v <= std::min(y + 1, traced.y1 - 1) / kTile;
+         ++v)
+        for (int u = std::max(traced.x0, x - 1) / kTile;
+             u <= std::min(x + 1, traced.x1 - 1) / kTile; ++u) {
+            const TileSums<images>& tile = tiles[static_cast<std::size_t>(
+                (v - grid.tiles.y0) * grid.across() + u - grid.tiles.x0)];
             const auto at = static_cast<std::size_t>((y - v * kTile + 1) * TileSums<images>::kSide +
                                                      x - u * kTile + 1);
             weight += tile.weights[at];
@@ -84,16 +103,17 @@ template <std::size_t images>
 PassImages images_of(const TileGrid& grid, const std::vector<TileSums<images>>& tiles)
 {
     PassImages out;
-    out.radiance = Image(grid.width, grid.height);
+    const PixelRect& pixels = grid.rendered;
+    out.radiance = Image(pixels.width(), pixels.height());
     if (images >= 3)
         out.narrow = out.narrower = out.radiance;
     if (has_cut<images>)
         out.cut = out.radiance;
     out.kept.assign(out.radiance.pixels.size(), 0);
-    tbb::parallel_for(0, grid.height, [&](int y) {
-        for (int x = 0; x < grid.width; ++x) {
+    tbb::parallel_for(0, pixels.height(), [&](int y) {
+        for (int x = 0; x < pixels.width(); ++x) {
             float weight = 0;
-            Samples<images> mean = gather_tiles(grid, tiles, x, y, weight);
+            Samples<images> mean = gather_tiles(grid, tiles, pixels.x0 + x, pixels.y0 + y, weight);
             for (Rgb& value : mean)
                 value /= weight;
             if (!(weight > 0) || !are_finite(mean))
@@ -105,7 +125,7 @@ PassImages images_of(const TileGrid& grid, const std::vector<TileSums<images>>& 
             }
             if constexpr (has_cut<images>)
                 out.cut.at(x, y) = mean[images - 1];
-            out.kept[static_cast<std::size_t>(y) * grid.width + x] = 1;
+            out.kept[static_cast<std::size_t>(y) * pixels.width() + x] = 1;
         }
     });
     return out;
@@ -122,8 +142,8 @@ RenderedPass render_tiles(const PictureJob& job, const PassControl& control,
     static_assert(images >= 1 && images <= 4);
     const Stopwatch watch;
     RenderedPass out;
-    const TileGrid grid{job.options.width, job.options.height};
-    const int tiles = grid.across() * grid.down();
+    const TileGrid grid = tile_grid(job.options);
+    const int tiles = grid.count();
     std::vector<TileSums<images>> sums(static_cast<std::size_t>(tiles));
     std::mutex mutex;
     int done = 0;

@@ -19,6 +19,11 @@ struct PictureJob {
     std::uint64_t pass = 0;
     const SampleAllocation& allocation;
 
+    /// Returns the index of a pixel of the whole image.
+    std::uint64_t index_of(int x, int y) const
+    {
+        return static_cast<std::uint64_t>(y) * options.width + x;
+    }
     std::uint32_t samples(std::uint64_t pixel) const
     {
         return allocation.samples.empty() ? options.samples : allocation.samples[pixel];
@@ -111,7 +116,7 @@ inline PixelRay pixel_ray(const PictureJob& job, int x, int y, RandomSequence& r
 /// Takes the extra samples of directly visible lights; keeps those that are finite.
 inline FilteredSamples<1> sample_seen_lights(const PictureJob& job, int x, int y)
 {
-    const std::uint64_t pixel = static_cast<std::uint64_t>(y) * job.options.width + x;
+    const std::uint64_t pixel = job.index_of(x, y);
     const std::uint32_t samples = job.light_samples(pixel);
     FilteredSamples<1> sums;
     for (std::uint32_t s = 0; s < samples; ++s) {
@@ -141,7 +146,7 @@ void add_seen_lights(const FilteredSamples<1>& lights, FilteredSamples<images>& 
 template <std::size_t images, typename Trace>
 FilteredSamples<images> sample_pixel(const PictureJob& job, int x, int y, const Trace& trace)
 {
-    const std::uint64_t pixel = static_cast<std::uint64_t>(y) * job.options.width + x;
+    const std::uint64_t pixel = job.index_of(x, y);
     const std::uint32_t samples = job.samples(pixel);
     const bool apart = job.light_samples(pixel) > 0;
     FilteredSamples<images> sums;

@@ -201,8 +201,7 @@ PassSource make_progressive_source(const RenderScene& scene, const RenderOptions
     if (cache != nullptr)
         cache->radii = shared->first;
     PassSource source;
-    source.width = options.width;
-    source.height = options.height;
+    set_window(source, options);
     source.pilot_mean = render_pilot({scene, *surfaces}, options, *shared);
     source.alpha = options.alpha;
     source.clamped = options.clamp > 0;

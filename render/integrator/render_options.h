@@ -1,5 +1,6 @@
 #pragma once
 
+#include "common/image/pixel_rect.h"
 #include "render/integrator/eye_path.h"
 #include "render/integrator/pixel_filter.h"
 #include "render/photons/trace_photons.h"
@@ -17,8 +18,9 @@ enum class Integrator : std::uint8_t {
 /// The options of a pass, the same for all passes of an image.
 struct RenderOptions {
     Integrator integrator = Integrator::progressive;
-    int width = 0;
+    int width = 0; ///< of the whole image
     int height = 0;
+    PixelRect crop = {}; ///< the pixels of it to render; empty: all
     MapOptions maps;
     DissertationOptions dissertation;
     DirectLight direct = DirectLight::shadow_rays;
@@ -31,6 +33,12 @@ struct RenderOptions {
     float clamp = 0; ///< largest channel of a sample, W/(m2 sr), but for directly visible lights;
                      ///< 0: not clamped
 };
+
+/// Returns the pixels of the whole image that are rendered.
+inline PixelRect rendered_pixels(const RenderOptions& options)
+{
+    return options.crop.empty() ? PixelRect{0, 0, options.width, options.height} : options.crop;
+}
 
 /// Statistics of one kind of photon, summed over the passes.
 struct KindStatistics {

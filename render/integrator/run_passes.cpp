@@ -166,6 +166,7 @@ RenderState begin_state(const PassSource& source, std::vector<Setting> settings)
     state.radius_decay = source.alpha;
     state.film =
         make_film(source.width, source.height, source.pilot_mean, source.bias, source.clamped);
+    state.film.place = source.place;
     state.film.allocation = source.allocation;
     return state;
 }

@@ -35,8 +35,7 @@ PassSource make_sampled_source(const RenderScene& scene, const RenderOptions& op
     const auto method = std::make_shared<const Method>(scene);
     const auto allocation = std::make_shared<const SampleAllocation>(std::move(allocated));
     PassSource source;
-    source.width = options.width;
-    source.height = options.height;
+    set_window(source, options);
     source.photons = options.photons;
     source.clamped = options.clamp > 0;
     source.allocation = checksum(*allocation);

@@ -1,6 +1,5 @@
 #include "render/layers/layer_file.h"
 
-#include "common/image/exr_file.h"
 #include "common/input_error.h"
 #include "render/layers/layer_table.h"
 
@@ -68,8 +67,8 @@ LayerImage film_layer(const LayerRow& row, const Image& image, const Film& film)
     return out;
 }
 
-void write_layers(const std::filesystem::path& path, const std::string& view_layer, int width,
-                  int height, std::span<const LayerImage> layers)
+void write_layers(const std::filesystem::path& path, const std::string& view_layer,
+                  const ExrWindow& window, std::span<const LayerImage> layers)
 {
     std::vector<ExrChannel> channels;
     for (const LayerImage& layer : layers)
@@ -78,7 +77,7 @@ void write_layers(const std::filesystem::path& path, const std::string& view_lay
                                         layer.row->channels[c],
                                 .first = layer.values.data() + c,
                                 .stride = layer.row->channels.size()});
-    write_exr_channels(path, width, height, channels);
+    write_exr_channels(path, window, channels);
 }
 
 } // namespace hipmap

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "common/image/exr_file.h"
 #include "render/layers/layer.h"
 
 #include <filesystem>
@@ -27,9 +28,9 @@ std::vector<const LayerRow*> chosen_layers(const LayerChoice& choice);
 /// Returns a layer of the rendered image and its film.  row: OfFilm.
 LayerImage film_layer(const LayerRow& row, const Image& image, const Film& film);
 
-/// Writes layers of one size as a multi-layer .exr file, whose channels have Blender's names, such
-/// as "ViewLayer.Depth.Z".  Throws InputError if the file cannot be written.
-void write_layers(const std::filesystem::path& path, const std::string& view_layer, int width,
-                  int height, std::span<const LayerImage> layers);
+/// Writes layers of the pixels of a window as a multi-layer .exr file, whose channels have
+/// Blender's names, such as "ViewLayer.Depth.Z".  Throws InputError if the file cannot be written.
+void write_layers(const std::filesystem::path& path, const std::string& view_layer,
+                  const ExrWindow& window, std::span<const LayerImage> layers);
 
 } // namespace hipmap

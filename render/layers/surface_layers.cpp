@@ -73,10 +73,17 @@ struct View {
     }
 };
 
-/// The values of one pixel in a layer.
+/// The values of one rendered pixel in a layer.
 float* values_of(LayerImage& layer, std::size_t pixel)
 {
     return layer.values.data() + pixel * layer.row->channels.size();
+}
+
+/// The index of a pixel of the whole image among those rendered.
+std::size_t place_of(const RenderOptions& options, int x, int y)
+{
+    const PixelRect pixels = rendered_pixels(options);
+    return static_cast<std::size_t>(y - pixels.y0) * pixels.width() + (x - pixels.x0);
 }
 
 void store(const glm::vec4& value, std::size_t pixel, LayerImage& layer)
@@ -88,7 +95,7 @@ void store(const glm::vec4& value, std::size_t pixel, LayerImage& layer)
 void fill_centre(const View& view, int x, int y, std::span<LayerImage> layers)
 {
     const std::optional<FirstSurface> seen = view.at(glm::vec2(x, y) + 0.5f, glm::vec2(0.0f));
-    const auto pixel = static_cast<std::size_t>(y) * view.options.width + x;
+    const std::size_t pixel = place_of(view.options, x, y);
     for (LayerImage& layer : layers)
         if (const auto* of = std::get_if<OfCentre>(&layer.row->read))
             store(seen ? of->read(*seen) : glm::vec4(of->nothing), pixel, layer);
@@ -96,10 +103,11 @@ void fill_centre(const View& view, int x, int y, std::span<LayerImage> layers)
 
 void fill_mean(const View& view, int x, int y, std::span<LayerImage> layers)
 {
-    const auto pixel = static_cast<std::size_t>(y) * view.options.width + x;
+    const auto of_whole = static_cast<std::size_t>(y) * view.options.width + x;
+    const std::size_t pixel = place_of(view.options, x, y);
     for (std::uint64_t s = 0; s < kMeanSamples; ++s) {
         const std::optional<FirstSurface> seen =
-            view.drawn(x, y, {view.options.seed, RandomStream::pictures, 0, pixel, s});
+            view.drawn(x, y, {view.options.seed, RandomStream::pictures, 0, of_whole, s});
         if (!seen)
             continue;
         for (LayerImage& layer : layers)
@@ -124,15 +132,16 @@ bool any_is(std::span<const LayerImage> layers)
 std::vector<LayerImage> surface_layers(const RenderScene& scene, const RenderOptions& options,
                                        std::span<const LayerRow* const> layers)
 {
-    const auto pixels = static_cast<std::size_t>(options.width) * options.height;
+    const PixelRect part = rendered_pixels(options);
+    const auto pixels = static_cast<std::size_t>(part.width()) * part.height();
     std::vector<LayerImage> out;
     for (const LayerRow* row : layers)
         if (!std::holds_alternative<OfFilm>(row->read))
             out.push_back({row, std::vector<float>(pixels * row->channels.size())});
     const bool centre = any_is<OfCentre>(out), mean = any_is<OfMean>(out);
     const View view{scene, options};
-    tbb::parallel_for(0, out.empty() ? 0 : options.height, [&](int y) {
-        for (int x = 0; x < options.width; ++x) {
+    tbb::parallel_for(part.y0, out.empty() ? part.y0 : part.y1, [&](int y) {
+        for (int x = part.x0; x < part.x1; ++x) {
             if (centre)
                 fill_centre(view, x, y, out);
             if (mean)

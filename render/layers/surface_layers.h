@@ -8,7 +8,7 @@
 namespace hipmap {
 
 /// Returns those of the layers that show the first surfaces that the camera sees, in the order
-/// given: a function of the scene and of size, pixel filter and seed alone, at any number of
+/// given: a function of the scene and of size, crop, pixel filter and seed alone, at any number of
 /// threads.  A surface that lets a share of light pass is skipped with that probability, decided
 /// for each ray as for eye paths; mirrors and glass are seen themselves, media are not.  Moving
 /// objects are where `scene` has them, without blur.  Casts a ray for each pixel, and 16 more if a

@@ -42,7 +42,7 @@ std::string help_text()
 std::vector<std::string> changed_option(const OptionRow& row)
 {
     std::vector<std::string> texts = row.field.names;
-    texts.insert(texts.end(), {"7", "0.25"});
+    texts.insert(texts.end(), {"7", "0.25", "1,2,3,4"});
     for (const std::string& text : texts) {
         try {
             const std::vector<std::string> option{"--" + row.name, text};

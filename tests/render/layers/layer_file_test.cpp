@@ -43,7 +43,7 @@ TEST_CASE("write_layers: channels have the names of view layer, pass and compone
     const std::vector<LayerImage> layers = {film_layer(*rows[0], image, {}),
                                             {rows[1], {6, 5, 4, 3, 2, 1}}};
     CHECK(layers[0].values == std::vector<float>{1, 2, 3, 1, 4, 5, 6, 1});
-    write_layers(folder / "a.exr", "My Layer", 2, 1, layers);
+    write_layers(folder / "a.exr", "My Layer", {2, 1}, layers);
     CHECK(read_exr(folder / "a.exr", "My Layer.Combined").pixels == image.pixels);
     CHECK(read_exr(folder / "a.exr", "My Layer.Noise").pixels[1] == Rgb(3, 2, 1));
     CHECK_THROWS_WITH(read_exr(folder / "a.exr"), Catch::Contains("no channel R"));
