@@ -134,7 +134,8 @@ std::vector<OptionRow> output_rows(OutputFiles& files, bool required)
              .section = kFilesSection,
              .field = files_field(files.images),
              .help = "Image to write; repeatable. .exr, .pfm and .hdr hold radiance, W/(m2 sr), "
-                     ".exr its noise, bias and error too; .png and .ppm are exposed sRGB",
+                     ".exr its noise, bias and error too; .png and .ppm are exposed sRGB. "
+                     "Rewritten after passes",
              .flags = "-o,--output",
              .required = required},
             {.name = "error-image",

@@ -1,8 +1,5 @@
 #include "render/progress_lines.h"
 
-#include "common/image/write_image.h"
-#include "render/outputs.h"
-
 #include <string>
 
 namespace hipmap {
@@ -12,9 +9,6 @@ namespace {
 using nlohmann::json;
 
 constexpr double kSecondsBetweenLines = 0.1;
-
-/// The share of the time that rewriting images may take.
-constexpr double kWritingShare = 0.05;
 
 json last_error(const RenderState& state)
 {
@@ -36,17 +30,11 @@ const char* name_of(StopReason reason)
     return "";
 }
 
-/// Rewrites the images that need no exposure.  Returns their names.
-json rewrite_linear(const OutputFiles& files, const Film& film)
+json names_of(const std::vector<std::filesystem::path>& files)
 {
     json names = json::array();
-    const Image image = film_image(film);
-    for (const std::filesystem::path& path : files.images) {
-        if (is_exposed(path))
-            continue;
-        write_image(path, image, {});
-        names.push_back(path.string());
-    }
+    for (const std::filesystem::path& file : files)
+        names.push_back(file.string());
     return names;
 }
 
@@ -70,33 +58,24 @@ void ProgressLines::progress(const RunProgress& progress)
            {"error", progress.error ? json(progress.error->error) : json()}});
 }
 
-void ProgressLines::pass(const RenderState& state)
+void ProgressLines::pass(const RenderState& state,
+                         const std::vector<std::filesystem::path>& rewritten)
 {
     const std::lock_guard lock(mutex_);
-    json images = json::array();
-    const double begun = watch_.seconds();
-    if (writing_ <= kWritingShare * (begun - written_)) {
-        images = rewrite_linear(arguments_.files, state.film);
-        written_ = watch_.seconds();
-        writing_ = written_ - begun;
-    }
     print({{"event", "pass"},
            {"passes", count(state.film.passes)},
            {"error", last_error(state)},
-           {"images", std::move(images)}});
+           {"images", names_of(rewritten)}});
 }
 
 void ProgressLines::end(const RunResult& result, const RenderState& state)
 {
     const std::lock_guard lock(mutex_);
-    json images = json::array();
-    for (const std::filesystem::path& path : arguments_.files.images)
-        images.push_back(path.string());
     print({{"event", "end"},
            {"reason", name_of(result.reason)},
            {"passes", count(state.film.passes)},
            {"error", last_error(state)},
-           {"images", std::move(images)}});
+           {"images", names_of(arguments_.files.images)}});
 }
 
 void ProgressLines::print(json line)

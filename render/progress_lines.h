@@ -11,8 +11,8 @@
 
 namespace hipmap {
 
-/// Prints the progress of a render as lines of JSON for a program that shows it, and rewrites the
-/// linear images after passes (docs/progress.md).  Thread-safe.
+/// Prints the progress of a render as lines of JSON for a program that shows it
+/// (docs/progress.md).  Thread-safe.
 class ProgressLines {
   public:
     /// to: borrowed; each line is flushed.  arguments: of one frame.
@@ -20,8 +20,8 @@ class ProgressLines {
 
     /// Prints how far the pass is, ten times a second at most.
     void progress(const RunProgress& progress);
-    /// Rewrites the linear images, unless writing takes too much of the time, and prints the pass.
-    void pass(const RenderState& state);
+    /// Prints the end of a pass.  rewritten: images that it rewrote.
+    void pass(const RenderState& state, const std::vector<std::filesystem::path>& rewritten);
     /// Prints the end, when all files are written.
     void end(const RunResult& result, const RenderState& state);
 
@@ -32,8 +32,7 @@ class ProgressLines {
     const RenderArguments& arguments_;
     std::mutex mutex_;
     const Stopwatch watch_;
-    double shown_ = 0, written_ = 0; ///< s, when progress was printed and the images were written
-    double writing_ = 0;             ///< s that writing the images took
+    double shown_ = 0; ///< s, when progress was printed
 };
 
 } // namespace hipmap

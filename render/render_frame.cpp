@@ -6,6 +6,7 @@
 #include "render/integrator/integrators.h"
 #include "render/integrator/moving_source.h"
 #include "render/layers/surface_layers.h"
+#include "render/live_images.h"
 
 namespace hipmap {
 
@@ -56,8 +57,9 @@ std::string describe_progress(const RunProgress& progress, const FramePlace* pla
     return note;
 }
 
-/// place: among frames; null: there is a single one.
-RunControl make_control(const FramePlace* place, const FrameControl& frame, Report& report)
+/// place: among frames; null: there is a single one.  images: rewritten after passes.
+RunControl make_control(const FramePlace* place, const FrameControl& frame, LiveImages& images,
+                        Report& report)
 {
     RunControl control;
     control.progress = [&report, place, lines = frame.lines](const RunProgress& progress) {
@@ -66,8 +68,11 @@ RunControl make_control(const FramePlace* place, const FrameControl& frame, Repo
         report.progress(progress.done, describe_progress(progress, place), progress.left);
     };
     control.stop = &frame.stop;
-    if (frame.lines != nullptr)
-        control.pass = [lines = frame.lines](const RenderState& now) { lines->pass(now); };
+    control.pass = [&images, lines = frame.lines](const RenderState& now) {
+        const std::vector<std::filesystem::path> rewritten = images.rewrite(now.film);
+        if (lines != nullptr)
+            lines->pass(now, rewritten);
+    };
     return control;
 }
 
@@ -122,8 +127,9 @@ RenderedFrame render_passes(PreparedFrame& frame, SceneSource& source, PreviousF
     const FramePlace* const place = previous != nullptr ? &previous->place : nullptr;
     report.begin((place != nullptr ? place->text() + ", " : "rendering ") +
                  describe_pixels(passes) + describe_stops(frame.arguments.stops));
-    out.result =
-        run_and_save(frame.arguments, passes, make_control(place, control, report), out.state);
+    LiveImages images(frame.arguments.files);
+    out.result = run_and_save(frame.arguments, passes, make_control(place, control, images, report),
+                              out.state);
     if (!frame.arguments.files.layers.empty())
         out.layers =
             surface_layers(scene, frame.arguments.render, chosen_layers(frame.arguments.layers));

@@ -288,7 +288,7 @@ std::vector<OptionRow> speed_rows(RenderArguments& arguments)
              .section = kRunSection,
              .field = choice_field<ProgressFormat>(arguments.progress, kProgressFormats, "FORMAT"),
              .help = "text, or json: also lines of JSON on standard output, for a program that "
-                     "shows the render, with linear images rewritten after passes"},
+                     "shows the render"},
             verbose_row(arguments.verbose)};
 }
 

@@ -11,6 +11,8 @@ import sys
 import time
 
 import tools
+from exr_file import ExrFile
+from pictures import read_png
 from tools import Tools, ToolsTestCase
 
 
@@ -38,7 +40,7 @@ class Progress(ToolsTestCase):
         self.assertEqual([line["passes"] for line in passes], [1, 2, 3])
         self.assertIsNone(passes[0]["error"])
         self.assertGreater(passes[1]["error"], 0)
-        self.assertEqual(passes[0]["images"], [self.path("a.pfm")])
+        self.assertEqual(passes[0]["images"], [self.path("a.pfm"), self.path("a.png")])
         self.assertEqual(lines[-1]["event"], "end")
         self.assertEqual(lines[-1]["reason"], "passes")
         self.assertEqual(lines[-1]["images"], [self.path("a.pfm"), self.path("a.png")])
@@ -73,6 +75,17 @@ class Progress(ToolsTestCase):
             last = json.loads(render.stdout.read().splitlines()[-1])
         self.assertEqual(render.returncode, 3)
         self.assertEqual((last["event"], last["reason"]), ("end", "signal"))
+
+    def test_a_killed_render_leaves_whole_pictures(self):
+        images = self.path("a.png"), self.path("a.exr")
+        with subprocess.Popen(self.command("-o", images[0], "-o", images[1], "--passes", 100000),
+                              stderr=subprocess.DEVNULL) as render:
+            while not all(map(os.path.exists, images)) and render.poll() is None:
+                time.sleep(0.01)
+            render.kill()
+        self.assertEqual(render.returncode, -signal.SIGKILL)
+        self.assertGreater(sum(read_png(images[0]).mean()), 0)
+        self.assertEqual(ExrFile(images[1]).width, 16)
 
     def test_a_reader_that_goes_away_ends_the_render(self):
         with subprocess.Popen(self.command("--progress", "json", "-o", self.path("a.pfm"),
