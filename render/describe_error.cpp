@@ -47,6 +47,15 @@ std::string describe_error(const ErrorCheck& check)
     return text;
 }
 
+std::string describe_fireflies(const Fireflies& fireflies)
+{
+    return "fireflies: " + counted(fireflies.pixels, "pixel carries", "pixels carry") + " " +
+           percent(fireflies.share) + " of the squared error, which is " +
+           percent(fireflies.error_without) +
+           " without them; render more passes, limit them by --clamp, or make small bright lights "
+           "larger";
+}
+
 std::string describe_need(const ErrorCost& cost)
 {
     if (!std::isfinite(cost.seconds) || cost.seconds > kMostPracticalSeconds ||

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/film/error_cost.h"
+#include "render/film/fireflies.h"
 #include "render/film/render_state.h"
 
 #include <string>
@@ -13,6 +14,9 @@ std::string percent(double share);
 
 /// Describes the estimated error of an image in words.
 std::string describe_error(const ErrorCheck& check);
+
+/// Describes the pixels that carry much of the error, and what to do about them.
+std::string describe_fireflies(const Fireflies& fireflies);
 
 /// Describes what an error takes: "would take about 23 passes, 46 s"; beyond a day: "is not
 /// practical (more than a day)".

@@ -39,7 +39,7 @@ void write_results(const PreparedFrame& frame, const RenderedFrame& rendered,
     const RenderArguments& arguments = frame.arguments;
     print_statistics(arguments, rendered.statistics, rendered.state.film, report);
     if (previous == nullptr || report.verbose())
-        print_error(arguments, rendered.state, report);
+        print_error(arguments, rendered, report);
     const WrittenFiles written =
         write_images(arguments.files, rendered.result.image, rendered.state, report);
     write_requested_layers(arguments, rendered, report);

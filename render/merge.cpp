@@ -33,8 +33,12 @@ int merge_states(const MergeArguments& arguments)
     const RenderState state = read_states(arguments.states);
     report.line(counted(count(state.film.passes), "pass", "passes") + " from " +
                 counted(arguments.states.size(), "state"));
+    std::optional<Fireflies> fireflies;
     if (!state.checks.empty()) {
         report.line(describe_error(state.checks.back()));
+        fireflies = find_fireflies(state.film, state.checks.back().error);
+        if (fireflies)
+            report.line(describe_fireflies(*fireflies));
         report.line(describe_cost(state, 0));
     }
     if (!files.state.empty()) {
@@ -42,7 +46,7 @@ int merge_states(const MergeArguments& arguments)
         report.wrote(files.state);
     }
     const WrittenFiles written = write_images(files, film_image(state.film), state, report);
-    write_statistics(files, merged_statistics_json(arguments, state, written), report);
+    write_statistics(files, merged_statistics_json(arguments, state, fireflies, written), report);
     report.list_files();
     return kExitDone;
 }

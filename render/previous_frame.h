@@ -1,6 +1,7 @@
 #pragma once
 
 #include "common/stopwatch.h"
+#include "render/film/fireflies.h"
 #include "render/integrator/photon_cache.h"
 #include "render/integrator/run_passes.h"
 #include "render/layers/layer.h"
@@ -19,6 +20,7 @@ struct RenderedFrame {
     RenderStatistics statistics;
     double seconds_rays = 0;        ///< building the ray tracing structure
     std::vector<LayerImage> layers; ///< of surfaces, those that were requested
+    std::optional<Fireflies> fireflies;
 };
 
 /// Where a frame stands among all frames of a run.

@@ -66,11 +66,14 @@ void print_statistics(const RenderArguments& arguments, const RenderStatistics& 
     warn_of_dropped(statistics, film, report);
 }
 
-void print_error(const RenderArguments& arguments, const RenderState& state, Report& report)
+void print_error(const RenderArguments& arguments, const RenderedFrame& frame, Report& report)
 {
+    const RenderState& state = frame.state;
     if (state.checks.empty())
         return;
     report.line(describe_error(state.checks.back()));
+    if (frame.fireflies)
+        report.line(describe_fireflies(*frame.fireflies));
     report.line(describe_cost(state, arguments.stops.error));
     if (!arguments.quote)
         return;

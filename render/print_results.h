@@ -2,6 +2,7 @@
 
 #include "common/report.h"
 #include "render/options.h"
+#include "render/previous_frame.h"
 
 namespace hipmap {
 
@@ -9,8 +10,8 @@ namespace hipmap {
 void print_statistics(const RenderArguments& arguments, const RenderStatistics& statistics,
                       const Film& film, Report& report);
 
-/// Prints the error of the image and the cost of halving it; for --quote, the whole cost table.
-/// Prints nothing for a film with less than two passes.
-void print_error(const RenderArguments& arguments, const RenderState& state, Report& report);
+/// Prints the error of the image, the fireflies that carry much of it, and the cost of halving it;
+/// for --quote, the whole cost table.  Prints nothing for a film with less than two passes.
+void print_error(const RenderArguments& arguments, const RenderedFrame& frame, Report& report);
 
 } // namespace hipmap

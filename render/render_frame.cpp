@@ -3,6 +3,7 @@
 #include "common/scene/scene_names.h"
 #include "common/stopwatch.h"
 #include "render/describe_error.h"
+#include "render/film/fireflies.h"
 #include "render/integrator/integrators.h"
 #include "render/integrator/moving_source.h"
 #include "render/layers/surface_layers.h"
@@ -130,6 +131,8 @@ RenderedFrame render_passes(PreparedFrame& frame, SceneSource& source, PreviousF
     LiveImages images(frame.arguments.files);
     out.result = run_and_save(frame.arguments, passes, make_control(place, control, images, report),
                               out.state);
+    if (!out.state.checks.empty())
+        out.fireflies = find_fireflies(out.state.film, out.state.checks.back().error);
     if (!frame.arguments.files.layers.empty())
         out.layers =
             surface_layers(scene, frame.arguments.render, chosen_layers(frame.arguments.layers));

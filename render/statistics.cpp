@@ -141,8 +141,18 @@ Json check_json(const ErrorCheck& check)
     return json;
 }
 
+/// Null if there are none.
+Json fireflies_json(const std::optional<Fireflies>& found)
+{
+    if (!found)
+        return {};
+    return {{"pixels", found->pixels},
+            {"share", found->share},
+            {"error_without", found->error_without}};
+}
+
 /// target: of the error; 0 for none.
-Json error_json(const RenderState& state, double target)
+Json error_json(const RenderState& state, const std::optional<Fireflies>& fireflies, double target)
 {
     static const char* const kBias[] = {"none", "unknown", "from radii"};
     Json checks = Json::array(), costs = Json::array();
@@ -156,6 +166,7 @@ Json error_json(const RenderState& state, double target)
     const ErrorLaw law = error_law(state.checks, state.radius_decay);
     return {{"bias", kBias[static_cast<int>(state.film.bias)]},
             {"checks", checks},
+            {"fireflies", fireflies_json(fireflies)},
             {"law",
              {{"by_pass", law.by_pass},
               {"by_photon", law.by_photon},
@@ -235,7 +246,7 @@ std::string statistics_json(const PreparedFrame& frame, const RenderedFrame& ren
     json["effects"] = effects_json(frame.effects);
     json["passes_done"] = count(state.film.passes);
     json["ended_by"] = ended_by(rendered.result.reason);
-    json["error"] = error_json(state, arguments.stops.error);
+    json["error"] = error_json(state, rendered.fireflies, arguments.stops.error);
     json["saturated"] = state.film.saturated;
     json["seconds"] = seconds_json(frame, rendered, written);
     json["processor_seconds"] = {{"photons", render.processor_photons},
@@ -249,6 +260,7 @@ std::string statistics_json(const PreparedFrame& frame, const RenderedFrame& ren
 }
 
 std::string merged_statistics_json(const MergeArguments& arguments, const RenderState& state,
+                                   const std::optional<Fireflies>& fireflies,
                                    const WrittenFiles& written)
 {
     Json json;
@@ -261,7 +273,7 @@ std::string merged_statistics_json(const MergeArguments& arguments, const Render
                                written.exposure_ev);
     json["pictures"] = pictures_json(written);
     json["passes_done"] = count(state.film.passes);
-    json["error"] = error_json(state, 0);
+    json["error"] = error_json(state, fireflies, 0);
     json["saturated"] = state.film.saturated;
     json["seconds"] = {{"passes", state.seconds}, {"write", written.seconds}};
     json["warnings"] = written.warnings;

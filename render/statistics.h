@@ -14,6 +14,7 @@ std::string statistics_json(const PreparedFrame& frame, const RenderedFrame& ren
 
 /// Returns the statistics of merged states, as far as states know them.
 std::string merged_statistics_json(const MergeArguments& arguments, const RenderState& state,
+                                   const std::optional<Fireflies>& fireflies,
                                    const WrittenFiles& written);
 
 } // namespace hipmap
