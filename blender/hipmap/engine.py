@@ -11,6 +11,7 @@ from .job import (has_partition, make_job, preprocess_command, remove_leftovers,
 from .passes import Rects, register_passes, renumber
 from .run import Child, ToolError, read_pfm, warnings_of
 from .scene_export import SceneError
+from .viewport import ViewportEngine
 from .world import WorldError
 
 _SECONDS_BETWEEN_LOOKS = 0.05
@@ -26,7 +27,7 @@ def _percent(error):
     return f"{100 * error:.2g} %"
 
 
-class HipmapEngine(bpy.types.RenderEngine):
+class HipmapEngine(ViewportEngine, bpy.types.RenderEngine):
     """Renders by hipmap's programs, as child processes"""
 
     bl_idname = "HIPMAP"

@@ -93,9 +93,13 @@ class GlbBuilder:
         if name not in used:
             used.append(name)
 
-    def write(self, path):
-        """Writes the file whole."""
+    def finish(self):
+        """Returns the JSON and the buffer of what was added."""
         buffer = b"".join(self._parts)
         if buffer:
             self.json["buffers"] = [{"byteLength": len(buffer)}]
-        write_glb(path, self.json, buffer)
+        return self.json, buffer
+
+    def write(self, path):
+        """Writes the file whole."""
+        write_glb(path, *self.finish())

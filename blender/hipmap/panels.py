@@ -76,6 +76,17 @@ class RENDER_PT_hipmap_partition(HipmapPanel, bpy.types.Panel):
     shown = ("angle",)
 
 
+class RENDER_PT_hipmap_viewport(HipmapPanel, bpy.types.Panel):
+    """The preview in 3D viewports"""
+
+    bl_label = "Viewport"
+
+    def draw(self, context):
+        """Shows the panel."""
+        column = self.column(context, "preview_passes")
+        column.prop(context.scene.render, "preview_pixel_size", text="Pixel Size")
+
+
 class RENDER_PT_hipmap_running(HipmapPanel, bpy.types.Panel):
     """How the programs run"""
 

@@ -54,6 +54,9 @@ class HipmapSettings(bpy.types.PropertyGroup):
         name="Keep Passes", default=True,
         description="Keep the passes of a render on disk, so that Continue can add to them; some "
                     "hundred megabytes for a large image")
+    preview_passes: bpy.props.IntProperty(
+        name="Passes", default=32, min=1, max=65536,
+        description="Passes of a preview in the viewport, whose images are averaged")
     folder: bpy.props.StringProperty(
         name="Folder", subtype="DIR_PATH",
         description="Where the exported scene, the partition and the passes are kept; empty: "

@@ -113,10 +113,10 @@ class Child:
         self._process.stderr.close()
         return code
 
-    def stop(self):
-        """Asks the program to end, and ends it if it does not within a second."""
+    def stop(self, seconds=_SECONDS_TO_STOP):
+        """Asks the program to end, and ends it if it does not within some seconds."""
         self._process.terminate()
-        end = time.monotonic() + _SECONDS_TO_STOP
+        end = time.monotonic() + seconds
         while self.running() and time.monotonic() < end:
             time.sleep(0.01)
         self._process.kill()

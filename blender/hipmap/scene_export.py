@@ -14,7 +14,7 @@ from .glb_file import GlbBuilder
 from .lights import is_portal, light_extras, light_losses, punctual_light
 from .losses import without_repeats
 from .materials import MaterialWriter
-from .world import world_extras, world_losses
+from .world import bake_at_once, world_extras, world_losses
 
 # glTF has +Y up.
 _TO_Y_UP = Matrix(((1, 0, 0, 0), (0, 0, 1, 0), (0, -1, 0, 0), (0, 0, 0, 1)))
@@ -53,12 +53,12 @@ def generator():
     return f"Khronos glTF Blender I/O v{version} (its terms; written by hipmap for Blender)"
 
 
-def _matrix(to_world):
-    """16 numbers, column by column."""
+def matrix_numbers(to_world):
+    """Returns the matrix of a glTF node, 16 numbers column by column, for one of Blender."""
     return [x for column in (_TO_Y_UP @ to_world).transposed() for x in column]
 
 
-class _Writer:
+class SceneWriter:
     """One export under way."""
 
     def __init__(self):
@@ -89,7 +89,7 @@ class _Writer:
         mesh = self.meshes[key]
         if mesh is None:
             return
-        matrix = _matrix(instance.matrix_world)
+        matrix = matrix_numbers(instance.matrix_world)
         self.triangles += self.triangles_of[mesh]
         self.object_numbers.append(item.pass_index)
         self.hash.update(repr((mesh, matrix)).encode())
@@ -147,7 +147,7 @@ class _Writer:
         if is_portal(light):
             return
         entry = punctual_light(light)
-        node = {"name": item.name, "matrix": _matrix(matrix),
+        node = {"name": item.name, "matrix": matrix_numbers(matrix),
                 "extras": {"hipmap": light_extras(light)}}
         if entry is not None:
             self.glb.use_extension("KHR_lights_punctual")
@@ -169,12 +169,12 @@ class _Writer:
                              "type to Perspective or Orthographic")
         extras = {**camera_extras(item, item.matrix_world), **shift_extras(item.data, picture)}
         self.glb.add_root({"name": item.name, "camera": self.glb.add("cameras", entry),
-                           "matrix": _matrix(item.matrix_world), "extras": {"hipmap": extras}})
+                           "matrix": matrix_numbers(item.matrix_world), "extras": {"hipmap": extras}})
         self.losses += camera_losses(item)
 
-    def add_world(self, world, folder):
-        """Adds the world and its medium."""
-        extras = world_extras(world, folder)
+    def add_world(self, world, folder, bake=bake_at_once):
+        """Adds the world and its medium.  bake: as in world_extras."""
+        extras = world_extras(world, folder, bake)
         self.losses += world_losses(world)
         self.glb.json["scenes"][0]["extras"] = {"hipmap": extras}
 
@@ -215,7 +215,7 @@ def export_depsgraph(depsgraph, path, picture):
     scene = depsgraph.scene
     if scene.camera is None:
         raise SceneError("the scene has no camera: add one, and make it the active camera")
-    writer = _Writer()
+    writer = SceneWriter()
     writer.losses += _scene_losses(scene, picture)
     writer.add_camera(scene.camera.evaluated_get(depsgraph), picture)
     for instance in depsgraph.object_instances:

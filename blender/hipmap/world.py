@@ -4,6 +4,7 @@
 import hashlib
 import os
 import subprocess
+from dataclasses import dataclass
 
 import bpy
 
@@ -99,26 +100,44 @@ def digest(world):
     return hashlib.sha256(repr(found).encode()).hexdigest()[:16]
 
 
-def _bake(world, path):
-    """Renders the world to an environment map in a Blender of its own: a render cannot start
-    another one in the same program."""
+@dataclass(frozen=True)
+class Bake:
+    """An environment map to be made by a Blender of its own: a render cannot start another one in
+    the same program."""
+
+    world: str
+    command: list
+    blend: str  # holds the world; to be removed afterwards
+    path: str
+
+    def failed(self, why):
+        """Returns the WorldError of a map that could not be made."""
+        return WorldError(f"world '{self.world}': Blender could not render it to an environment "
+                          f"map: {why}")
+
+
+def prepare_bake(world, path):
+    """Writes the world to a file, where Blender's data may be read.  Returns the Bake."""
     blend = path + ".blend"
     bpy.data.libraries.write(blend, {world}, path_remap="ABSOLUTE")
     command = [bpy.app.binary_path, "--background", "--factory-startup", "--python-exit-code", "1",
                "--python", _BAKE, "--", blend, path, str(_map_width(world))]
+    return Bake(world.name, command, blend, path)
+
+
+def bake_at_once(world, path):
+    """Makes the environment map of a world, and waits for it.  Throws WorldError."""
+    bake = prepare_bake(world, path)
     try:
-        done = subprocess.run(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+        done = subprocess.run(bake.command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                               stderr=subprocess.STDOUT, text=True, check=False,
                               timeout=_SECONDS_TO_BAKE, preexec_fn=end_with_parent)
     except (OSError, subprocess.TimeoutExpired) as error:
-        raise WorldError(f"world '{world.name}': Blender could not render it to an environment "
-                         f"map: {error}") from error
+        raise bake.failed(error) from error
     finally:
-        os.remove(blend)
+        os.remove(bake.blend)
     if done.returncode != 0 or not os.path.isfile(path):
-        last = (done.stdout.strip().splitlines() or ["no message"])[-1]
-        raise WorldError(f"world '{world.name}': Blender could not render it to an environment "
-                         f"map: {last}")
+        raise bake.failed((done.stdout.strip().splitlines() or ["no message"])[-1])
 
 
 def _medium(world):
@@ -127,7 +146,7 @@ def _medium(world):
     return (None, []) if output is None else medium_of(output.inputs["Volume"])
 
 
-def world_extras(world, folder):
+def world_extras(world, folder, bake=bake_at_once):
     """Returns the custom property `hipmap` of a scene for its world (None: black).  Writes an
     environment map into `folder`, where the .glb is, if the world has more than one colour; a map
     that is there already is used again.  Throws WorldError."""
@@ -138,7 +157,7 @@ def world_extras(world, folder):
         name = f"world_{digest(world)}.exr"
         path = os.path.join(folder, name)
         if not os.path.isfile(path):
-            _bake(world.original, path)
+            bake(world.original, path)
         extras = {"world_hdri": name, "world_strength": 1.0}
     medium, _ = _medium(world)
     return {**extras, "medium": medium} if medium else extras

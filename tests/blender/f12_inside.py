@@ -14,6 +14,7 @@ import bpy
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import install_addon
+import preview_headless
 from install_addon import render, set_up
 
 ARCHIVE, SCENES, OUT = sys.argv[sys.argv.index("--") + 1:]
@@ -160,6 +161,20 @@ def menu_and_button():
     facts["effects"] = bpy.data.texts["hipmap effects"].as_string()
 
 
+def preview():
+    """The preview of the viewport, and its cameras."""
+    facts["cameras"] = []
+    for name in ("text", "glass", "lights"):
+        scene = open_scene(name, "cameras")
+        facts["cameras"].append(preview_headless.camera_pair())
+        scene.render.use_border = True
+        scene.render.border_min_x, scene.render.border_max_x = 0.25, 0.75
+        scene.render.border_min_y, scene.render.border_max_y = 0.5, 1.0
+        facts["cameras"].append(preview_headless.camera_pair())
+    open_scene("sky", "preview")
+    facts["preview"] = preview_headless.run(out("preview"))
+
+
 install_addon.install(ARCHIVE, "")
 six_scenes()
 again()
@@ -169,6 +184,7 @@ sizes()
 layers()
 frames()
 menu_and_button()
+preview()
 failures()
 with open(out("facts.json"), "w", encoding="utf-8") as file:
     json.dump(facts, file)

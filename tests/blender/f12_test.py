@@ -119,6 +119,31 @@ class F12(BlenderTestCase):
                         "--programs", Tools.folder], check=True, stdout=subprocess.DEVNULL)
         self.assertEqual(self.content("again.zip"), self.content("hipmap.zip"))
 
+    def test_the_viewports_camera_is_that_of_f12(self):
+        self.assertEqual(len(self.facts["cameras"]), 6)
+        for viewport, f12 in self.facts["cameras"]:
+            self.assertEqual(viewport.keys(), f12.keys())
+            for name, value in f12.items():
+                self.assertAlmostEqual(viewport[name], value, 4, name)
+
+    def test_a_preview_is_what_the_command_line_renders(self):
+        self.assertEqual(self.facts["preview"]["size"], [96, 64])
+        scene = self.path("preview/kept.glb")
+        self.tool("preprocess", scene, "-o", self.path("own.hpm"))
+        self.tool("render", scene, self.path("own.hpm"), "-o", self.path("own.pfm"), "--threads",
+                  2, "--integrator", "direct", "--size", "96x64", "--samples", 1, "--photons",
+                  100000, "--passes", 2)
+        pixels = self.content("preview/shown.f32")
+        self.assertEqual(pixels, self.content("own.pfm")[-96 * 64 * PIXEL:])
+
+    def test_a_preview_follows_the_camera_and_ends(self):
+        facts = self.facts["preview"]
+        self.assertEqual(facts["same"], [False, True])
+        self.assertFalse(facts["partition_again"])
+        self.assertEqual(facts["children"], [1, 0])
+        self.assertLess(facts["seconds_to_end"], 1)
+        print(f"a preview ends after {facts['seconds_to_end']:.2f} s")
+
     def test_failures_are_one_line(self):
         panoramic, without = self.facts["failures"]
         self.assertIn("hipmap renders no panoramic cameras", panoramic)
