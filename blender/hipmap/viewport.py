@@ -111,6 +111,7 @@ class Viewport:
             return
         if self._rested():
             engine.tag_update()
+            engine.tag_redraw()  # Blender updates before it draws
         told = self._state()
         if told != self._told:
             self._told = told

@@ -10,7 +10,7 @@ import unittest
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
 BLENDER_FOLDER = os.path.join(ROOT, "blender")
-_SKIPPED = 77
+SKIPPED = 77
 
 # Debian's Blender takes the first python3 of the PATH, which must be Debian's too.
 _PATH = "/usr/bin:/bin"
@@ -26,6 +26,13 @@ def command(*arguments):
     """The command line of a Blender that ends with code 1 if its script fails."""
     return [shutil.which("blender", path=_PATH), "--background", "--factory-startup",
             "--python-exit-code", "1", *map(str, arguments)]
+
+
+def window_command(*arguments):
+    """The command line of a Blender with a window on a screen of its own."""
+    return ["xvfb-run", "-a", "-s", "-screen 0 640x400x24",
+            *(word for word in command("-p", "0", "0", "640", "400", *arguments)
+              if word != "--background")]
 
 
 def environment(home):
@@ -47,7 +54,14 @@ class BlenderTestCase(unittest.TestCase):
 
     def blender(self, *arguments):
         """Runs Blender; returns what it printed.  Fails if its script does."""
-        done = subprocess.run(command(*arguments), env=environment(self.folder), check=False,
+        return self._run(command(*arguments))
+
+    def blender_window(self, *arguments):
+        """Runs Blender with a window."""
+        return self._run(window_command(*arguments))
+
+    def _run(self, words):
+        done = subprocess.run(words, env=environment(self.folder), check=False,
                               stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                               stderr=subprocess.STDOUT, text=True, timeout=300)
         self.assertEqual(done.returncode, 0, done.stdout)
@@ -67,5 +81,5 @@ def main(arguments):
     Tools.folder = os.path.abspath(arguments[1])
     if shutil.which("blender", path=_PATH) is None:
         print("skipped: blender is not installed; apt-get install blender runs these tests")
-        sys.exit(_SKIPPED)
+        sys.exit(SKIPPED)
     unittest.main(argv=arguments[:1] + arguments[2:], verbosity=2)
