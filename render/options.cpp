@@ -46,8 +46,6 @@ void complete_arguments(RenderArguments& arguments)
         !arguments.explain)
         throw InputError("--output is missing; give an image with -o, or use --layers, --quote or "
                          "--explain");
-    if (arguments.quote && !arguments.files.state.empty())
-        throw InputError("--quote keeps no passes; remove --state");
     if (!may_end(arguments.stops))
         arguments.stops.passes = kDefaultPasses;
     if (arguments.quote)

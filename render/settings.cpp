@@ -260,7 +260,8 @@ std::vector<OptionRow> end_rows(RenderArguments& arguments)
         {.name = "quote",
          .section = kEndSection,
          .field = flag_field(arguments.quote),
-         .help = "Render a few passes and print what smaller errors would cost"},
+         .help =
+             "Render a few passes and print what smaller errors would cost; --state keeps them"},
         {.name = "state",
          .section = kEndSection,
          .field = file_field(arguments.files.state),

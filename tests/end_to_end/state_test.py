@@ -195,13 +195,18 @@ class State(ToolsTestCase):
         self.refuse_render(*options, "--replace-state", naming="damaged state file (checksum")
         self.refuse_render("--replace-state", naming="--state")
 
-    def test_a_quote_writes_nothing(self):
+    def test_a_quote_writes_its_state_alone(self):
         before = sorted(os.listdir(self.folder))
         said = self.succeed("render", Tools.scene, self.path("scene.hpm"), "--size", "16x16",
                             "--photons", "3000", "--quote", "--error", "3")
         self.assertIn("3.0 % error would take about ", said)
         self.assertIn("memory", said)
         self.assertEqual(sorted(os.listdir(self.folder)), before)
+        for passes in ("8 passes", "8 passes"):  # the second one has them in its state
+            said = self.succeed("render", Tools.scene, self.path("scene.hpm"), "--size", "16x16",
+                                "--photons", "3000", "--quote", "--state", self.path("q.state"))
+            self.assertIn(f"in {passes}", said)
+            self.assertIn("1.0 % error would take about ", said)
         for option, value in (("--error", "0"), ("--error", "5%%"), ("--error", "nan"),
                               ("--time", "-1"), ("--passes", "0"), ("--first-pass", "-1")):
             with self.subTest(option=option, value=value):

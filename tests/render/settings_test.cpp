@@ -167,7 +167,8 @@ TEST_CASE("settings: what follows from other options is filled in", "[settings]"
     CHECK(complete(parse({"--error", "5"})).stops.passes == StopRules().passes);
     CHECK(complete({}).render.dissertation.local_min == 10 * MapOptions().neighbours);
     CHECK(complete(parse({"--local-min", "7"})).render.dissertation.local_min == 7);
-    CHECK_THROWS_AS(complete(parse({"--quote", "--state", "a.state"})), InputError);
+    CHECK(complete(parse({"--quote", "--error", "5", "--state", "a.state"})).stops.passes ==
+          kBatches);
 }
 
 TEST_CASE("settings: values that do not go together are refused, by name", "[settings]")
