@@ -9,6 +9,7 @@ import bpy
 from .job import (has_partition, make_job, preprocess_command, remove_leftovers, render_command,
                   write_notes)
 from .passes import Rects, register_passes, renumber
+from .quote import is_asked, keep_costs
 from .run import Child, ToolError, read_pfm, warnings_of
 from .scene_export import SceneError
 from .viewport import ViewportEngine
@@ -44,7 +45,7 @@ class HipmapEngine(ViewportEngine, bpy.types.RenderEngine):
         self.job = None
         self._tell_state("exporting the scene")
         try:
-            self.job = make_job(bpy.context, depsgraph)
+            self.job = make_job(bpy.context, depsgraph, is_asked())
         except (SceneError, WorldError, ToolError) as error:
             self._fail(str(error))
             return
@@ -118,6 +119,8 @@ class HipmapEngine(ViewportEngine, bpy.types.RenderEngine):
         if code not in (0, _STOPPED_BY_SIGNAL):
             raise ToolError(child.last_error())
         self._tell(child.messages)
+        if is_asked():
+            keep_costs(self.job.scene, child.messages)
 
     def _forget_passes(self):
         write_notes(self.job, passes=0)

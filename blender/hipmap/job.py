@@ -30,6 +30,7 @@ class Job:
     proceed: bool
     passes: int  # to add; 0: another rule ends the render
     losses: list = field(default_factory=list)
+    scene: str = ""  # names
     view_layer: str = ""
     passes_asked: list = field(default_factory=list)  # render passes besides Combined
     numbers: dict = field(default_factory=dict)  # pass indices, by pass: in the order of the file
@@ -58,16 +59,22 @@ def _render_options(settings, picture):
                "--seed", str(settings.seed), "--threads", str(settings.threads)]
     if settings.photons > 0:
         options += ["--photons", str(settings.photons)]
+    return options
+
+
+def _stop_options(settings, quote):
+    options = ["--quote"] if quote else []
     if settings.stop_at == "ERROR":
         options += ["--error", f"{settings.error:g}%"]
-    if settings.stop_at == "TIME":
+    if settings.stop_at == "TIME" and not quote:
         options += ["--time", f"{settings.seconds:g}"]
     return options
 
 
-def make_job(context, depsgraph):
-    """Exports the evaluated scene, and returns the Job of rendering it.  To be called where
-    Blender's data may be read.  Throws SceneError, WorldError or ToolError."""
+def make_job(context, depsgraph, quote=False):
+    """Exports the evaluated scene, and returns the Job of rendering it.  quote: renders a few
+    passes, adds them to those that are kept, and lists costs.  To be called where Blender's data
+    may be read.  Throws SceneError, WorldError or ToolError."""
     scene = depsgraph.scene
     settings = scene.hipmap
     programs = programs_folder(context)
@@ -80,11 +87,13 @@ def make_job(context, depsgraph):
     names = [one.name for one in passes_asked]
     numbers = {name: found for name, found in exported.numbers.items() if name in names}
     return Job(folder, tools["preprocess"], tools["render"], picture,
-               _render_options(settings, picture), partition_options,
+               _render_options(settings, picture) + _stop_options(settings, quote),
+               partition_options,
                exported.geometry + " ".join(partition_options), settings.keep_passes,
-               settings.keep_passes and settings.proceed,
-               settings.passes if settings.stop_at == "PASSES" else 0, exported.losses,
-               depsgraph.view_layer.name, passes_asked, numbers)
+               settings.keep_passes and (settings.proceed or quote),
+               settings.passes if settings.stop_at == "PASSES" and not quote else 0,
+               exported.losses,
+               scene.name, depsgraph.view_layer.name, passes_asked, numbers)
 
 
 def remove_leftovers(job):

@@ -4,6 +4,7 @@
 import bpy
 
 from .engine import HipmapEngine
+from .quote import draw_costs
 
 _EEVEE = {"EEVEE_MATERIAL_PT_context_material", "EEVEE_MATERIAL_PT_surface",
           "EEVEE_MATERIAL_PT_volume", "EEVEE_WORLD_PT_surface", "EEVEE_WORLD_PT_volume",
@@ -56,6 +57,8 @@ class RENDER_PT_hipmap_stop(HipmapPanel, bpy.types.Panel):
         row = column.row()
         row.enabled = settings.keep_passes
         row.prop(settings, "proceed")
+        self.layout.operator("render.hipmap_quote")
+        draw_costs(self.layout, context.scene)
 
 
 class RENDER_PT_hipmap_method(HipmapPanel, bpy.types.Panel):
@@ -95,7 +98,7 @@ class RENDER_PT_hipmap_running(HipmapPanel, bpy.types.Panel):
 
 
 _CLASSES = (RENDER_PT_hipmap_stop, RENDER_PT_hipmap_method, RENDER_PT_hipmap_partition,
-            RENDER_PT_hipmap_running)
+            RENDER_PT_hipmap_viewport, RENDER_PT_hipmap_running)
 
 
 def _shared_panels():

@@ -69,6 +69,15 @@ def proceed():
     facts["kept"] = os.path.exists(os.path.join(out("proceed"), "Scene_ViewLayer", "scene.state"))
 
 
+def quote():
+    """The button that lists costs, then two passes more."""
+    scene = open_scene("modifiers", "quote")
+    bpy.ops.render.hipmap_quote()
+    facts["costs"] = sys.modules["hipmap.quote"]._costs["Scene"]
+    scene.hipmap.proceed = True
+    render(out("quote_10.f32"))
+
+
 def border():
     scene = open_scene("text", "border")
     scene.render.use_border = True
@@ -179,6 +188,7 @@ install_addon.install(ARCHIVE, "")
 six_scenes()
 again()
 proceed()
+quote()
 border()
 sizes()
 layers()

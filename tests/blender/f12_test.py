@@ -73,6 +73,17 @@ class F12(BlenderTestCase):
         self.assertFalse(self.facts["kept"])
         self.assertEqual(self.content("proceed_none.f32"), self.content("proceed_new.f32"))
 
+    def test_a_quote_lists_costs_and_keeps_its_passes(self):
+        rows = self.facts["costs"]
+        print(rows)
+        self.assertGreater(len(rows), 1)
+        self.assertEqual(rows[0][1], "8 passes")
+        self.assertIn("0.5 %", [error for error, _, _ in rows])
+        errors = [float(error.split()[0]) for error, _, _ in rows]
+        self.assertEqual(errors, sorted(errors, reverse=True))
+        self.assertEqual(self.content("quote_10.f32"),
+                         self.by_command_line("quote", "--passes", 10))
+
     def test_a_border_is_rendered_alone_in_its_place(self):
         part = self.content("crop.f32")
         self.assertEqual(len(part), WIDTH // 2 * HEIGHT // 2 * PIXEL)

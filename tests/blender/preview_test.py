@@ -40,6 +40,11 @@ class Preview(BlenderTestCase):
     def test_another_shading_ends_the_program(self):
         self.assertEqual(self.facts["children"], [1, 0])
 
+    def test_the_button_renders_in_the_background(self):
+        self.assertEqual(self.facts["quote"], ["RUNNING_MODAL"])
+        self.assertEqual(self.facts["asked"], [True, False])
+        self.assertGreater(len(self.facts["costs"]), 0)
+
 
 if __name__ == "__main__":
     if shutil.which("xvfb-run") is None:

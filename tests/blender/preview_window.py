@@ -1,4 +1,4 @@
-"""A 3D viewport in a real window with Blender's first scene, step by step:
+"""A 3D viewport and a button in a real window with Blender's first scene, step by step:
 
     blender --python preview_window.py -- ADDON.zip OUT
 
@@ -72,6 +72,15 @@ def steps():
     show(type="SOLID")
     yield lambda: not viewports() and ending.has_ended()
     facts["children"].append(children())
+    scene = bpy.context.scene
+    scene.render.resolution_x, scene.render.resolution_y = 48, 32
+    quote = sys.modules["hipmap.quote"]
+    with bpy.context.temp_override(window=bpy.context.window_manager.windows[0]):
+        facts["quote"] = list(bpy.ops.render.hipmap_quote("INVOKE_DEFAULT"))
+    facts["asked"] = [quote.is_asked()]
+    yield lambda: not quote.is_asked()
+    facts["asked"].append(quote.is_asked())
+    facts["costs"] = quote._costs["Scene"]
 
 
 def run():
