@@ -14,8 +14,9 @@ bl_info = {
 
 def _modules():
     """What is registered, in order.  Imported late: export_hipmap.py needs the menu alone."""
-    from . import effects, engine, export_menu, panels, passes, properties, quote, viewport
-    return (properties, passes, viewport, engine, quote, effects, panels, export_menu)
+    from . import (effects, engine, export_menu, overlay, panels, passes, properties, quote,
+                   viewport)
+    return (properties, passes, viewport, engine, quote, effects, overlay, panels, export_menu)
 
 
 def register():

@@ -5,6 +5,9 @@ from dataclasses import dataclass, field
 
 import numpy
 
+# The layer with the colours of shared photon maps, which no render shows.
+MAP_COLOURS = "hipmap Maps"
+
 
 @dataclass
 class Part:
@@ -42,11 +45,21 @@ def _uv_map(mesh, name):
     return uv
 
 
+def _default_colours(mesh):
+    """The colour layer of a material that names none: the one that renders use; None: there is
+    none."""
+    if not hasattr(mesh, "color_attributes"):  # before Blender 3.2
+        return mesh.vertex_colors.active
+    layers = mesh.color_attributes
+    index = getattr(layers, "render_color_index", -1)
+    layer = layers[index] if 0 <= index < len(layers) else layers.active_color
+    return None if layer is None or layer.name == MAP_COLOURS else layer
+
+
 def _colours(mesh, name, corner_vertices):
-    """[corners, 4]; name: "" for the active layer; None: the mesh has no such layer."""
+    """[corners, 4]; name: "" for the layer that renders use; None: the mesh has no such layer."""
     layers = getattr(mesh, "color_attributes", mesh.vertex_colors)
-    layer = layers.get(name) if name else getattr(layers, "active_color",
-                                                  getattr(layers, "active", None))
+    layer = layers.get(name) if name else _default_colours(mesh)
     if layer is None:
         return None
     values = _read(layer.data, "color", numpy.float32, 4)

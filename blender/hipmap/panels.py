@@ -76,7 +76,12 @@ class RENDER_PT_hipmap_partition(HipmapPanel, bpy.types.Panel):
     """Which faces share photons"""
 
     bl_label = "Photon Maps"
-    shown = ("angle",)
+
+    def draw(self, context):
+        """Shows the panel."""
+        column = self.column(context, "angle")
+        column.operator("object.hipmap_show_maps")
+        column.operator("object.hipmap_remove_maps")
 
 
 class RENDER_PT_hipmap_viewport(HipmapPanel, bpy.types.Panel):

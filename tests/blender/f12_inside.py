@@ -184,6 +184,32 @@ def preview():
     facts["preview"] = preview_headless.run(out("preview"))
 
 
+def maps():
+    """Colours of shared maps on a bevelled row, a cut cube with twins, a rounded cube."""
+    open_scene("modifiers", "maps")
+    plain = bpy.data.objects["Floor"].data
+    plain.color_attributes.new("Paint", "BYTE_COLOR", "CORNER")
+    bpy.data.objects["Cutter"].hide_set(True)  # the Boolean modifier still takes its faces
+    facts["shown"] = list(bpy.ops.object.hipmap_show_maps())
+    found = facts["maps"] = {}
+    for item in bpy.data.objects:
+        layer = item.data.color_attributes.get("hipmap Maps") if item.type == "MESH" else None
+        if layer is None:
+            continue
+        assert item.data.color_attributes.active_color == layer
+        assert "hipmap face" not in item.data.attributes
+        faces = [[tuple(round(c, 3) for c in layer.data[i].color) for i in face.loop_indices]
+                 for face in item.data.polygons]
+        assert all(len(set(corners)) == 1 for corners in faces), item.name
+        found[item.name] = len({corners[0] for corners in faces})
+    render(out("maps.f32"))
+    bpy.ops.object.hipmap_remove_maps()
+    facts["left"] = [list(mesh.color_attributes.keys()) for mesh in bpy.data.meshes
+                     if mesh.color_attributes]
+    assert plain.color_attributes.active_color.name == "Paint"
+    assert not any(key.startswith("hipmap") for mesh in bpy.data.meshes for key in mesh.keys())
+
+
 install_addon.install(ARCHIVE, "")
 six_scenes()
 again()
@@ -195,6 +221,7 @@ layers()
 frames()
 menu_and_button()
 preview()
+maps()
 failures()
 with open(out("facts.json"), "w", encoding="utf-8") as file:
     json.dump(facts, file)

@@ -130,6 +130,15 @@ class F12(BlenderTestCase):
                         "--programs", Tools.folder], check=True, stdout=subprocess.DEVNULL)
         self.assertEqual(self.content("again.zip"), self.content("hipmap.zip"))
 
+    def test_colours_of_maps_come_and_go(self):
+        self.assertEqual(self.facts["shown"], ["FINISHED"])
+        print(self.facts["maps"])
+        self.assertEqual(self.facts["maps"]["Floor"], 1)
+        self.assertEqual(self.facts["maps"]["Cutter"], 2)  # in the cut and elsewhere
+        self.assertEqual(self.facts["maps"]["Twin 0"], 6)
+        self.assertEqual(self.facts["left"], [["Paint"]])
+        self.assertEqual(self.content("maps.f32"), self.content("modifiers.f32"))
+
     def test_the_viewports_camera_is_that_of_f12(self):
         self.assertEqual(len(self.facts["cameras"]), 6)
         for viewport, f12 in self.facts["cameras"]:
