@@ -49,10 +49,10 @@ def draw_costs(layout, scene):
     if not _costs.get(scene.name):
         return
     box = layout.box().column(align=True)
-    for row in [("Error", "Passes", "Time"), *_costs[scene.name]]:
-        line = box.row()
-        for text in row:
-            line.label(text=text)
+    for error, passes, time in [("Error", "", "Time"), *_costs[scene.name]]:
+        line = box.split(factor=0.3)
+        line.label(text=error)
+        line.label(text=f"{time}, {passes}" if passes else time)
 
 
 def _set_render_display(context, value):

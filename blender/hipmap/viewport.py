@@ -19,14 +19,18 @@ _SECONDS_BETWEEN_LOOKS = 0.04
 # A scene that changes all the time, as when an object is moved, is exported when it rests so long.
 _REST = 0.2
 _live = weakref.WeakSet()
-_ending = []
+_ending = []  # folders and previews that are closed, until their programs have ended
+
+
+def _forget_ended():
+    _ending[:] = [(folder, preview) for folder, preview in _ending if not preview.has_ended()]
 
 
 def _new_folder():
     """A folder in Blender's temporary one that no other viewport uses; its partition may be there
     from an earlier preview."""
-    _ending[:] = [viewport for viewport in _ending if not viewport.has_ended()]
-    taken = {viewport.folder for viewport in [*_live, *_ending]}
+    _forget_ended()
+    taken = {viewport.folder for viewport in _live} | {folder for folder, _ in _ending}
     base = os.path.join(bpy.app.tempdir, "hipmap")
     number = next(n for n in range(len(taken) + 1)
                   if os.path.join(base, f"viewport_{n}") not in taken)
@@ -129,15 +133,11 @@ class Viewport:
 
     def close(self):
         """Ends the preview.  Returns at once."""
-        if self in _live:
-            _live.discard(self)
-            _ending.append(self)
-            if self._preview is not None:
-                self._preview.close()
-
-    def has_ended(self):
-        """Whether nothing of a closed preview runs any more."""
-        return self._preview is None or self._preview.has_ended()
+        _live.discard(self)
+        if self._preview is not None:
+            self._preview.close()
+            _ending.append((self.folder, self._preview))
+            self._preview = None
 
 
 class ViewportEngine:
@@ -171,7 +171,8 @@ def _look_at_all():
             viewport.look()
         except ReferenceError:  # Blender has removed the engine
             viewport.close()
-    return _SECONDS_BETWEEN_LOOKS if _live else None
+    _forget_ended()
+    return _SECONDS_BETWEEN_LOOKS if _live or _ending else None
 
 
 def register():
