@@ -79,6 +79,7 @@ def _meshes(view_layer):
 def _number_faces(meshes):
     """Gives every face a number of its own, from 1 on.  Returns the range of each mesh by its full
     name."""
+    _forget_numbers(meshes)  # of an export that was killed
     first, faces_of = 1, {}
     for mesh in meshes:
         faces = range(first, first + len(mesh.polygons))
@@ -227,12 +228,12 @@ class _OverlayOperator:
 
 
 class OBJECT_OT_hipmap_show_maps(_OverlayOperator, bpy.types.Operator):
-    """Give all meshes a color attribute with the colors of their shared photon maps, and show it in
-    the viewports.  Faces of one color share photons; a face that a modifier makes has the color of
-    the face it is made of"""
+    """Colours meshes by their shared maps."""
 
     bl_idname = "object.hipmap_show_maps"
     bl_label = "Show Photon Maps"
+    bl_description = ("Give all meshes a color attribute with the colors of their shared photon maps, "
+                      "and show it in the viewports. Faces of one color share photons")
 
     def execute(self, context):
         """Adds the colours."""
@@ -247,10 +248,11 @@ class OBJECT_OT_hipmap_show_maps(_OverlayOperator, bpy.types.Operator):
 
 
 class OBJECT_OT_hipmap_remove_maps(_OverlayOperator, bpy.types.Operator):
-    """Remove the color attributes of shared photon maps from all meshes"""
+    """Removes the colours."""
 
     bl_idname = "object.hipmap_remove_maps"
     bl_label = "Remove Photon Map Colors"
+    bl_description = "Remove the color attributes of shared photon maps from all meshes"
 
     def execute(self, context):
         """Removes the colours."""

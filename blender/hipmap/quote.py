@@ -63,11 +63,12 @@ def _set_render_display(context, value):
 
 
 class RENDER_OT_hipmap_quote(bpy.types.Operator):
-    """Render a few passes and list what smaller errors would take.  Esc cancels it; Continue adds
-    to the passes"""
+    """Renders a few passes and lists costs."""
 
     bl_idname = "render.hipmap_quote"
     bl_label = "How Long for 1 %?"
+    bl_description = ("Render a few passes in the background and list what smaller errors would "
+                      "take. Esc cancels it. The passes are kept: Continue adds to them")
 
     _timer = None
     _display = ""

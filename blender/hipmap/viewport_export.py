@@ -5,7 +5,6 @@ import math
 from dataclasses import dataclass
 
 from .glb_file import write_glb
-from .losses import without_repeats
 from .scene_export import SceneWriter
 from .world import prepare_bake
 
@@ -21,7 +20,6 @@ class ViewportScene:
     options: tuple  # of the programs
     partition_options: tuple
     passes: int
-    losses: list
 
     def same_picture(self, other):
         """Whether another scene has the same pictures."""
@@ -65,5 +63,4 @@ def export_viewport(depsgraph, folder, space=None):
     writer.glb.json.setdefault("nodes", [])
     gltf, buffer = writer.glb.finish()
     return ViewportScene(gltf, buffer, writer.hash.hexdigest(), bakes, options, angle,
-                         settings.preview_passes,
-                         without_repeats(writer.losses + writer.materials.losses))
+                         settings.preview_passes)
