@@ -16,7 +16,8 @@ from .viewport_export import export_viewport
 from .world import WorldError
 
 _SECONDS_BETWEEN_LOOKS = 0.04
-# A scene that changes all the time, as when an object is moved, is exported when it rests so long.
+# A scene that changes all the time, as when an object is moved, is exported when it rests so long,
+# or as long as the last export took, because Blender waits for an export.
 _REST = 0.2
 _live = weakref.WeakSet()
 _ending = []  # folders and previews that are closed, until their programs have ended
@@ -47,6 +48,7 @@ class Viewport:
         self.folder = _new_folder()
         self._preview = None
         self._scene = self._view = self._wish = None
+        self._rest = _REST
         self._changed = None  # when the scene has last changed, while that is not yet exported
         self._drawn = self._told = None
         self._texture = None
@@ -66,10 +68,12 @@ class Viewport:
             self._error = str(error)
 
     def _rested(self):
-        return self._changed is not None and time.monotonic() - self._changed >= _REST
+        return self._changed is not None and time.monotonic() - self._changed >= self._rest
 
     def _export(self, context, depsgraph):
+        began = time.monotonic()
         scene = export_viewport(depsgraph, self.folder, context.space_data)
+        self._rest = max(_REST, time.monotonic() - began)
         if self._preview is None:
             programs = programs_folder(context)
             self._preview = Preview(self.folder, {name: find_tool(name, programs)
