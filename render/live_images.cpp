@@ -11,7 +11,7 @@ namespace hipmap {
 namespace {
 
 /// The share of the time that rewriting images may take.
-constexpr double kWritingShare = 0.03;
+constexpr double kWritingShare = 0.05;
 
 /// The change of an automatic exposure that is followed, in stops.
 constexpr float kVisibleChange = 0.25f;
