@@ -41,6 +41,7 @@ constexpr double kMostPhotons = 4e9;
 constexpr double kMostNeighbours = 1e6;
 constexpr double kMostSamples = 65536;
 constexpr double kMostClamp = 1e9;
+constexpr double kMostDistance = 1e9;
 constexpr double kMostPassesAsked = 1e6;
 constexpr double kMostFirstPass = 1e15;
 constexpr double kMostSeconds = 1e9;
@@ -151,6 +152,13 @@ std::vector<OptionRow> method_rows(RenderArguments& arguments)
                      "bias and more noise",
              .changes = Changes::passes,
              .only_with = {{"", "integrator", {"progressive"}}}},
+            {.name = "occlusion-distance",
+             .section = kMethodSection,
+             .field = number_field(render.occlusion_distance, {0, kMostDistance}, "M"),
+             .help = "Distance within which --integrator occlusion looks for faces, in metres; 0: "
+                     "an eighth of the scene's diagonal",
+             .changes = Changes::passes,
+             .only_with = {{"", "integrator", {"occlusion"}}}},
             {.name = "direct",
              .section = kMethodSection,
              .field = choice_field<DirectLight>(render.direct, kDirectLights),

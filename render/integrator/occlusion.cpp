@@ -23,16 +23,25 @@ struct OcclusionMethod {
     static constexpr double kBegun = 0;
 
     const RenderScene& scene;
-    float reach; ///< scene units
+    float reach; ///< scene units, unless the options say another
 
     explicit OcclusionMethod(const RenderScene& of) : scene(of), reach(reach_in(of.mesh())) {}
 
     struct Pass {
         const OcclusionMethod& method;
+        const float reach;
 
-        Pass(const OcclusionMethod& of, const PictureJob& /*job*/, RenderStatistics& /*statistics*/)
-            : method(of)
+        Pass(const OcclusionMethod& of, const PictureJob& job, RenderStatistics& /*statistics*/)
+            : method(of), reach(asked(job).value_or(of.reach))
         {
+        }
+
+        static std::optional<float> asked(const PictureJob& job)
+        {
+            const double metres = job.options.occlusion_distance;
+            if (!(metres > 0))
+                return std::nullopt;
+            return static_cast<float>(metres / job.scene.scene.frame.metres_per_unit);
         }
 
         Rgb trace(const Ray& ray, SeenLights /*seen*/, RandomSequence& random,
@@ -50,7 +59,7 @@ struct OcclusionMethod {
             if (!(side * glm::dot(out.direction, point.geometric_normal) > 0))
                 return Rgb(0); // it would start inside
             out.origin = offset_origin(point, out.direction);
-            out.far = method.reach;
+            out.far = reach;
             return Rgb(scene.rays.occluded(out) ? 0.0f : 1.0f);
         }
     };

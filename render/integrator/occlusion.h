@@ -4,7 +4,8 @@
 
 namespace hipmap {
 
-/// The distance beyond which nothing occludes, as a share of the diagonal of the scene's bounds.
+/// The distance beyond which nothing occludes, as a share of the diagonal of the scene's bounds,
+/// unless RenderOptions::occlusion_distance says another.
 inline constexpr float kOcclusionReach = 1.0f / 8;
 
 /// Makes the integrator that shows ambient occlusion (Zhukov et al. 1998) as grey of the first face

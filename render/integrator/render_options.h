@@ -27,8 +27,9 @@ struct RenderOptions {
     std::uint64_t photons = 0; ///< light paths per pass
     std::uint32_t samples = 1; ///< eye paths per pixel and pass
     std::uint64_t seed = 0;
-    LightClasses light;     ///< that is found at all
-    double alpha = 2.0 / 3; ///< decay of the radii, docs/error.md (1); progressive
+    LightClasses light;            ///< that is found at all
+    double alpha = 2.0 / 3;        ///< decay of the radii, docs/error.md (1); progressive
+    double occlusion_distance = 0; ///< m; 0: kOcclusionReach of the scene; occlusion
     PixelFilter filter = PixelFilter::b_spline;
     float clamp = 0; ///< largest channel of a sample, W/(m2 sr), but for directly visible lights;
                      ///< 0: not clamped

@@ -32,11 +32,12 @@ Scene under_roof(float side, float height)
     return scene;
 }
 
-double mean_occlusion(const Scene& scene)
+double mean_occlusion(const Scene& scene, double distance = 0)
 {
     const auto ready = tiny::ready(scene);
     ImageOptions options;
     options.integrator = Integrator::occlusion;
+    options.occlusion_distance = distance;
     options.width = options.height = 16;
     options.samples = 64;
     return mean_of(render_image(*ready->render, options, {}).image);
@@ -49,4 +50,6 @@ TEST_CASE("occlusion: under a square roof it is one minus its form factor", "[in
     CHECK(mean_occlusion(under_roof(0.2f, 0.1f)) ==
           Approx(1 - square_above(0.2, 0.1)).margin(0.02));
     CHECK(mean_occlusion(under_roof(0.2f, 0.5f)) == 1); // out of reach
+    CHECK(mean_occlusion(under_roof(0.2f, 0.1f), 0.05) == 1);
+    CHECK(mean_occlusion(under_roof(1, 0.5f), 5) == Approx(1 - square_above(1, 0.5)).margin(0.02));
 }
