@@ -89,6 +89,7 @@ def run(folder):
         preview.show(wish)
         _until(lambda wish=wish: preview.is_of(wish))
     facts["partition_again"] = os.stat(partition).st_mtime_ns != made
+    _until(lambda: children() > 0)  # between the coarse picture and the next none runs
     facts["children"] = [children()]
     began = time.monotonic()
     preview.close()
