@@ -177,6 +177,5 @@ class Preview:
     def _take(self, event, wish):
         if event.get("images"):
             self.shown = Shown(wish, *read_pfm(self._path("preview.pfm")))
-        if event["event"] != "progress":
             count = event["passes"]
             self.told = f"{count} of {wish.scene.passes} passes, direct estimate"
