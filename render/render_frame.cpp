@@ -40,7 +40,7 @@ std::string describe_stops(const StopRules& stops)
     if (stops.passes < kMostPasses)
         text += ", " + counted(stops.passes, "pass", "passes");
     if (std::isfinite(stops.seconds))
-        text += ", " + brief_time(stops.seconds);
+        text += ", at most " + brief_time(stops.seconds);
     if (stops.error > 0)
         text += ", until the error is " + percent(stops.error);
     return text;
