@@ -29,6 +29,7 @@ PassMapSet make_maps(const MappedScene& mapped, const RenderOptions& options, st
 struct DirectMethod {
     using Scratch = EyeScratch;
     static constexpr double kBegun = 0.2;
+    static constexpr BiasKnowledge kBias = BiasKnowledge::unknown;
 
     const RenderScene& scene;
     MapSurfaces surfaces;
@@ -68,9 +69,7 @@ PassSource make_direct_source(const RenderScene& scene, const RenderOptions& opt
 {
     SampleAllocation allocation;
     allocation.lights = allocate_light_samples(scene, options);
-    PassSource source = make_sampled_source<DirectMethod>(scene, options, statistics, allocation);
-    source.bias = BiasKnowledge::unknown;
-    return source;
+    return make_sampled_source<DirectMethod>(scene, options, statistics, allocation);
 }
 
 } // namespace hipmap

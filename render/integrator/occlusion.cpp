@@ -18,9 +18,8 @@ float reach_in(const TriangleMesh& mesh)
     return bounds.empty() ? 0 : kOcclusionReach * glm::length(bounds.extent());
 }
 
-struct OcclusionMethod {
-    struct Scratch {};
-    static constexpr double kBegun = 0;
+struct OcclusionMethod : WithoutScratch {
+    static constexpr BiasKnowledge kBias = BiasKnowledge::unbiased;
 
     const RenderScene& scene;
     float reach; ///< scene units, unless the options say another
@@ -28,11 +27,11 @@ struct OcclusionMethod {
     explicit OcclusionMethod(const RenderScene& of) : scene(of), reach(reach_in(of.mesh())) {}
 
     struct Pass {
-        const OcclusionMethod& method;
+        const RenderScene& scene;
         const float reach;
 
         Pass(const OcclusionMethod& of, const PictureJob& job, RenderStatistics& /*statistics*/)
-            : method(of), reach(asked(job).value_or(of.reach))
+            : scene(of.scene), reach(asked(job).value_or(of.reach))
         {
         }
 
@@ -47,7 +46,6 @@ struct OcclusionMethod {
         Rgb trace(const Ray& ray, SeenLights /*seen*/, RandomSequence& random,
                   Scratch& /*scratch*/) const
         {
-            const RenderScene& scene = method.scene;
             const auto hit = scene.rays.nearest(ray);
             if (!hit)
                 return Rgb(0);
@@ -63,8 +61,6 @@ struct OcclusionMethod {
             return Rgb(scene.rays.occluded(out) ? 0.0f : 1.0f);
         }
     };
-
-    static void count(const Scratch& /*scratch*/, RenderStatistics& /*statistics*/) {}
 };
 
 } // namespace
@@ -72,9 +68,7 @@ struct OcclusionMethod {
 PassSource make_occlusion_source(const RenderScene& scene, const RenderOptions& options,
                                  RenderStatistics& statistics)
 {
-    PassSource source = make_sampled_source<OcclusionMethod>(scene, options, statistics);
-    source.bias = BiasKnowledge::unbiased;
-    return source;
+    return make_sampled_source<OcclusionMethod>(scene, options, statistics);
 }
 
 } // namespace hipmap

@@ -136,9 +136,8 @@ class PathTracer {
     Rgb radiance_{0.0f};
 };
 
-struct PathMethod {
-    struct Scratch {};
-    static constexpr double kBegun = 0;
+struct PathMethod : WithoutScratch {
+    static constexpr BiasKnowledge kBias = BiasKnowledge::unbiased;
 
     const RenderScene& scene;
 
@@ -159,8 +158,6 @@ struct PathMethod {
             return trace_path(scene, ray, random, light, seen);
         }
     };
-
-    static void count(const Scratch& /*scratch*/, RenderStatistics& /*statistics*/) {}
 };
 
 } // namespace
@@ -174,9 +171,7 @@ Rgb trace_path(const RenderScene& scene, const Ray& ray, RandomSequence& random,
 PassSource make_path_source(const RenderScene& scene, const RenderOptions& options,
                             RenderStatistics& statistics)
 {
-    PassSource source = make_sampled_source<PathMethod>(scene, options, statistics);
-    source.bias = BiasKnowledge::unbiased;
-    return source;
+    return make_sampled_source<PathMethod>(scene, options, statistics);
 }
 
 } // namespace hipmap

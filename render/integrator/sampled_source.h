@@ -7,6 +7,13 @@
 
 namespace hipmap {
 
+/// What a Method inherits whose threads need no memory of their own (make_sampled_source).
+struct WithoutScratch {
+    struct Scratch {};
+    static constexpr double kBegun = 0;
+    static void count(const Scratch& /*scratch*/, RenderStatistics& /*statistics*/) {}
+};
+
 /// Renders one pass by a method (make_sampled_source).
 template <typename Method>
 RenderedPass render_sampled(const Method& method, const PictureJob& job, const PassControl& control,
@@ -27,7 +34,8 @@ RenderedPass render_sampled(const Method& method, const PictureJob& job, const P
 ///     Method::Pass(method, job, statistics): what serves one pass, such as photon maps, with
 ///         trace(ray, seen, random, scratch), the radiance along an eye ray, thread-safe;
 ///     Method::Scratch: memory of one thread, and Method::count(scratch, statistics);
-///     Method::kBegun: the share of a pass that is done when its Pass is there, for the progress.
+///     Method::kBegun: the share of a pass that is done when its Pass is there, for the progress;
+///     Method::kBias: what is known of the bias of its images.
 template <typename Method>
 PassSource make_sampled_source(const RenderScene& scene, const RenderOptions& options,
                                RenderStatistics& statistics, SampleAllocation allocated = {})
@@ -37,6 +45,7 @@ PassSource make_sampled_source(const RenderScene& scene, const RenderOptions& op
     PassSource source;
     set_window(source, options);
     source.photons = options.photons;
+    source.bias = Method::kBias;
     source.clamped = options.clamp > 0;
     source.allocation = checksum(*allocation);
     RenderStatistics ignored;
