@@ -5,12 +5,11 @@
 
 import json
 import os
-import subprocess
 import sys
 import time
 
 import inside_blender
-from inside_blender import BLENDER_FOLDER, HERE, BlenderTestCase, Tools
+from inside_blender import HERE, BlenderTestCase, Tools
 
 SIX = ("modifiers", "instances", "lights", "sky", "text", "glass")
 OPTIONS = ("--photons", 5000, "--threads", 2)
@@ -24,9 +23,7 @@ class F12(BlenderTestCase):
         super().setUpClass()
         this = cls()
         this.blender("--python", os.path.join(HERE, "six_scenes.py"), "--", cls.folder)
-        subprocess.run([sys.executable, os.path.join(BLENDER_FOLDER, "make_addon.py"),
-                        this.path("hipmap.zip"), "--programs", Tools.folder], check=True,
-                       stdout=subprocess.DEVNULL)
+        this.make_addon("hipmap.zip", "--programs", Tools.folder)
         began = time.monotonic()
         cls.said = this.blender("--python", os.path.join(HERE, "f12_inside.py"), "--",
                                 this.path("hipmap.zip"), cls.folder, cls.folder)
@@ -125,9 +122,7 @@ class F12(BlenderTestCase):
         self.assertIn("depth-of-field: on; the camera 'Camera' has a lens", self.facts["effects"])
 
     def test_the_same_files_make_the_same_zip(self):
-        again = self.path("again.zip")
-        subprocess.run([sys.executable, os.path.join(BLENDER_FOLDER, "make_addon.py"), again,
-                        "--programs", Tools.folder], check=True, stdout=subprocess.DEVNULL)
+        self.make_addon("again.zip", "--programs", Tools.folder)
         self.assertEqual(self.content("again.zip"), self.content("hipmap.zip"))
 
     def test_colours_of_maps_come_and_go(self):

@@ -60,6 +60,11 @@ class BlenderTestCase(unittest.TestCase):
         """Runs Blender with a window."""
         return self._run(window_command(*arguments))
 
+    def make_addon(self, name, *arguments):
+        """Writes the zip of the add-on."""
+        subprocess.run([sys.executable, os.path.join(BLENDER_FOLDER, "make_addon.py"),
+                        self.path(name), *arguments], check=True, stdout=subprocess.DEVNULL)
+
     def _run(self, words):
         done = subprocess.run(words, env=environment(self.folder), check=False,
                               stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,

@@ -4,11 +4,10 @@
 """
 
 import os
-import subprocess
 import sys
 
 import inside_blender
-from inside_blender import BLENDER_FOLDER, HERE, BlenderTestCase, Tools
+from inside_blender import HERE, BlenderTestCase, Tools
 
 sys.path.insert(0, os.path.join(os.path.dirname(HERE), "end_to_end"))
 from exr_file import ExrFile
@@ -28,9 +27,7 @@ class Passes(BlenderTestCase):
     def setUpClass(cls):
         super().setUpClass()
         this = cls()
-        subprocess.run([sys.executable, os.path.join(BLENDER_FOLDER, "make_addon.py"),
-                        this.path("hipmap.zip"), "--programs", Tools.folder], check=True,
-                       stdout=subprocess.DEVNULL)
+        this.make_addon("hipmap.zip", "--programs", Tools.folder)
         this.blender("--python", os.path.join(HERE, "passes_inside.py"), "--",
                      this.path("hipmap.zip"), cls.folder)
         cls.ours, cls.file, cls.border, cls.cycles = (

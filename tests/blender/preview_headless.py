@@ -6,6 +6,8 @@ import time
 
 import bpy
 
+from child_processes import children
+
 
 def _module(name):
     return sys.modules["hipmap." + name]
@@ -44,17 +46,9 @@ def _until(holds, seconds=30):
         time.sleep(0.005)
 
 
-def children():
-    me = str(os.getpid())
-    found = 0
-    for name in filter(str.isdigit, os.listdir("/proc")):
-        try:
-            with open(f"/proc/{name}/stat", encoding="utf-8") as file:
-                state, parent = file.read().rpartition(")")[2].split()[:2]
-        except OSError:
-            continue
-        found += parent == me and state != "Z"
-    return found
+def running_programs():
+    """The number of programs that this Blender runs."""
+    return len(children(os.getpid()))
 
 
 def run(folder):
@@ -89,11 +83,11 @@ def run(folder):
         preview.show(wish)
         _until(lambda wish=wish: preview.is_of(wish))
     facts["partition_again"] = os.stat(partition).st_mtime_ns != made
-    _until(lambda: children() > 0)  # between the coarse picture and the next none runs
-    facts["children"] = [children()]
+    _until(lambda: running_programs() > 0)  # between the coarse picture and the next none runs
+    facts["children"] = [running_programs()]
     began = time.monotonic()
     preview.close()
     _until(preview.has_ended)
     facts["seconds_to_end"] = time.monotonic() - began
-    facts["children"].append(children())
+    facts["children"].append(running_programs())
     return facts

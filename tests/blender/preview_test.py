@@ -6,11 +6,10 @@
 import json
 import os
 import shutil
-import subprocess
 import sys
 
 import inside_blender
-from inside_blender import BLENDER_FOLDER, HERE, BlenderTestCase, Tools
+from inside_blender import HERE, BlenderTestCase, Tools
 
 
 class Preview(BlenderTestCase):
@@ -18,9 +17,7 @@ class Preview(BlenderTestCase):
     def setUpClass(cls):
         super().setUpClass()
         this = cls()
-        subprocess.run([sys.executable, os.path.join(BLENDER_FOLDER, "make_addon.py"),
-                        this.path("hipmap.zip"), "--programs", Tools.folder], check=True,
-                       stdout=subprocess.DEVNULL)
+        this.make_addon("hipmap.zip", "--programs", Tools.folder)
         this.blender_window("--python", os.path.join(HERE, "preview_window.py"), "--",
                             this.path("hipmap.zip"), cls.folder)
         with open(this.path("facts.json"), encoding="utf-8") as file:

@@ -15,7 +15,7 @@ import bpy
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import install_addon
-from preview_headless import children
+from preview_headless import running_programs
 
 ARCHIVE, OUT = sys.argv[sys.argv.index("--") + 1:]
 facts = {}
@@ -67,12 +67,12 @@ def steps():
     bpy.context.scene.hipmap.preview_passes = 50_000
     bpy.context.scene.update_tag()  # as a change by hand does
     # Between the coarse picture and the next no program runs.
-    yield lambda: " of 50000 " in preview().told and children() > 0
-    facts["children"] = [children()]
+    yield lambda: " of 50000 " in preview().told and running_programs() > 0
+    facts["children"] = [running_programs()]
     ending = preview()
     show(type="SOLID")
     yield lambda: not viewports() and ending.has_ended()
-    facts["children"].append(children())
+    facts["children"].append(running_programs())
     scene = bpy.context.scene
     scene.render.resolution_x, scene.render.resolution_y = 48, 32
     quote = sys.modules["hipmap.quote"]

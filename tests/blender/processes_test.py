@@ -10,21 +10,8 @@ import sys
 import time
 
 import inside_blender
-from inside_blender import BLENDER_FOLDER, HERE, BlenderTestCase, Tools
-
-
-def children(pid):
-    """The processes that a process started and that still run, by their numbers."""
-    found = []
-    for name in filter(str.isdigit, os.listdir("/proc")):
-        try:
-            with open(f"/proc/{name}/stat", encoding="utf-8") as file:
-                state, parent = file.read().rpartition(")")[2].split()[:2]
-        except OSError:
-            continue
-        if int(parent) == pid and state != "Z":
-            found.append(int(name))
-    return found
+from child_processes import children
+from inside_blender import HERE, BlenderTestCase, Tools
 
 
 def is_running(pid):
@@ -48,8 +35,7 @@ class Processes(BlenderTestCase):
         super().setUpClass()
         this = cls()
         this.blender("--python", os.path.join(HERE, "six_scenes.py"), "--", cls.folder, "lights")
-        subprocess.run([sys.executable, os.path.join(BLENDER_FOLDER, "make_addon.py"),
-                        this.path("hipmap.zip")], check=True, stdout=subprocess.DEVNULL)
+        this.make_addon("hipmap.zip")
 
     def start(self, waiting_for):
         """Starts an endless render; returns Blender, when it has printed `waiting_for`."""
