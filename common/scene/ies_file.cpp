@@ -101,7 +101,7 @@ struct IesHeader {
     std::size_t polar = 0, azimuths = 0;
 };
 
-/// Lamps may shine otherwise when tilted; the intensities hold for the luminaire as measured.
+/// Skips how the output changes when the luminaire is tilted; the intensities are those measured.
 void skip_tilt(IesText& text)
 {
     const std::string_view tilt = text.find_tilt();

@@ -65,7 +65,8 @@ glm::vec4 diffuse_colour(const FirstSurface& surface)
     return {(bsdf.diffuse + bsdf.diffuse_transmitted) * bsdf.layers.diffuse_average, 0};
 }
 
-/// Of all lobes together, below 1 also where layers add their light to that of lobes below.
+/// Returns the share that all lobes together scatter: at most 1, also where a layer adds to the
+/// lobes below it.
 glm::vec4 scattered_colour(const FirstSurface& surface)
 {
     const SpecularLobes specular = specular_lobes(surface.at);

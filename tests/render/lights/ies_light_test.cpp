@@ -31,7 +31,8 @@ glm::vec3 direction_of(double polar, double azimuth)
             std::sin(polar) * std::sin(azimuth)};
 }
 
-/// Of all-around, one-sided, narrow, hollow and coarse webs.
+/// Webs that emit all around, to one side, into a narrow beam, into a hollow one, and by a coarse
+/// table.
 std::vector<PhotometricWeb> all_webs()
 {
     return {
