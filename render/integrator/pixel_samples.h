@@ -101,16 +101,23 @@ struct PixelRay {
     glm::vec2 at;
 };
 
+/// Returns the ray through a point of the image, in pixels from the top left, and of the lens, in
+/// the unit disc.
+inline Ray image_ray(const RenderScene& scene, const RenderOptions& options, const glm::vec2& point,
+                     const glm::vec2& lens)
+{
+    const glm::vec2 size(static_cast<float>(options.width), static_cast<float>(options.height));
+    return camera_ray(scene.scene.cameras[scene.scene.camera], point / size, size.x / size.y, lens);
+}
+
 /// Returns a ray through a random point of the pixel.
 inline PixelRay pixel_ray(const PictureJob& job, int x, int y, RandomSequence& random)
 {
-    const glm::vec2 size(static_cast<float>(job.options.width),
-                         static_cast<float>(job.options.height));
     const Camera& camera = job.scene.scene.cameras[job.scene.scene.camera];
     const glm::vec2 at = random.next2();
-    const glm::vec2 point = (glm::vec2(static_cast<float>(x), static_cast<float>(y)) + at) / size;
+    const glm::vec2 point = glm::vec2(static_cast<float>(x), static_cast<float>(y)) + at;
     const glm::vec2 lens = has_lens(camera) ? sample_disc(random.next2()) : glm::vec2(0.0f);
-    return {camera_ray(camera, point, size.x / size.y, lens), at};
+    return {image_ray(job.scene, job.options, point, lens), at};
 }
 
 /// Takes the extra samples of directly visible lights; keeps those that are finite.

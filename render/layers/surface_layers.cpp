@@ -2,7 +2,7 @@
 
 #include "common/math/random.h"
 #include "common/math/sampling.h"
-#include "common/rays/camera_ray.h"
+#include "render/integrator/pixel_samples.h"
 
 #include <tbb/parallel_for.h>
 
@@ -55,9 +55,7 @@ struct View {
     /// Returns the surface behind a point of the image, in pixels, and of the lens.
     std::optional<FirstSurface> at(const glm::vec2& point, const glm::vec2& lens) const
     {
-        const glm::vec2 size(static_cast<float>(options.width), static_cast<float>(options.height));
-        const Camera& camera = scene.scene.cameras[scene.scene.camera];
-        return first_surface_of(scene, camera_ray(camera, point / size, size.x / size.y, lens));
+        return first_surface_of(scene, image_ray(scene, options, point, lens));
     }
 
     /// Returns the surface behind a point drawn from the pixel's filter: filter importance
