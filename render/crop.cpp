@@ -8,8 +8,6 @@ namespace hipmap {
 
 namespace {
 
-constexpr double kMostPixelsAcross = 65536;
-
 std::string text_of_edge(const CropEdge& edge)
 {
     return text_of(number_value(edge.at)) + (edge.percent ? "%" : "");

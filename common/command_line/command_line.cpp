@@ -15,8 +15,6 @@ namespace hipmap {
 
 namespace {
 
-constexpr int kMostPixelsAcross = 65536;
-
 /// One line, whatever CLI11 puts into its messages.
 std::string on_one_line(std::string text)
 {

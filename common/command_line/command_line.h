@@ -44,6 +44,9 @@ struct PictureSize {
     int height = 0;
 };
 
+/// The longest side of an image.
+inline constexpr int kMostPixelsAcross = 65536;
+
 /// Parses an image size: "WxH" or "W", each 1 to 65,536, or "50%", a share of both sides of
 /// `whole`.
 PictureSize parse_picture_size(const std::string& text, const PictureSize& whole);
