@@ -136,7 +136,7 @@ class GatherTracer {
     /// first pass.
     float weight_of(const GatherBranch& branch, float first) const
     {
-        return gather_weight(first, branch.indirect_radius, maps_.first.samples);
+        return gather_weight(first, branch.indirect_radius, maps_.rays);
     }
 
     void add_caustic(const GatherBranch& branch, const Rgb& factor, const PhotonQuery& query)

@@ -17,14 +17,20 @@ PhotonQuery query_at(const Photon& photon, const MapSurfaces& surfaces)
 
 } // namespace
 
-float gather_weight(float radius_at_y, float radius_at_x, float samples)
+float counted_rays(float samples, float shrink)
 {
-    const float y2 = samples * radius_at_y * radius_at_y, x2 = radius_at_x * radius_at_x;
+    constexpr float kSharing = 8;
+    return samples / (1 + (kSharing - 1) * shrink * shrink);
+}
+
+float gather_weight(float radius_at_y, float radius_at_x, float rays)
+{
+    const float y2 = rays * radius_at_y * radius_at_y, x2 = radius_at_x * radius_at_x;
     return x2 > 0 && std::isfinite(x2) && std::isfinite(y2) ? y2 / (y2 + x2) : 1.0f;
 }
 
 std::vector<Photon> weigh_bounces(const TracedPhotons& traced, const FirstRadii& first,
-                                  const MapSurfaces& surfaces)
+                                  const MapSurfaces& surfaces, float rays)
 {
     std::vector<Photon> out(traced.bounces.size());
     tbb::parallel_for(
@@ -41,7 +47,7 @@ std::vector<Photon> weigh_bounces(const TracedPhotons& traced, const FirstRadii&
                                           surfaces, query_at(from, surfaces));
                 const float x =
                     radius_at(first.indirect, surfaces, query_at(bounced.photon, surfaces));
-                out[i].power *= 1 - gather_weight(y, x, first.samples);
+                out[i].power *= 1 - gather_weight(y, x, rays);
             }
         });
     return out;

@@ -30,6 +30,11 @@ struct ProgressivePass {
     const RenderOptions& options;
     std::uint64_t number = 0;
     double shrink = 1; ///< radius over the first radius
+
+    float rays() const
+    {
+        return counted_rays(static_cast<float>(options.samples), static_cast<float>(shrink));
+    }
 };
 
 /// Pass `number` of the image, with the radii of its number.
@@ -89,8 +94,7 @@ std::shared_ptr<const ProgressiveRadii> find_first_radii(const MappedScene& mapp
             mapped.surfaces, sparse);
     };
     return std::make_shared<ProgressiveRadii>(ProgressiveRadii{
-        FirstRadii{field(traced.caustic), field(traced.global), field(indirect, Sparse::infinite),
-                   static_cast<float>(options.samples)},
+        FirstRadii{field(traced.caustic), field(traced.global), field(indirect, Sparse::infinite)},
         volume_radii(scene, traced, options)});
 }
 
@@ -120,7 +124,8 @@ ProgressiveMaps make_maps(const ProgressivePass& pass, const ProgressiveRadii& f
         [&] { build(maps.caustic, traced.caustic, read, statistics.caustic); },
         [&] { build(maps.global, traced.global, gathered(scene, options), statistics.global); },
         [&] {
-            build(maps.indirect, weigh_bounces(traced, first.surfaces, mapped.surfaces), read,
+            build(maps.indirect,
+                  weigh_bounces(traced, first.surfaces, mapped.surfaces, pass.rays()), read,
                   statistics.indirect);
         },
         [&] {
@@ -143,6 +148,7 @@ RenderedPass gather_pass(const ProgressivePass& pass, const Progressive& shared,
                           photons.indirect,
                           shared.first->surfaces,
                           static_cast<float>(pass.shrink),
+                          pass.rays(),
                           pass.options.light.indirect,
                           photons.volume ? &*photons.volume : nullptr};
     return render_clamped_tiles<3, GatherScratch>(
