@@ -161,8 +161,11 @@ class GltfFacts:
 
     def nested(self):
         """Whether a corner of a closed mesh that transmits lies in another one; None: not judged, as
-        nodes move them."""
+        nodes move them, or a mesh has several materials that transmit."""
         solid = {m["index"] for m in self.materials if m["solid"]}
+        if any(len(solid & {p.get("material", -1) for p in m["primitives"]}) > 1
+               for m in self.meshes()):
+            return None
         meshes = [m for m in self.meshes()
                   if any(p.get("material", -1) in solid for p in m["primitives"])]
         if len(meshes) < 2:
