@@ -16,6 +16,8 @@ namespace {
 
 constexpr Choice<DirectLight> kDirectLights[] = {{"shadow-rays", DirectLight::shadow_rays},
                                                  {"photons", DirectLight::photons}};
+constexpr Choice<Emission> kEmissions[] = {{"guided", Emission::guided},
+                                           {"by-power", Emission::by_power}};
 constexpr Choice<PixelFilter> kFilters[] = {{"b-spline", PixelFilter::b_spline},
                                             {"box", PixelFilter::box}};
 constexpr Choice<LookChoice> kLooks[] = {{"auto", LookChoice::automatic},
@@ -135,11 +137,23 @@ OptionRow integrator_row(Integrator& integrator)
             .changes = Changes::passes};
 }
 
+OptionRow emission_row(Emission& emission)
+{
+    return {.name = "emission",
+            .section = kMethodSection,
+            .field = choice_field<Emission>(emission, kEmissions),
+            .help = "Starts of the light paths of --integrator progressive: guided, where pilots "
+                    "found that they matter to the image, or by the power of the lights alone",
+            .changes = Changes::passes,
+            .only_with = {{"", "integrator", {"progressive"}}}};
+}
+
 std::vector<OptionRow> method_rows(RenderArguments& arguments)
 {
     RenderOptions& render = arguments.render;
     return {integrator_row(render.integrator),
             photons_row(arguments.photons),
+            emission_row(render.emission),
             {.name = "neighbours",
              .section = kMethodSection,
              .field = number_field(render.maps.neighbours, {2, kMostNeighbours}),

@@ -4,6 +4,7 @@
 
 #include <glm/vec2.hpp>
 
+#include <array>
 #include <cstdint>
 
 namespace hipmap {
@@ -24,6 +25,11 @@ enum class RandomStream : std::uint64_t {
     caustics = 4,
     seen_lights = 5
 };
+
+/// The first steps of a sequence, where each call of next() or next2() is one: a point of the unit
+/// cube of primary samples (Kelemen et al. 2002).  A step by next() leaves its y out.
+inline constexpr std::size_t kPrimarySteps = 4;
+using PrimarySample = std::array<glm::vec2, kPrimarySteps>;
 
 /// Uniform numbers in [0, 1) as a function of (seed, stream, pass, path, dimension) alone, so that
 /// neither the number of threads nor the order of work can change them.
@@ -49,6 +55,8 @@ class RandomSequence {
     /// Returns the next dimension, with 24 random bits.
     float next()
     {
+        if (given_ != nullptr)
+            return next_given().x;
         state_ += kStep;
         const std::uint64_t mixed = mix_bits(state_);
         return stratified_ ? fraction(scrambled_sobol(index_, mixed).x)
@@ -58,6 +66,8 @@ class RandomSequence {
     /// Returns the next two dimensions.
     glm::vec2 next2()
     {
+        if (given_ != nullptr)
+            return next_given();
         if (!stratified_) {
             const float u = next();
             return {u, next()};
@@ -67,7 +77,26 @@ class RandomSequence {
         return {fraction(pair.x), fraction(pair.y)};
     }
 
+    /// Makes the next steps those of `sample`, which must outlive them; the sequence goes on after
+    /// them.
+    void give(const PrimarySample& sample)
+    {
+        given_ = sample.data();
+        end_of_given_ = given_ + sample.size();
+    }
+
+    /// Drops the given steps that are left.
+    void take_back() { given_ = nullptr; }
+
   private:
+    glm::vec2 next_given()
+    {
+        const glm::vec2 step = *given_++;
+        if (given_ == end_of_given_)
+            given_ = nullptr;
+        return step;
+    }
+
     static constexpr std::uint64_t kStep = 0x9e3779b97f4a7c15ull;
 
     static float fraction(std::uint32_t bits) { return static_cast<float>(bits >> 8) * 0x1p-24f; }
@@ -82,6 +111,8 @@ class RandomSequence {
     }
 
     std::uint64_t state_;
+    const glm::vec2* given_ = nullptr;
+    const glm::vec2* end_of_given_ = nullptr;
     std::uint32_t index_ = 0;
     bool stratified_ = false;
 };

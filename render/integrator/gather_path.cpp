@@ -90,11 +90,14 @@ class GatherTracer {
         const Rgb factor = maps_.scene.directional ? Rgb(1) : lobes.base();
         add_caustic(branch, factor, query);
         if (is_gathered(branch.behind)) {
-            if (shared_maps(maps_.global).maps.empty())
-                return true; // no photon has come anywhere
+            if (shared_maps(maps_.global).maps.empty()) { // no photon has come anywhere
+                keep(scratch_.importons, &Importons::global, query, branch.throughput * factor);
+                return true;
+            }
             const float first = radius_at(maps_.first.global, maps_.surfaces, query);
             branch.throughput *= weight_of(branch, first);
             const float radius = maps_.shrink * first;
+            keep(scratch_.importons, &Importons::global, query, branch.throughput * factor);
             if (!(branch.behind == EyePathClass::indirect && distance < radius)) {
                 add_gathered(branch.throughput * factor, query, radius);
                 return true;
@@ -122,6 +125,7 @@ class GatherTracer {
             if (is_gathered(branch.behind) && !shared_maps(maps_.global).maps.empty()) {
                 const float first = radius_at(maps_.first.global, maps_.surfaces, query);
                 const Rgb weight = branch.throughput * factor * weight_of(branch, first);
+                keep(scratch_.importons, &Importons::global, query, weight);
                 add_gathered(weight, query, maps_.shrink * first);
             } else if (!is_gathered(branch.behind) && !shared_maps(maps_.indirect).maps.empty()) {
                 const float first = radius_at(maps_.first.indirect, maps_.surfaces, query);
@@ -142,16 +146,18 @@ class GatherTracer {
     void add_caustic(const GatherBranch& branch, const Rgb& factor, const PhotonQuery& query)
     {
         if (shared_maps(maps_.caustic).maps.empty())
-            return;
+            return keep(scratch_.importons, &Importons::caustic, query, branch.throughput * factor);
         const float first = radius_at(maps_.first.caustic, maps_.surfaces, query);
         const float share = is_gathered(branch.behind) ? weight_of(branch, first) : 1.0f;
-        add_within(branch.throughput * factor * share, maps_.caustic, query, maps_.shrink * first,
-                   scratch_.caustic);
+        const Rgb weight = branch.throughput * factor * share;
+        keep(scratch_.importons, &Importons::caustic, query, weight);
+        add_within(weight, maps_.caustic, query, maps_.shrink * first, scratch_.caustic);
     }
 
     /// first: the first radius; infinite where gather rays alone find the light.
     void add_indirect(const Rgb& factor, const PhotonQuery& query, float first)
     {
+        keep(scratch_.importons, &Importons::indirect, query, factor);
         if (std::isfinite(first))
             add_within(factor, maps_.indirect, query, maps_.shrink * first, scratch_.indirect);
     }

@@ -3,6 +3,7 @@
 #include "common/math/random.h"
 #include "render/integrator/eye_path.h"
 #include "render/integrator/gather_radius.h"
+#include "render/integrator/importons.h"
 #include "render/maps/volume_map.h"
 #include "render/shading/interaction.h"
 
@@ -25,6 +26,7 @@ struct GatherMaps {
 /// Scratch memory of one thread for gather paths.
 struct GatherScratch {
     ChosenScratch caustic, global, indirect;
+    Importons* importons = nullptr; ///< to keep the queries of photons in
 };
 
 /// Estimates of one radiance with the radius of the pass and with two narrower ones (kNarrowing),

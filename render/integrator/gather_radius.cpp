@@ -7,15 +7,11 @@
 
 namespace hipmap {
 
-namespace {
-
 PhotonQuery query_at(const Photon& photon, const MapSurfaces& surfaces)
 {
     const glm::vec3& up = surfaces.normals[photon.face];
     return {photon.position, photon.side == 0 ? up : -up, photon.face, photon.side};
 }
-
-} // namespace
 
 float counted_rays(float samples, float shrink)
 {

@@ -13,6 +13,9 @@ struct FirstRadii {
     RadiusField caustic, global, indirect;
 };
 
+/// Returns the query of photons where one lies.
+PhotonQuery query_at(const Photon& photon, const MapSurfaces& surfaces);
+
 /// Returns how many of the gather rays of a pixel count in gather_weight: all photons that one
 /// reads share its direction, so that together they tell less than as many photons that came by
 /// ways of their own.  docs/light_transport.md (42).  shrink: radius of the pass over the first

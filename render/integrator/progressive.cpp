@@ -4,6 +4,7 @@
 #include "render/integrator/light_sample_allocation.h"
 #include "render/integrator/pass_photons.h"
 #include "render/integrator/photon_cache.h"
+#include "render/integrator/photon_guides.h"
 #include "render/integrator/picture_tiles.h"
 
 #include <tbb/parallel_invoke.h>
@@ -20,6 +21,7 @@ constexpr double kPhotonShare = 0.3;
 /// What all passes share.
 struct Progressive {
     std::shared_ptr<const ProgressiveRadii> first;
+    std::shared_ptr<const PhotonGuides> guides = {}; ///< null: paths start by power
     SampleAllocation allocation;
     PhotonCache* cache = nullptr;
 };
@@ -29,6 +31,7 @@ struct ProgressivePass {
     MappedScene mapped;
     const RenderOptions& options;
     std::uint64_t number = 0;
+    const PhotonGuides* guides = nullptr;
     double shrink = 1; ///< radius over the first radius
 
     float rays() const
@@ -39,11 +42,12 @@ struct ProgressivePass {
 
 /// Pass `number` of the image, with the radii of its number.
 ProgressivePass numbered_pass(const MappedScene& mapped, const RenderOptions& options,
-                              std::uint64_t number)
+                              std::uint64_t number, const Progressive& shared)
 {
     return {.mapped = mapped,
             .options = options,
             .number = number,
+            .guides = shared.guides.get(),
             .shrink = radius_of_pass(number, options.alpha)};
 }
 
@@ -53,13 +57,13 @@ bool precomputes(const RenderScene& scene, const RenderOptions& options)
     return options.dissertation.irradiance == GatheredIrradiance::precomputed && !scene.directional;
 }
 
-TracedPhotons trace_linked(const RenderScene& scene, const RenderOptions& options,
-                           std::uint64_t pass, RenderStatistics& statistics)
+PhotonOptions linked_options(const ProgressivePass& pass)
 {
-    PhotonOptions photons = photon_options(scene, options, pass);
+    PhotonOptions photons = photon_options(pass.mapped.scene, pass.options, pass.number);
     photons.store_direct = photons.light.indirect; // for gather rays
     photons.link_bounces = photons.light.indirect;
-    return trace_pass(scene, photons, statistics);
+    photons.guides = pass.guides;
+    return photons;
 }
 
 /// What is asked of maps that gather rays do not end in.
@@ -77,12 +81,11 @@ DissertationOptions gathered(const RenderScene& scene, const RenderOptions& opti
 }
 
 /// By photons of their own, as many as a pass has.
-std::shared_ptr<const ProgressiveRadii> find_first_radii(const MappedScene& mapped,
-                                                         const RenderOptions& options)
+std::shared_ptr<const ProgressiveRadii> find_first_radii(const ProgressivePass& pilot)
 {
-    const RenderScene& scene = mapped.scene;
-    RenderStatistics ignored;
-    const TracedPhotons traced = trace_linked(scene, options, kPilotPass, ignored);
+    const MappedScene& mapped = pilot.mapped;
+    const RenderOptions& options = pilot.options;
+    const TracedPhotons traced = trace_photons(mapped.scene, linked_options(pilot));
     std::vector<Photon> indirect;
     indirect.reserve(traced.bounces.size());
     for (const BouncedPhoton& bounced : traced.bounces)
@@ -95,7 +98,7 @@ std::shared_ptr<const ProgressiveRadii> find_first_radii(const MappedScene& mapp
     };
     return std::make_shared<ProgressiveRadii>(ProgressiveRadii{
         FirstRadii{field(traced.caustic), field(traced.global), field(indirect, Sparse::infinite)},
-        volume_radii(scene, traced, options)});
+        volume_radii(mapped.scene, traced, options)});
 }
 
 void count_searches(const GatherScratch& scratch, RenderStatistics& statistics)
@@ -111,7 +114,7 @@ ProgressiveMaps make_maps(const ProgressivePass& pass, const ProgressiveRadii& f
     const MappedScene& mapped = pass.mapped;
     const RenderScene& scene = mapped.scene;
     const RenderOptions& options = pass.options;
-    const TracedPhotons traced = trace_linked(scene, options, pass.number, statistics);
+    const TracedPhotons traced = trace_pass(scene, linked_options(pass), statistics);
     const Stopwatch watch;
     ProgressiveMaps maps;
     const auto build = [&](ChosenMaps& to, const std::vector<Photon>& photons,
@@ -136,21 +139,52 @@ ProgressiveMaps make_maps(const ProgressivePass& pass, const ProgressiveRadii& f
     return maps;
 }
 
+GatherMaps gathered_maps(const ProgressivePass& pass, const ProgressiveRadii& first,
+                         const ProgressiveMaps& photons)
+{
+    return {pass.mapped.scene,
+            pass.mapped.surfaces,
+            photons.caustic,
+            photons.global,
+            photons.indirect,
+            first.surfaces,
+            static_cast<float>(pass.shrink),
+            pass.rays(),
+            pass.options.light.indirect,
+            photons.volume ? &*photons.volume : nullptr};
+}
+
+/// Learns from a part of the photons of a pass, whose maps only say where gather rays end.
+std::shared_ptr<const PhotonGuides> find_guides(const ProgressivePass& pilot,
+                                                const ProgressiveRadii& first)
+{
+    RenderStatistics ignored;
+    const RenderOptions small = pilot_options(pilot.options);
+    const ProgressivePass few{pilot.mapped, small, pilot.number};
+    const ProgressiveMaps photons = make_maps(few, first, ignored);
+    const GatherMaps maps = gathered_maps(few, first, photons);
+    const RenderScene& scene = pilot.mapped.scene;
+    const Importons importons = trace_importons(
+        scene, pilot.options, [&](const Ray& ray, RandomSequence& random, Importons& kept) {
+            GatherScratch scratch;
+            scratch.importons = &kept;
+            return trace_gather_path(maps, ray, SeenLights::left_out, random, scratch)[0];
+        });
+    PhotonWorth worth = make_worth(importons, pilot.mapped.surfaces);
+    worth.weigh = [&](const TracedPhotons& traced) {
+        return weigh_bounces(traced, first.surfaces, pilot.mapped.surfaces, pilot.rays());
+    };
+    PhotonOptions learning = linked_options(pilot);
+    learning.pass = kPilotPass - 1;
+    return learn_guides(pilot.mapped, learning, worth);
+}
+
 RenderedPass gather_pass(const ProgressivePass& pass, const Progressive& shared,
                          const ProgressiveMaps& photons, const PassControl& control,
                          RenderStatistics& statistics)
 {
     const RenderScene& scene = pass.mapped.scene;
-    const GatherMaps maps{scene,
-                          pass.mapped.surfaces,
-                          photons.caustic,
-                          photons.global,
-                          photons.indirect,
-                          shared.first->surfaces,
-                          static_cast<float>(pass.shrink),
-                          pass.rays(),
-                          pass.options.light.indirect,
-                          photons.volume ? &*photons.volume : nullptr};
+    const GatherMaps maps = gathered_maps(pass, *shared.first, photons);
     return render_clamped_tiles<3, GatherScratch>(
         {scene, pass.options, pass.number, shared.allocation}, after(control, kPhotonShare),
         statistics,
@@ -177,12 +211,15 @@ double render_pilot(const MappedScene& mapped, const RenderOptions& options, Pro
     RenderOptions small = pilot_options(options);
     small.width = (options.width + 1) / 2;
     small.height = (options.height + 1) / 2;
-    const auto pilot = [&](std::uint64_t number) { return ProgressivePass{mapped, small, number}; };
+    const auto pilot = [&](std::uint64_t number) {
+        return ProgressivePass{mapped, small, number, shared.guides.get()};
+    };
     const auto photons =
         maps_of_pass(shared.cache, kPilotPass, ignored, [&](RenderStatistics& made) {
             return make_maps(pilot(kPilotPass), *shared.first, made);
         });
-    const Progressive evenly{shared.first, {{}, allocate_light_samples(scene, small)}};
+    const Progressive evenly{.first = shared.first,
+                             .allocation = {{}, allocate_light_samples(scene, small)}};
     const auto image_of = [&](std::uint64_t number) {
         return gather_pass(pilot(number), evenly, *photons, {}, ignored).images.radiance;
     };
@@ -193,6 +230,25 @@ double render_pilot(const MappedScene& mapped, const RenderOptions& options, Pro
     return (mean_of(first) + mean_of(second)) / 2;
 }
 
+/// Finds what the passes share, from pilots.
+void prepare(const MappedScene& mapped, const RenderOptions& options, Progressive& shared)
+{
+    ProgressivePass pilot{mapped, options, kPilotPass};
+    if (shared.cache != nullptr && shared.cache->radii) {
+        shared.first = shared.cache->radii;
+        return;
+    }
+    shared.first = find_first_radii(pilot);
+    if (shared.cache != nullptr) {
+        shared.cache->radii = shared.first; // of images by several cameras: no guides
+    } else if (options.emission == Emission::guided) {
+        shared.guides = find_guides(pilot, *shared.first);
+        pilot.guides = shared.guides.get();
+        if (shared.guides)
+            shared.first = find_first_radii(pilot);
+    }
+}
+
 } // namespace
 
 PassSource make_progressive_source(const RenderScene& scene, const RenderOptions& options,
@@ -201,11 +257,7 @@ PassSource make_progressive_source(const RenderScene& scene, const RenderOptions
     const auto surfaces = std::make_shared<const MapSurfaces>(scene.mesh(), scene.partition);
     const auto shared = std::make_shared<Progressive>();
     shared->cache = cache;
-    shared->first = cache != nullptr && cache->radii
-                        ? cache->radii
-                        : find_first_radii({scene, *surfaces}, options);
-    if (cache != nullptr)
-        cache->radii = shared->first;
+    prepare({scene, *surfaces}, options, *shared);
     PassSource source;
     set_window(source, options);
     source.pilot_mean = render_pilot({scene, *surfaces}, options, *shared);
@@ -213,17 +265,19 @@ PassSource make_progressive_source(const RenderScene& scene, const RenderOptions
     source.clamped = options.clamp > 0;
     source.photons = options.photons;
     source.allocation = checksum(shared->allocation);
+    if (shared->guides)
+        source.allocation = mix_bits(source.allocation ^ checksum(*shared->guides));
     source.bias = precomputes(scene, options) ? BiasKnowledge::unknown : BiasKnowledge::from_radii;
     source.render = [&scene, &options, &statistics, surfaces, shared](std::uint64_t pass,
                                                                       const PassControl& control) {
-        return render_pass(numbered_pass({scene, *surfaces}, options, pass), *shared, control,
-                           statistics);
+        return render_pass(numbered_pass({scene, *surfaces}, options, pass, *shared), *shared,
+                           control, statistics);
     };
     source.render_in = [&options, &statistics, shared](const RenderScene& now, std::uint64_t pass,
                                                        const PassControl& control) {
         const MapSurfaces surfaces_now(now.mesh(), now.partition);
-        const Progressive anew{shared->first, shared->allocation};
-        return render_pass(numbered_pass({now, surfaces_now}, options, pass), anew, control,
+        const Progressive anew{shared->first, shared->guides, shared->allocation};
+        return render_pass(numbered_pass({now, surfaces_now}, options, pass, anew), anew, control,
                            statistics);
     };
     return source;

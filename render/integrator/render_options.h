@@ -15,6 +15,12 @@ enum class Integrator : std::uint8_t {
     progressive, ///< from photon maps and a gather ray, by radii that shrink from pass to pass
 };
 
+/// Where light paths start.
+enum class Emission : std::uint8_t {
+    guided,   ///< as photon_guides.h says
+    by_power, ///< by the power of the lights alone
+};
+
 /// The options of a pass, the same for all passes of an image.
 struct RenderOptions {
     Integrator integrator = Integrator::progressive;
@@ -24,6 +30,7 @@ struct RenderOptions {
     MapOptions maps;
     DissertationOptions dissertation;
     DirectLight direct = DirectLight::shadow_rays;
+    Emission emission = Emission::guided;
     std::uint64_t photons = 0; ///< light paths per pass
     std::uint32_t samples = 1; ///< eye paths per pixel and pass
     std::uint64_t seed = 0;

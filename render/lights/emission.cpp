@@ -24,27 +24,41 @@ std::vector<double> powers_of(const LightSet& lights, Emitters emitters)
 
 } // namespace
 
-EmissionPlan plan_emission(const LightSet& lights, std::uint64_t paths, Emitters emitters)
+EmissionGuide even_guide(const LightSet& lights, Emitters emitters)
 {
     const std::vector<double> powers = powers_of(lights, emitters);
     double total = 0;
     std::size_t emitting = 0;
-    for (double power : powers) {
+    for (const double power : powers) {
         total += power;
         emitting += power > 0 ? 1 : 0;
     }
+    EmissionGuide out;
+    out.lights.resize(powers.size());
+    for (std::size_t i = 0; i < powers.size(); ++i)
+        if (powers[i] > 0)
+            out.lights[i].share =
+                kFloorShare / static_cast<double>(emitting) + (1 - kFloorShare) * powers[i] / total;
+    return out;
+}
+
+EmissionPlan plan_emission(const EmissionGuide& guide, std::uint64_t paths)
+{
     EmissionPlan plan;
     plan.first_path.push_back(0);
-    for (double power : powers) {
-        if (power > 0 && paths > 0) {
-            const double share =
-                kFloorShare / static_cast<double>(emitting) + (1 - kFloorShare) * power / total;
+    for (const EmissionGuide::OfLight& light : guide.lights) {
+        if (light.share > 0 && paths > 0)
             plan.paths += std::max<std::uint64_t>(
-                1, static_cast<std::uint64_t>(std::llround(share * static_cast<double>(paths))));
-        }
+                1,
+                static_cast<std::uint64_t>(std::llround(light.share * static_cast<double>(paths))));
         plan.first_path.push_back(plan.paths);
     }
     return plan;
+}
+
+EmissionPlan plan_emission(const LightSet& lights, std::uint64_t paths, Emitters emitters)
+{
+    return plan_emission(even_guide(lights, emitters), paths);
 }
 
 LightShare share_of(const EmissionPlan& plan, std::uint64_t path)

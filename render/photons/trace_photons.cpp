@@ -21,24 +21,37 @@ void append(std::vector<T>& to, std::vector<T>& from)
     std::vector<T>().swap(from);
 }
 
+PhotonCounts counts_of(const TracedPhotons& photons)
+{
+    return {photons.caustic.size(), photons.global.size(), photons.bounces.size()};
+}
+
 TracedPhotons join(std::vector<TracedPhotons>& chunks)
 {
     TracedPhotons out;
-    std::size_t caustic = 0, global = 0, bounces = 0, volume = 0;
+    std::size_t caustic = 0, global = 0, bounces = 0, volume = 0, paths = 0;
     for (const TracedPhotons& chunk : chunks) {
         caustic += chunk.caustic.size();
         global += chunk.global.size();
         bounces += chunk.bounces.size();
         volume += chunk.volume.size();
+        paths += chunk.after_path.size();
     }
     out.caustic.reserve(caustic);
     out.global.reserve(global);
     out.bounces.reserve(bounces);
     out.volume.reserve(volume);
+    out.after_path.reserve(paths);
     for (TracedPhotons& chunk : chunks) {
         for (BouncedPhoton& photon : chunk.bounces)
             if (photon.from != kNoPhoton)
                 photon.from += photon.from_caustic ? out.caustic.size() : out.global.size();
+        for (PhotonCounts& after : chunk.after_path) {
+            after.caustic += out.caustic.size();
+            after.global += out.global.size();
+            after.bounces += out.bounces.size();
+        }
+        append(out.after_path, chunk.after_path);
         append(out.bounces, chunk.bounces);
         append(out.caustic, chunk.caustic);
         append(out.global, chunk.global);
@@ -52,15 +65,35 @@ TracedPhotons join(std::vector<TracedPhotons>& chunks)
     return out;
 }
 
-/// Traces paths 0..count-1, each by `trace(path, photons)`, in chunks that are joined in order.
-template <typename Trace>
-TracedPhotons trace_paths(std::uint64_t count, const Trace& trace)
+/// Paths of a pass that start alike.
+struct PathKind {
+    const PhotonOptions& options;
+    const EmissionPlan plan;
+    const EmissionGuide* guide = nullptr; ///< null: none
+    RandomStream stream = RandomStream::photons;
+    Wanted wanted;
+};
+
+/// Traces all paths, in chunks that are joined in order.  emit(share, random): their starts.
+template <typename Emit>
+TracedPhotons trace_paths(const RenderScene& scene, const PathKind& kind, const Emit& emit)
 {
+    const std::uint64_t count = kind.plan.paths;
     std::vector<TracedPhotons> chunks((count + kPathsPerChunk - 1) / kPathsPerChunk);
     tbb::parallel_for(std::size_t{0}, chunks.size(), [&](std::size_t c) {
+        TracedPhotons& photons = chunks[c];
         const std::uint64_t end = std::min(count, (c + 1) * kPathsPerChunk);
-        for (std::uint64_t i = c * kPathsPerChunk; i < end; ++i)
-            trace(i, chunks[c]);
+        for (std::uint64_t i = c * kPathsPerChunk; i < end; ++i) {
+            const LightShare share = share_of(kind.plan, i);
+            RandomSequence random = path_sequence(kind.options, kind.stream, share);
+            const EmittedPath start = kind.guide == nullptr
+                                          ? emit(share, random)
+                                          : emit_guided(*kind.guide, share, random, emit);
+            if (max_channel(start.power) > 0)
+                trace_light_path(scene, kind.wanted, start, random, photons);
+            if (kind.options.count_paths)
+                photons.after_path.push_back(counts_of(photons));
+        }
     });
     return join(chunks);
 }
@@ -83,47 +116,74 @@ TracedPhotons trace_without_aim(const RenderScene& scene, const PhotonOptions& o
     const Wanted wanted = wanted_without_aim(options);
     if (!wanted.direct && !wanted.caustic && !wanted.indirect && !wanted.volume)
         return {};
-    const Emitters emitters = options.media ? Emitters::all : Emitters::all_but_media;
-    const EmissionPlan plan = plan_emission(scene.lights, options.paths, emitters);
-    TracedPhotons out = trace_paths(plan.paths, [&](std::uint64_t i, TracedPhotons& photons) {
-        const LightShare share = share_of(plan, i);
-        RandomSequence random(options.seed, RandomStream::photons, options.pass, share.light,
-                              share.path.place);
-        const EmittedPath start = emit_path(scene.lights, share, random);
-        trace_light_path(scene, wanted, start, random, photons);
-    });
-    out.emitted = plan.paths;
+    const PathKind kind{options, plan_without_aim(scene.lights, options),
+                        options.guides == nullptr ? nullptr : &options.guides->without_aim,
+                        RandomStream::photons, wanted};
+    TracedPhotons out =
+        trace_paths(scene, kind, [&](const LightShare& share, RandomSequence& random) {
+            return emit_path(scene.lights, share, random);
+        });
+    out.emitted = kind.plan.paths;
+    return out;
+}
+
+TracedPhotons trace_aimed(const RenderScene& scene, const PhotonOptions& options)
+{
+    if (!aims(scene, options))
+        return {};
+    const std::vector<TargetSphere>& targets = scene.specular_targets;
+    Wanted wanted{false, true, false, options.link_bounces};
+    wanted.volume = options.media;
+    const PathKind kind{options, plan_aimed(scene.lights, options),
+                        options.guides == nullptr ? nullptr : &options.guides->aimed,
+                        RandomStream::caustics, wanted};
+    TracedPhotons out =
+        trace_paths(scene, kind, [&](const LightShare& share, RandomSequence& random) {
+            return emit_aimed_path(scene.lights, share, targets, random);
+        });
+    out.power = {}; // of no light of its own
+    out.aimed = kind.plan.paths;
     return out;
 }
 
 } // namespace
 
+bool aims(const RenderScene& scene, const PhotonOptions& options)
+{
+    return options.light.caustic && options.caustic_paths > 0 && !scene.specular_targets.empty();
+}
+
+EmissionPlan plan_without_aim(const LightSet& lights, const PhotonOptions& options)
+{
+    const Emitters emitters = options.media ? Emitters::all : Emitters::all_but_media;
+    return options.guides == nullptr ? plan_emission(lights, options.paths, emitters)
+                                     : plan_emission(options.guides->without_aim, options.paths);
+}
+
+EmissionPlan plan_aimed(const LightSet& lights, const PhotonOptions& options)
+{
+    return options.guides == nullptr
+               ? plan_emission(lights, options.caustic_paths, Emitters::all_but_media)
+               : plan_emission(options.guides->aimed, options.caustic_paths);
+}
+
+RandomSequence path_sequence(const PhotonOptions& options, RandomStream stream,
+                             const LightShare& share)
+{
+    return {options.seed, stream, options.pass, share.light, share.path.place};
+}
+
 TracedPhotons trace_photons(const RenderScene& scene, const PhotonOptions& options)
 {
-    const std::vector<TargetSphere>& targets = scene.specular_targets;
-    TracedPhotons out = trace_without_aim(scene, options);
-    if (!options.light.caustic || options.caustic_paths == 0 || targets.empty())
-        return out;
-    Wanted wanted{false, true, false, options.link_bounces};
-    wanted.volume = options.media;
-    const EmissionPlan aimed =
-        plan_emission(scene.lights, options.caustic_paths, Emitters::all_but_media);
-    TracedPhotons caustics = trace_paths(aimed.paths, [&](std::uint64_t i, TracedPhotons& photons) {
-        const LightShare share = share_of(aimed, i);
-        RandomSequence random(options.seed, RandomStream::caustics, options.pass, share.light,
-                              share.path.place);
-        const EmittedPath start = emit_aimed_path(scene.lights, share, targets, random);
-        if (max_channel(start.power) > 0)
-            trace_light_path(scene, wanted, start, random, photons);
-    });
-    const std::uint64_t emitted = out.emitted;
-    caustics.power = {}; // of no light of its own
     std::vector<TracedPhotons> both(2);
-    both[0] = std::move(out);
-    both[1] = std::move(caustics);
-    out = join(both);
+    both[0] = trace_without_aim(scene, options);
+    both[1] = trace_aimed(scene, options);
+    const std::uint64_t emitted = both[0].emitted, aimed = both[1].aimed;
+    if (aimed == 0)
+        return std::move(both[0]);
+    TracedPhotons out = join(both);
     out.emitted = emitted;
-    out.aimed = aimed.paths;
+    out.aimed = aimed;
     return out;
 }
 

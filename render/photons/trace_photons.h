@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/effects/light_classes.h"
+#include "render/lights/emission.h"
 #include "render/photons/photon.h"
 #include "render/photons/volume_photon.h"
 #include "render/shading/render_scene.h"
@@ -9,6 +10,12 @@
 #include <vector>
 
 namespace hipmap {
+
+/// Guides of the light paths of a pass.
+struct PhotonGuides {
+    EmissionGuide without_aim;
+    EmissionGuide aimed;
+};
 
 struct PhotonOptions {
     std::uint64_t paths = 0; ///< light paths to emit
@@ -21,6 +28,8 @@ struct PhotonOptions {
     bool link_bounces = false;       ///< fill TracedPhotons::bounces
     LightClasses light{};            ///< photons of other light are neither traced nor kept
     bool media = false; ///< keep photons in media, and those that come from there to surfaces
+    const PhotonGuides* guides = nullptr; ///< borrowed; null: paths start by power alone
+    bool count_paths = false;             ///< fill TracedPhotons::after_path
 };
 
 /// Marks the absence of a photon.
@@ -32,6 +41,11 @@ struct BouncedPhoton {
     std::uint64_t from; ///< the photon that its path left at the surface of the bounce; kNoPhoton:
                         ///<   a medium has scattered the light since
     bool from_caustic;  ///< it is one of the caustic photons, else of the global ones
+};
+
+/// The numbers of photons that some paths left.
+struct PhotonCounts {
+    std::uint64_t caustic = 0, global = 0, bounces = 0;
 };
 
 /// The power of the light paths that were not aimed, by where it went, W / metres_per_unit^2.
@@ -51,10 +65,23 @@ struct TracedPhotons {
     std::vector<BouncedPhoton> bounces; ///< indirect, if asked for; those from a caustic are of
                                         ///< aimed paths, the others not
     std::vector<VolumePhoton> volume;   ///< in media
-    std::uint64_t dropped = 0;          ///< not finite; their power is lost
-    std::uint64_t cut = 0;              ///< paths that reached the largest number of bounces
+    std::vector<PhotonCounts>
+        after_path;            ///< [emitted + aimed] up to and with each path, if asked for
+    std::uint64_t dropped = 0; ///< not finite; their power is lost
+    std::uint64_t cut = 0;     ///< paths that reached the largest number of bounces
     PowerBalance power;
 };
+
+/// Returns whether paths are aimed at specular surfaces.
+bool aims(const RenderScene& scene, const PhotonOptions& options);
+
+/// Return the plans of the paths of trace_photons, whose paths not aimed come first.
+EmissionPlan plan_without_aim(const LightSet& lights, const PhotonOptions& options);
+EmissionPlan plan_aimed(const LightSet& lights, const PhotonOptions& options);
+
+/// Returns the random numbers of a path.
+RandomSequence path_sequence(const PhotonOptions& options, RandomStream stream,
+                             const LightShare& share);
 
 /// Traces light paths in parallel (oneTBB).  Same scene and options, same photons at any thread
 /// count. A scene without light, or no paths: no photons.

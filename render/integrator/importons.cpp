@@ -1,0 +1,150 @@
+#include "render/integrator/importons.h"
+
+#include "render/integrator/gather_radius.h"
+#include "render/integrator/pixel_samples.h"
+
+#include <tbb/parallel_for.h>
+
+#include <cmath>
+#include <span>
+
+namespace hipmap {
+
+namespace {
+
+constexpr int kSide = 128; ///< pixels of the image that importons come from, at most
+constexpr int kBlock = 8;  ///< pixels across that share a weight
+
+/// Importons that give the density at a photon.
+constexpr std::uint32_t kNeighbours = 16;
+
+RenderOptions importon_options(RenderOptions options)
+{
+    const double scale = std::min(1.0, double{kSide} / std::max(options.width, options.height));
+    options.width = std::max(1, static_cast<int>(options.width * scale));
+    options.height = std::max(1, static_cast<int>(options.height * scale));
+    options.crop = {};
+    options.samples = 1;
+    return options;
+}
+
+/// Importons and radiance of the paths of some pixels.
+struct PilotPicture {
+    Image radiance;
+    std::vector<Importons> importons; ///< [pixels]
+};
+
+PilotPicture trace_picture(const RenderScene& scene, const RenderOptions& options,
+                           const ImportonPath& trace)
+{
+    PilotPicture out{Image(options.width, options.height), {}};
+    out.importons.resize(out.radiance.pixels.size());
+    const SampleAllocation evenly;
+    const PictureJob job{scene, options, kPilotPass, evenly};
+    tbb::parallel_for(0, options.height, [&](int y) {
+        for (int x = 0; x < options.width; ++x) {
+            const std::uint64_t pixel = job.index_of(x, y);
+            RandomSequence random = sample_sequence(job, RandomStream::eye_paths, pixel, 1, 0);
+            const Ray ray = pixel_ray(job, x, y, random).ray;
+            const Rgb found = trace(ray, random, out.importons[pixel]);
+            out.radiance.at(x, y) = is_finite(found) ? found : Rgb(0);
+        }
+    });
+    return out;
+}
+
+/// Mean of the channels around a pixel.
+double level_around(const Image& image, int x, int y)
+{
+    const int x0 = x / kBlock * kBlock, y0 = y / kBlock * kBlock;
+    const int x1 = std::min(x0 + kBlock, image.width), y1 = std::min(y0 + kBlock, image.height);
+    Rgb sum(0);
+    for (int v = y0; v < y1; ++v)
+        for (int u = x0; u < x1; ++u)
+            sum += image.at(u, v);
+    return double{sum.x + sum.y + sum.z} / (3.0 * (x1 - x0) * (y1 - y0));
+}
+
+void append(std::vector<Photon>& to, const std::vector<Photon>& from, float weight)
+{
+    for (Photon importon : from) {
+        importon.power *= weight;
+        if (is_finite(importon.power) && max_channel(importon.power) > 0)
+            to.push_back(importon);
+    }
+}
+
+/// The photons of one kind that a path left, and the importons that they are worth something to.
+struct LeftPhotons {
+    const std::vector<Photon>& photons;
+    const ChosenMaps& importons;
+    std::uint64_t begin = 0, end = 0;
+};
+
+double worth_of(const MapSurfaces& surfaces, const LeftPhotons& left, ChosenScratch& scratch)
+{
+    double out = 0;
+    for (std::uint64_t i = left.begin; i < left.end; ++i) {
+        const Photon& photon = left.photons[i];
+        const PhotonQuery query = query_at(photon, surfaces);
+        const Rgb each =
+            photon.power * estimate_irradiance(left.importons, surfaces, query, scratch);
+        out += double{each.x} + double{each.y} + double{each.z};
+    }
+    return std::isfinite(out) ? out : 0;
+}
+
+} // namespace
+
+Importons trace_importons(const RenderScene& scene, const RenderOptions& options,
+                          const ImportonPath& trace)
+{
+    const RenderOptions small = importon_options(options);
+    const PilotPicture picture = trace_picture(scene, small, trace);
+    const double dark = 0.1 * mean_of(picture.radiance);
+    Importons out;
+    for (int y = 0; y < small.height; ++y)
+        for (int x = 0; x < small.width; ++x) {
+            const double level = level_around(picture.radiance, x, y);
+            const auto weight = static_cast<float>(1 / std::sqrt(level * level + dark * dark));
+            const Importons& from =
+                picture.importons[static_cast<std::size_t>(y) * small.width + x];
+            append(out.caustic, from.caustic, weight);
+            append(out.global, from.global, weight);
+            append(out.indirect, from.indirect, weight);
+        }
+    return out;
+}
+
+PhotonWorth make_worth(const Importons& importons, const MapSurfaces& surfaces)
+{
+    const MapOptions options{.neighbours = kNeighbours};
+    const auto build = [&](const std::vector<Photon>& of) {
+        return build_chosen_maps(of, surfaces, options, {});
+    };
+    return {build(importons.caustic), build(importons.global), build(importons.indirect), {}};
+}
+
+std::vector<double> worth_of_paths(const MappedScene& mapped, const PhotonWorth& worth,
+                                   const TracedPhotons& traced)
+{
+    const std::vector<Photon> indirect =
+        worth.weigh ? worth.weigh(traced) : std::vector<Photon>(traced.bounces.size());
+    std::vector<double> out(traced.after_path.size());
+    using Range = tbb::blocked_range<std::size_t>;
+    tbb::parallel_for(Range(0, out.size()), [&](const Range& paths) {
+        ChosenScratch scratch;
+        for (std::size_t i = paths.begin(); i < paths.end(); ++i) {
+            const PhotonCounts before = i == 0 ? PhotonCounts{} : traced.after_path[i - 1];
+            const PhotonCounts& after = traced.after_path[i];
+            for (const LeftPhotons& left :
+                 {LeftPhotons{traced.caustic, worth.caustic, before.caustic, after.caustic},
+                  LeftPhotons{traced.global, worth.global, before.global, after.global},
+                  LeftPhotons{indirect, worth.indirect, before.bounces, after.bounces}})
+                out[i] += worth_of(mapped.surfaces, left, scratch);
+        }
+    });
+    return out;
+}
+
+} // namespace hipmap

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "render/integrator/pass_photons.h"
+#include "render/maps/find_photons.h"
+#include "render/photons/photon.h"
+
+#include <functional>
+#include <vector>
+
+namespace hipmap {
+
+/// Points where photons are asked for, by the kind of photon (importons: Peter and Pietrek 1998).
+/// The power of each is the weight of irradiance there in the image; its direction is the normal.
+struct Importons {
+    std::vector<Photon> caustic;
+    std::vector<Photon> global;
+    std::vector<Photon> indirect;
+};
+
+/// Keeps a query of photons of some kind.  importons: null: it is not kept.  weight: of what the
+/// query finds, as radiance of the image.
+inline void keep(Importons* importons, std::vector<Photon> Importons::*kind,
+                 const PhotonQuery& query, const Rgb& weight)
+{
+    if (importons == nullptr)
+        return;
+    const Rgb lobes = query.lobes == nullptr ? Rgb(1) : (*query.lobes)(query.normal);
+    (importons->*kind)
+        .push_back({query.position, weight * lobes, query.normal, query.face, query.side});
+}
+
+/// Traces an eye path as a pass would and keeps its importons; returns its radiance.  Thread-safe.
+using ImportonPath =
+    std::function<Rgb(const Ray& ray, RandomSequence& random, Importons& importons)>;
+
+/// Returns the importons of eye paths all over the image, each weighed by what its pixel counts in
+/// the error of the image, docs/error.md (3).  In parallel; the same at any thread count.
+Importons trace_importons(const RenderScene& scene, const RenderOptions& options,
+                          const ImportonPath& trace);
+
+/// What photons are worth to an image: maps of its importons.
+struct PhotonWorth {
+    ChosenMaps caustic, global, indirect;
+    /// Returns the photons of the indirect map, one for each bounce; empty: there is none.
+    std::function<std::vector<Photon>(const TracedPhotons&)> weigh;
+};
+
+/// Builds the maps of importons, for a pass without an indirect map.  No importon: no worth.
+PhotonWorth make_worth(const Importons& importons, const MapSurfaces& surfaces);
+
+/// Returns the worth of each path, in the order of trace_photons: the power of its photons times
+/// the density of importons there, docs/light_transport.md (41).  traced: with after_path.  In
+/// parallel.
+std::vector<double> worth_of_paths(const MappedScene& mapped, const PhotonWorth& worth,
+                                   const TracedPhotons& traced);
+
+} // namespace hipmap

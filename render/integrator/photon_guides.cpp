@@ -1,0 +1,87 @@
+#include "render/integrator/photon_guides.h"
+
+#include "render/photons/guide_learner.h"
+
+#include <algorithm>
+#include <bit>
+#include <span>
+
+namespace hipmap {
+
+namespace {
+
+constexpr int kRounds = 6;
+
+/// The part of the paths of a pass in the first round, which is the only one where a guide promises
+/// little, and in each of the others.
+constexpr std::uint64_t kFirstPart = 8, kPart = 2;
+constexpr std::uint64_t kFewestPaths = 1 << 14, kFewestAimed = 1 << 12;
+
+std::uint64_t part_of(std::uint64_t paths, std::uint64_t part, std::uint64_t fewest)
+{
+    return std::min(paths, std::max(paths / part, fewest));
+}
+
+/// Returns the options of the photons of a round.
+PhotonOptions round_options(PhotonOptions photons, int round)
+{
+    const std::uint64_t part = round == 0 ? kFirstPart : kPart;
+    photons.paths = part_of(photons.paths, part, kFewestPaths);
+    photons.caustic_paths = part_of(photons.caustic_paths, part, kFewestAimed);
+    photons.pass -= static_cast<std::uint64_t>(round);
+    photons.count_paths = true;
+    return photons;
+}
+
+/// Importons do not see photons in media.
+bool has_volume_photons(const RenderScene& scene)
+{
+    return scene.has_media() && (scene.media->scatters || scene.media->emits);
+}
+
+} // namespace
+
+std::shared_ptr<const PhotonGuides>
+learn_guides(const MappedScene& mapped, const PhotonOptions& photons, const PhotonWorth& worth)
+{
+    const LightSet& lights = mapped.scene.lights;
+    if (has_volume_photons(mapped.scene))
+        return nullptr;
+    const EmissionGuide by_power = even_guide(lights, Emitters::all_but_media);
+    GuideLearner without_aim(by_power, RandomStream::photons);
+    GuideLearner aimed(by_power, RandomStream::caustics);
+    for (int round = 0; round < kRounds; ++round) {
+        PhotonOptions pilot = round_options(photons, round);
+        const PhotonGuides guides{without_aim.guide(), aimed.guide()};
+        pilot.guides = &guides;
+        const TracedPhotons traced = trace_photons(mapped.scene, pilot);
+        const std::vector<double> worths = worth_of_paths(mapped, worth, traced);
+        const std::span<const double> all(worths);
+        if (traced.emitted > 0)
+            without_aim.add(plan_without_aim(lights, pilot), all.first(traced.emitted), pilot);
+        if (traced.aimed > 0)
+            aimed.add(plan_aimed(lights, pilot), all.last(traced.aimed), pilot);
+        if (without_aim.settled() && aimed.settled())
+            break;
+    }
+    if (!without_aim.found() && !aimed.found())
+        return nullptr;
+    return std::make_shared<const PhotonGuides>(PhotonGuides{without_aim.best(), aimed.best()});
+}
+
+std::uint64_t checksum(const PhotonGuides& guides)
+{
+    std::uint64_t sum = 0;
+    const auto add = [&](double value) {
+        sum = mix_bits(sum + std::bit_cast<std::uint64_t>(value) + 1);
+    };
+    for (const EmissionGuide* guide : {&guides.without_aim, &guides.aimed})
+        for (const EmissionGuide::OfLight& light : guide->lights) {
+            add(light.share);
+            for (const PrimaryDensity::Node& node : light.density.nodes)
+                add(node.lower_share);
+        }
+    return sum;
+}
+
+} // namespace hipmap

@@ -1,0 +1,117 @@
+#include "render/photons/guide_learner.h"
+
+#include <tbb/parallel_for.h>
+
+#include <utility>
+
+namespace hipmap {
+
+namespace {
+
+/// The share of paths that start by power whatever is learnt, so that no power grows above 4 times.
+constexpr double kByPower = 0.25;
+
+constexpr double kWorthIt =
+    0.5;                      ///< most of the variance of emission by power that is worth a guide
+constexpr double kGoOn = 0.8; ///< most of the present variance that is worth another round
+
+/// Points that are to matter after the first round; a quarter after each round more.
+constexpr double kFirstAlike = 64;
+
+} // namespace
+
+GuideLearner::GuideLearner(EmissionGuide by_power, RandomStream stream)
+    : stream_(stream), guides_{std::move(by_power)}
+{
+}
+
+void GuideLearner::add(const EmissionPlan& plan, std::span<const double> worth,
+                       const PhotonOptions& options)
+{
+    if (plan.paths == 0)
+        return;
+    for (std::uint64_t i = 0; i < plan.paths; ++i) {
+        if (!(worth[i] > 0))
+            continue;
+        const LightShare share = share_of(plan, i);
+        RandomSequence random = path_sequence(options, stream_, share);
+        const DrawnPrimary start = draw_start(guide(), share.light, random);
+        // Without the density and the number of paths, by which the power was divided.
+        const double whole = worth[i] * start.density * static_cast<double>(share.path.paths);
+        Point point{share.light, {start.at, whole, 0}};
+        for (std::size_t round = 0; round < plans_.size(); ++round)
+            point.worth.density += drawn_density(round, point);
+        points_.push_back(point);
+    }
+    plans_.push_back(plan);
+    for (Point& point : points_)
+        point.worth.density += drawn_density(plans_.size() - 1, point);
+    learn();
+}
+
+/// The density by which a round draws a start, times the paths of its light.
+double GuideLearner::drawn_density(std::size_t round, const Point& point) const
+{
+    const EmissionPlan& plan = plans_[round];
+    const auto paths =
+        static_cast<double>(plan.first_path[point.light + 1] - plan.first_path[point.light]);
+    return paths * density_at(guides_[round].lights[point.light].density, point.worth.at);
+}
+
+void GuideLearner::learn()
+{
+    const EmissionGuide& even = guides_.front();
+    std::vector<std::vector<PrimaryWorth>> of_light(even.lights.size());
+    for (const Point& point : points_)
+        of_light[point.light].push_back(point.worth);
+    std::vector<LearntDensity> learnt(of_light.size());
+    const double alike = kFirstAlike / static_cast<double>(1 << (2 * (plans_.size() - 1)));
+    tbb::parallel_for(std::size_t{0}, of_light.size(), [&](std::size_t light) {
+        learnt[light] = learn_density(of_light[light], alike);
+    });
+    double total = 0;
+    for (const LearntDensity& light : learnt)
+        total += light.worth;
+    EmissionGuide next = even;
+    for (std::size_t i = 0; i < learnt.size() && total > 0; ++i) {
+        const double by_power = kByPower * even.lights[i].share;
+        next.lights[i].share = by_power + (1 - kByPower) * learnt[i].worth / total;
+        if (learnt[i].worth > 0)
+            next.lights[i].density = mixed_with_even(learnt[i], by_power / next.lights[i].share);
+    }
+    guides_.push_back(std::move(next));
+}
+
+/// The variance of the photons' worth by a guide over that by power, from all paths.
+double GuideLearner::variance(const EmissionGuide& guide) const
+{
+    double by_power = 0, by_guide = 0;
+    for (const Point& point : points_) {
+        const double second = point.worth.worth * point.worth.worth / point.worth.density;
+        const EmissionGuide::OfLight& light = guide.lights[point.light];
+        by_power += second / guides_.front().lights[point.light].share;
+        by_guide += second / (light.share * density_at(light.density, point.worth.at));
+    }
+    return by_power > 0 ? by_guide / by_power : 1;
+}
+
+bool GuideLearner::settled() const
+{
+    const double next = variance(guides_.back());
+    return guides_.size() < 2 || next > kWorthIt ||
+           next > kGoOn * variance(guides_[guides_.size() - 2]);
+}
+
+const EmissionGuide& GuideLearner::best() const
+{
+    const EmissionGuide* out = &guides_.front();
+    double least = kWorthIt;
+    for (const EmissionGuide& guide : guides_)
+        if (const double found = variance(guide); found < least) {
+            least = found;
+            out = &guide;
+        }
+    return *out;
+}
+
+} // namespace hipmap

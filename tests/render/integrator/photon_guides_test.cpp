@@ -1,0 +1,127 @@
+#include "render/integrator/integrators.h"
+#include "tests/support/statistics.h"
+#include "tests/support/tiny_rooms.h"
+
+#include <catch2/catch.hpp>
+#include <tbb/global_control.h>
+
+using namespace hipmap;
+
+namespace {
+
+/// A box without a top on a plain forty times as wide, below a sun; the camera is in the box.
+Scene box_on_a_plain()
+{
+    TriangleMesh mesh = tiny::open_box();
+    tiny::turn_inside_out(mesh);
+    Scene scene = tiny::make_scene(mesh);
+    scene.materials[0] = tiny::diffuse(Rgb(0.7f));
+    scene.cameras[0].position = {0, 0, 0.48f};
+    scene.cameras[0].tan_half_height = 0.8f;
+    TriangleMesh plain = tiny::floor_at(-0.6f, 40);
+    tiny::add(scene, plain, tiny::diffuse(Rgb(0.3f)));
+    SceneSunLight sun;
+    sun.irradiance = glm::dvec3(5);
+    sun.direction = glm::normalize(glm::dvec3(0.5, -1, -0.3));
+    scene.lights.push_back(sun);
+    return scene;
+}
+
+/// Two closed rooms, each with a lamp; the camera is in the first.
+Scene two_rooms()
+{
+    Scene scene = tiny::room();
+    TriangleMesh other = tiny::cube();
+    tiny::turn_inside_out(other);
+    tiny::move(other, {5, 0, 0});
+    tiny::add(scene, other, tiny::diffuse(Rgb(0.7f)));
+    TriangleMesh lamp = tiny::floor_at(0.45f, -0.3f);
+    tiny::move(lamp, {5, 0, 0});
+    tiny::add(scene, lamp, tiny::emissive(Rgb(50)));
+    return scene;
+}
+
+RenderOptions small_options(Emission emission)
+{
+    RenderOptions options;
+    options.integrator = Integrator::progressive;
+    options.width = options.height = 16;
+    options.photons = 20000;
+    options.samples = 4;
+    options.emission = emission;
+    return options;
+}
+
+struct Means {
+    RunningMean radiance, narrower;
+    RunningMean noise; ///< mean square of the difference of a pixel between two passes
+
+    /// Bias that goes with the radius itself is halved in the narrowest; else it is less.
+    double bias() const { return 2 * std::abs(radiance.mean() - narrower.mean()); }
+};
+
+Means mean_of_passes(const tiny::ReadyScene& ready, Emission emission)
+{
+    RenderStatistics ignored;
+    const RenderOptions options = small_options(emission);
+    const PassSource source = make_pass_source(*ready.render, options, ignored);
+    Means out;
+    Image last;
+    for (std::uint64_t pass = 0; pass < 24; ++pass) {
+        const RenderedPass rendered = source.render(pass, {});
+        const Image& now = rendered.images.radiance;
+        for (std::size_t i = 0; i < last.pixels.size(); ++i) {
+            const Rgb off = now.pixels[i] - last.pixels[i];
+            out.noise.add(glm::dot(off, off));
+        }
+        last = now;
+        out.radiance.add(mean_of(rendered.images.radiance));
+        out.narrower.add(mean_of(rendered.images.narrower));
+    }
+    return out;
+}
+
+} // namespace
+
+TEST_CASE("photon guides: the image is that of emission by power", "[integrator]")
+{
+    const auto same = [](const Means& a, const Means& b) {
+        const double noise = std::hypot(a.radiance.standard_error(), b.radiance.standard_error());
+        const double most = a.bias() + b.bias() + kMostZ * noise;
+        CHECK(std::abs(a.radiance.mean() - b.radiance.mean()) < most);
+        CHECK(most < 0.1 * b.radiance.mean());
+    };
+    const auto plain = tiny::ready(box_on_a_plain());
+    const Means guided = mean_of_passes(*plain, Emission::guided);
+    const Means by_power = mean_of_passes(*plain, Emission::by_power);
+    same(guided, by_power);
+    CHECK(guided.noise.mean() < 0.5 * by_power.noise.mean());
+    const auto rooms = tiny::ready(two_rooms());
+    same(mean_of_passes(*rooms, Emission::guided), mean_of_passes(*rooms, Emission::by_power));
+}
+
+TEST_CASE("photon guides: a pass has the same bits by however many threads", "[integrator]")
+{
+    const auto ready = tiny::ready(box_on_a_plain());
+    const RenderOptions options = small_options(Emission::guided);
+    const auto third_pass = [&](std::size_t threads) {
+        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+        RenderStatistics ignored;
+        return make_pass_source(*ready->render, options, ignored).render(3, {}).images;
+    };
+    const PassImages one = third_pass(1);
+    CHECK(mean_of(one.radiance) > 0.1);
+    for (const std::size_t threads : {2, 7})
+        CHECK(one.radiance.pixels == third_pass(threads).radiance.pixels);
+}
+
+TEST_CASE("photon guides: where all photons matter alike there is none", "[integrator]")
+{
+    const auto ready = tiny::ready(tiny::emissive_box(Rgb(0.5f)));
+    const auto pass = [&](Emission emission) {
+        RenderStatistics ignored;
+        const RenderOptions options = small_options(emission);
+        return make_pass_source(*ready->render, options, ignored).render(0, {}).images;
+    };
+    CHECK(pass(Emission::guided).radiance.pixels == pass(Emission::by_power).radiance.pixels);
+}
