@@ -1,6 +1,6 @@
-"""Renders the six scenes of tests/blender by F12 and by Cycles, and puts them side by side:
+"""Renders the scenes of tests/blender by F12 and by Cycles, and puts them side by side:
 
-    blender -b --factory-startup --python tests/blender/six_scenes.py -- FOLDER
+    blender -b --factory-startup --python tests/blender/f12_scenes.py -- FOLDER
     blender -b --factory-startup --python bench/f12_beside_cycles.py -- PROGRAMS FOLDER OUT.png
 
 Prints a table of mean radiance, hipmap / Cycles, for docs/blender.md.  In OUT.png hipmap is on the
@@ -20,7 +20,7 @@ import hipmap
 from hipmap import job
 
 PROGRAMS, FOLDER, OUT = sys.argv[sys.argv.index("--") + 1:]
-SIX = ("modifiers", "instances", "lights", "sky", "text", "glass")
+SCENES = ("modifiers", "instances", "lights", "sky", "text", "glass", "motion")
 WIDTH, HEIGHT, COLUMNS = 300, 200, 2
 PASSES, SAMPLES = 48, 512
 TILE = 10
@@ -70,6 +70,7 @@ def shown(ours, theirs):
 
 def save(pictures):
     """Writes pairs of pictures in columns."""
+    pictures += [numpy.zeros_like(pictures[0])] * (-len(pictures) % COLUMNS)
     rows = [numpy.concatenate(pictures[i:i + COLUMNS], axis=1)
             for i in range(0, len(pictures), COLUMNS)]
     whole = numpy.concatenate(rows[::-1], axis=0)
@@ -85,7 +86,7 @@ def main():
     hipmap.register()
     job.programs_folder = lambda context: PROGRAMS
     pictures, rows = [], []
-    for name in SIX:
+    for name in SCENES:
         set_up(name)
         (ours, ours_s), (theirs, theirs_s) = render(name, "HIPMAP"), render(name, "CYCLES")
         pictures.append(shown(ours, theirs))

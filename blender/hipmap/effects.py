@@ -6,7 +6,7 @@ import subprocess
 
 import bpy
 
-from .job import folder_of
+from .job import folder_of, read_notes, render_frame_options
 from .properties import programs_folder
 from .run import ToolError, find_tool
 from .scene_export import SceneError
@@ -17,9 +17,11 @@ _TEXT = "hipmap effects"
 def explain(render, folder):
     """Returns what `render --explain` prints about the scene in a folder.  Throws ToolError."""
     scene, partition = (os.path.join(folder, name) for name in ("scene.glb", "scene.hpm"))
-    if not os.path.isfile(scene) or not os.path.isfile(partition):
+    notes = read_notes(folder)
+    if not os.path.isfile(scene) or not notes.get("partition"):
         raise ToolError("nothing has been rendered yet: press F12 first")
-    done = subprocess.run([render, scene, partition, "--explain"], stdin=subprocess.DEVNULL,
+    done = subprocess.run([render, scene, partition, "--explain",
+                           *render_frame_options(notes["moves"])], stdin=subprocess.DEVNULL,
                           stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
                           check=False)
     if done.returncode != 0:

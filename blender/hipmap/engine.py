@@ -45,7 +45,7 @@ class HipmapEngine(ViewportEngine, bpy.types.RenderEngine):
         self.job = None
         self._tell_state("exporting the scene")
         try:
-            self.job = make_job(bpy.context, depsgraph, is_asked())
+            self.job = make_job(bpy.context, depsgraph, self.frame_set, is_asked())
         except (SceneError, WorldError, ToolError) as error:
             self._fail(str(error))
             return
@@ -103,7 +103,7 @@ class HipmapEngine(ViewportEngine, bpy.types.RenderEngine):
         child, code = self._watch(preprocess_command(job), lambda event: None)
         if code != 0:
             raise ToolError(child.last_error())
-        write_notes(job, partition=job.partition_key)
+        write_notes(job, partition=job.partition_key, moves=job.moves)
 
     def _render_passes(self, layer):
         job = self.job
@@ -111,7 +111,7 @@ class HipmapEngine(ViewportEngine, bpy.types.RenderEngine):
             self._forget_passes()
         self._tell_state("starting")
         child, code = self._watch(render_command(job), lambda event: self._show(event, layer))
-        if code == _BAD_INPUT and "scene.state" in child.last_error():
+        if code == _BAD_INPUT and os.path.basename(job.made("scene.state")) in child.last_error():
             self.report({"INFO"}, "the scene or its settings have changed: rendering from the "
                                   "first pass")
             self._forget_passes()
@@ -124,8 +124,9 @@ class HipmapEngine(ViewportEngine, bpy.types.RenderEngine):
 
     def _forget_passes(self):
         write_notes(self.job, passes=0)
-        if os.path.exists(self.job.path("scene.state")):
-            os.remove(self.job.path("scene.state"))
+        for path in {self.job.path("scene.state"), self.job.made("scene.state")}:
+            if os.path.exists(path):
+                os.remove(path)
 
     def _tell(self, messages):
         for line in warnings_of(messages):
@@ -156,7 +157,7 @@ class HipmapEngine(ViewportEngine, bpy.types.RenderEngine):
             self.update_stats("", "hipmap: " + text)
 
     def _show_image(self, layer):
-        pixels, width, height = read_pfm(self.job.path("scene.pfm"))
+        pixels, width, height = read_pfm(self.job.made("scene.pfm"))
         result = self.begin_result(0, 0, width, height, layer=layer)
         try:
             rects = Rects(result.layers[0].passes, width * height)
@@ -170,7 +171,7 @@ class HipmapEngine(ViewportEngine, bpy.types.RenderEngine):
         width, height = picture.part_width, picture.part_height
         result = self.begin_result(0, 0, width, height, layer=layer)
         try:
-            result.load_from_file(self.job.path("layers.exr"))
+            result.load_from_file(self.job.made("layers.exr"))
             rects = Rects(result.layers[0].passes, width * height)
             rects.read()
             renumber(rects, self.job.numbers)

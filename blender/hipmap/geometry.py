@@ -4,9 +4,18 @@
 from dataclasses import dataclass, field
 
 import numpy
+from mathutils import Matrix
+
+# glTF has +Y up.
+_TO_Y_UP = Matrix(((1, 0, 0, 0), (0, 0, 1, 0), (0, -1, 0, 0), (0, 0, 0, 1)))
 
 # The layer with the colours of shared photon maps, which no render shows.
 MAP_COLOURS = "hipmap Maps"
+
+
+def in_gltf_axes(to_world):
+    """Returns the matrix to glTF's world for one to Blender's."""
+    return _TO_Y_UP @ to_world
 
 
 @dataclass
@@ -14,6 +23,7 @@ class Part:
     """The triangles of one material slot, with vertices of their own."""
 
     slot: int
+    corners: numpy.ndarray  # [vertices] a corner of the mesh where each vertex is
     indices: numpy.ndarray  # [3 triangles] uint32
     positions: numpy.ndarray  # [vertices, 3], the object's space
     normals: numpy.ndarray  # [vertices, 3]
@@ -100,6 +110,7 @@ class MeshArrays:
         self.corner_vertices = _read(mesh.loops, "vertex_index", numpy.int32)
         self.positions = _read(mesh.vertices, "co", numpy.float32, 3)
         self.normals = _corner_normals(mesh) if len(self.corners) else None
+        self.counts = len(self.positions), len(self.corner_vertices)
 
     def used_slots(self):
         """Material slots with a triangle, ascending."""
@@ -125,6 +136,10 @@ class MeshArrays:
         if colours is not None:
             words.append(_words(colours))
         first, kind = _distinct(numpy.concatenate(words, axis=1))
-        return Part(slot, kind.astype(numpy.uint32), self.positions[vertices[first]],
-                    normals[first], [uv[first] for uv in attributes],
-                    None if colours is None else colours[first])
+        return Part(slot, corners[first], kind.astype(numpy.uint32),
+                    self.positions[vertices[first]], normals[first],
+                    [uv[first] for uv in attributes], None if colours is None else colours[first])
+
+    def again(self, part):
+        """Returns positions and normals of the vertices of a Part of a mesh of the same counts."""
+        return self.positions[self.corner_vertices[part.corners]], self.normals[part.corners]

@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 import bpy
 
 from .frame import picture_of
+from .motion import FRAME_OPTIONS, FRAME_SUFFIX, SHUTTER_OPTIONS
 from .passes import asked_passes
 from .properties import programs_folder
 from .run import find_tool
@@ -29,6 +30,7 @@ class Job:
     keep_passes: bool
     proceed: bool
     passes: int  # to add; 0: another rule ends the render
+    moves: bool = False  # whether the file has motion, which is rendered as one frame
     losses: list = field(default_factory=list)
     scene: str = ""  # names
     view_layer: str = ""
@@ -38,6 +40,11 @@ class Job:
     def path(self, name):
         """The path of one of the job's files."""
         return os.path.join(self.folder, name)
+
+    def made(self, name):
+        """The path of a file that a program makes when it is told this name."""
+        stem, suffix = os.path.splitext(name)
+        return self.path(stem + FRAME_SUFFIX + suffix if self.moves else name)
 
 
 def folder_of(scene, view_layer):
@@ -71,17 +78,18 @@ def _stop_options(settings, quote):
     return options
 
 
-def make_job(context, depsgraph, quote=False):
-    """Exports the evaluated scene, and returns the Job of rendering it.  quote: renders a few
-    passes, adds them to those that are kept, and lists costs.  To be called where Blender's data
-    may be read.  Throws SceneError, WorldError or ToolError."""
+def make_job(context, depsgraph, set_frame, quote=False):
+    """Exports the evaluated scene, and returns the Job of rendering it.  set_frame: as in
+    export_depsgraph.  quote: renders a few passes, adds them to those that are kept, and lists
+    costs.  To be called where Blender's data may be read.  Throws SceneError, WorldError or
+    ToolError."""
     scene = depsgraph.scene
     settings = scene.hipmap
     programs = programs_folder(context)
     tools = {name: find_tool(name, programs) for name in ("preprocess", "render")}
     picture = picture_of(scene.render)
     folder = folder_of(scene, depsgraph.view_layer)
-    exported = export_depsgraph(depsgraph, os.path.join(folder, "scene.glb"), picture)
+    exported = export_depsgraph(depsgraph, os.path.join(folder, "scene.glb"), picture, set_frame)
     partition_options = ["--angle", f"{round(math.degrees(settings.angle), 4):g}"]
     passes_asked = asked_passes(depsgraph.view_layer)
     names = [one.name for one in passes_asked]
@@ -92,7 +100,7 @@ def make_job(context, depsgraph, quote=False):
                exported.geometry + " ".join(partition_options), settings.keep_passes,
                settings.keep_passes and (settings.proceed or quote),
                settings.passes if settings.stop_at == "PASSES" and not quote else 0,
-               exported.losses,
+               exported.moves, exported.losses,
                scene.name, depsgraph.view_layer.name, passes_asked, numbers)
 
 
@@ -103,10 +111,10 @@ def remove_leftovers(job):
             os.remove(job.path(name))
 
 
-def read_notes(job):
-    """What is known of the files of earlier renders in the job's folder."""
+def read_notes(folder):
+    """What is known of the files of earlier renders in a job's folder."""
     try:
-        with open(job.path("notes.json"), encoding="utf-8") as file:
+        with open(os.path.join(folder, "notes.json"), encoding="utf-8") as file:
             return json.load(file)
     except (OSError, ValueError):
         return {}
@@ -114,21 +122,27 @@ def read_notes(job):
 
 def write_notes(job, **values):
     """Adds to what is known of the files."""
-    notes = {**read_notes(job), **values}
+    notes = {**read_notes(job.folder), **values}
     with open(job.path("notes.json"), "w", encoding="utf-8") as file:
         json.dump(notes, file)
 
 
 def has_partition(job):
     """Whether the partition of an earlier render is of these faces and options."""
-    return (read_notes(job).get("partition") == job.partition_key and
-            os.path.isfile(job.path("scene.hpm")))
+    return (read_notes(job.folder).get("partition") == job.partition_key and
+            os.path.isfile(job.made("scene.hpm")))
 
 
 def preprocess_command(job):
     """The command line that makes the partition."""
     return [job.preprocess, job.path("scene.glb"), "-o", job.path("scene.hpm"),
-            *job.partition_options, *_thread_options(job)]
+            *job.partition_options, *_thread_options(job),
+            *(FRAME_OPTIONS if job.moves else ())]
+
+
+def render_frame_options(moves):
+    """Options with which `render` blurs a file that moves."""
+    return (*FRAME_OPTIONS, *SHUTTER_OPTIONS) if moves else ()
 
 
 def _thread_options(job):
@@ -138,11 +152,13 @@ def _thread_options(job):
 
 def render_command(job):
     """The command line that renders."""
-    before = read_notes(job).get("passes", 0) if job.proceed else 0
+    has_passes = job.proceed and os.path.isfile(job.made("scene.state"))
+    before = read_notes(job.folder).get("passes", 0) if has_passes else 0
     ending = ["--passes", str(before + job.passes)] if job.passes else []
     keeping = ["--state", job.path("scene.state")] if job.keep_passes else []
     return [job.render, job.path("scene.glb"), job.path("scene.hpm"), "-o", job.path("scene.pfm"),
-            "--progress", "json", *keeping, *_layer_options(job), *job.options, *ending]
+            "--progress", "json", *keeping, *_layer_options(job), *job.options, *ending,
+            *render_frame_options(job.moves)]
 
 
 def _layer_options(job):

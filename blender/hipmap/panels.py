@@ -4,6 +4,7 @@
 import bpy
 
 from .engine import HipmapEngine
+from .motion import position_owner
 from .quote import draw_costs
 
 _EEVEE = {"EEVEE_MATERIAL_PT_context_material", "EEVEE_MATERIAL_PT_surface",
@@ -84,6 +85,25 @@ class RENDER_PT_hipmap_partition(HipmapPanel, bpy.types.Panel):
         column.operator("object.hipmap_remove_maps")
 
 
+class RENDER_PT_hipmap_motion_blur(HipmapPanel, bpy.types.Panel):
+    """Blender's settings of motion blur"""
+
+    bl_label = "Motion Blur"
+
+    def draw_header(self, context):
+        """Shows the switch."""
+        self.layout.prop(context.scene.render, "use_motion_blur", text="")
+
+    def draw(self, context):
+        """Shows the panel."""
+        scene = context.scene
+        column = self.column(context)
+        column.active = scene.render.use_motion_blur
+        if position_owner(scene):
+            column.prop(position_owner(scene), "motion_blur_position", text="Position")
+        column.prop(scene.render, "motion_blur_shutter", text="Shutter")
+
+
 class RENDER_PT_hipmap_viewport(HipmapPanel, bpy.types.Panel):
     """The preview in 3D viewports"""
 
@@ -103,7 +123,7 @@ class RENDER_PT_hipmap_running(HipmapPanel, bpy.types.Panel):
 
 
 _CLASSES = (RENDER_PT_hipmap_stop, RENDER_PT_hipmap_method, RENDER_PT_hipmap_partition,
-            RENDER_PT_hipmap_viewport, RENDER_PT_hipmap_running)
+            RENDER_PT_hipmap_motion_blur, RENDER_PT_hipmap_viewport, RENDER_PT_hipmap_running)
 
 
 def _shared_panels():

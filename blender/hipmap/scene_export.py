@@ -6,18 +6,15 @@ import os
 from dataclasses import dataclass, field
 
 import bpy
-from mathutils import Matrix
 
 from .cameras import camera_extras, camera_losses, gltf_camera, shift_extras
-from .geometry import MeshArrays
+from .geometry import MeshArrays, in_gltf_axes
 from .glb_file import GlbBuilder
 from .lights import is_portal, light_extras, light_losses, punctual_light
 from .losses import without_repeats
 from .materials import MaterialWriter
+from .motion import MotionWriter, Shutter, collect_motion, instance_key, motion_losses
 from .world import bake_at_once, world_extras, world_losses
-
-# glTF has +Y up.
-_TO_Y_UP = Matrix(((1, 0, 0, 0), (0, 0, 1, 0), (0, -1, 0, 0), (0, 0, 0, 1)))
 
 # From 3.0 on the mesh of a curve or a text is an instance of its own.
 _WITH_MESH = ({"MESH", "META"} if bpy.app.version >= (3, 0, 0) else
@@ -42,6 +39,7 @@ class ExportedScene:
     path: str
     geometry: str  # a hash of all faces: equal ones have the same partition
     triangles: int
+    moves: bool = False  # whether the file has an animation, of the time that the shutter is open
     numbers: dict = field(default_factory=dict)  # pass indices of its objects and materials, by pass
     losses: list = field(default_factory=list)
 
@@ -55,14 +53,16 @@ def generator():
 
 def matrix_numbers(to_world):
     """Returns the matrix of a glTF node, 16 numbers column by column, for one of Blender."""
-    return [x for column in (_TO_Y_UP @ to_world).transposed() for x in column]
+    return [x for column in in_gltf_axes(to_world).transposed() for x in column]
 
 
 class SceneWriter:
     """One export under way."""
 
-    def __init__(self):
+    def __init__(self, motion=None):
+        """motion: a MotionWriter that follows everything; None: nothing moves."""
         self.glb = GlbBuilder(generator())
+        self.motion = motion
         self.materials = MaterialWriter(self.glb)
         self.losses = []
         self.meshes = {}  # key -> index, or None for a mesh without faces
@@ -75,7 +75,7 @@ class SceneWriter:
         """Adds one instance of the evaluated scene."""
         item = instance.object
         if item.type == "LIGHT":
-            self._add_light(item, instance.matrix_world)
+            self._add_light(item, instance)
         elif item.type in _WITH_MESH:
             self._add_mesh(item, instance)
         elif item.type in _NOT_RENDERED:
@@ -93,7 +93,9 @@ class SceneWriter:
         self.triangles += self.triangles_of[mesh]
         self.object_numbers.append(item.pass_index)
         self.hash.update(repr((mesh, matrix)).encode())
-        self.glb.add_root({"name": item.name, "mesh": mesh, "matrix": matrix})
+        node = self.glb.add_root({"name": item.name, "mesh": mesh, "matrix": matrix})
+        if self.motion:
+            self.motion.follow(instance_key(instance), item, instance.matrix_world, node, mesh)
 
     def _write_mesh(self, item):
         mesh = item.to_mesh()
@@ -101,16 +103,21 @@ class SceneWriter:
             return None
         try:
             arrays = MeshArrays(mesh)
-            primitives = [self._write_part(arrays, slot, item) for slot in arrays.used_slots()]
+            written = [self._write_part(arrays, slot, item) for slot in arrays.used_slots()]
         finally:
             item.to_mesh_clear()
-        if not primitives:
+        if not written:
             return None
-        index = self.glb.add("meshes", {"name": item.data.name, "primitives": primitives})
+        entry = {"name": item.data.name, "primitives": [primitive for primitive, _ in written]}
+        index = self.glb.add("meshes", entry)
+        if self.motion:
+            self.motion.follow_shape(index, item, entry, arrays.counts,
+                                     [part for _, part in written])
         self.triangles_of[index] = len(arrays.corners)
         return index
 
     def _write_part(self, arrays, slot, item):
+        """The primitive of a material slot, and its Part."""
         material = self.materials.write(_material(item, arrays.mesh, slot))
         part = arrays.part(slot, material.uv_names, material.colour_layer)
         self.hash.update(part.positions.tobytes())
@@ -127,7 +134,7 @@ class SceneWriter:
         if part.colours is not None:
             attributes["COLOR_0"] = self.glb.add_array(part.colours)
         return {"attributes": attributes, "indices": self.glb.add_array(part.indices),
-                "material": material.index}
+                "material": material.index}, part
 
     def _name_losses(self, item):
         for system in item.particle_systems:
@@ -142,12 +149,12 @@ class SceneWriter:
             self.losses.append(f"object '{item.name}': its ray visibility is not rendered: all "
                                "rays see it")
 
-    def _add_light(self, item, matrix):
+    def _add_light(self, item, instance):
         light = item.data
         if is_portal(light):
             return
         entry = punctual_light(light)
-        node = {"name": item.name, "matrix": matrix_numbers(matrix),
+        node = {"name": item.name, "matrix": matrix_numbers(instance.matrix_world),
                 "extras": {"hipmap": light_extras(light)}}
         if entry is not None:
             self.glb.use_extension("KHR_lights_punctual")
@@ -155,7 +162,9 @@ class SceneWriter:
                 "KHR_lights_punctual", {"lights": []})["lights"]
             lights.append(entry)
             node["extensions"] = {"KHR_lights_punctual": {"light": len(lights) - 1}}
-        self.glb.add_root(node)
+        index = self.glb.add_root(node)
+        if self.motion:
+            self.motion.follow(instance_key(instance), item, instance.matrix_world, index)
         self.losses += light_losses(light)
         if getattr(item, "visible_camera", False):
             self.losses.append(f"light '{item.name}': the camera does not see it, although its ray "
@@ -168,8 +177,11 @@ class SceneWriter:
             raise SceneError(f"camera '{item.name}': hipmap renders no panoramic cameras; set its "
                              "type to Perspective or Orthographic")
         extras = {**camera_extras(item, item.matrix_world), **shift_extras(item.data, picture)}
-        self.glb.add_root({"name": item.name, "camera": self.glb.add("cameras", entry),
-                           "matrix": matrix_numbers(item.matrix_world), "extras": {"hipmap": extras}})
+        node = self.glb.add_root({
+            "name": item.name, "camera": self.glb.add("cameras", entry),
+            "matrix": matrix_numbers(item.matrix_world), "extras": {"hipmap": extras}})
+        if self.motion:
+            self.motion.follow(None, item, item.matrix_world, node)
         self.losses += camera_losses(item)
 
     def add_world(self, world, folder, bake=bake_at_once):
@@ -180,10 +192,7 @@ class SceneWriter:
 
 
 def _scene_losses(scene, picture):
-    render = scene.render
-    if render.use_motion_blur:
-        yield "motion blur is not rendered: things stand still"
-    if render.film_transparent:
+    if scene.render.film_transparent:
         yield "a transparent film is not rendered: the world is behind everything"
     if picture.pixel_aspect != 1:
         yield "pixels are square: the aspect of pixels is not rendered"
@@ -208,21 +217,49 @@ def _mesh_key(item):
     return owner.as_pointer(), materials
 
 
-def export_depsgraph(depsgraph, path, picture):
+def export_depsgraph(depsgraph, path, picture, set_frame=None):
     """Writes the evaluated scene to a .glb, and an environment map beside it if the world has
-    nodes.  Returns the ExportedScene.  picture: what the camera shows.  Throws SceneError or
-    WorldError.  Cost: linear in the triangles of distinct meshes, 1 s for a million."""
+    nodes.  Returns the ExportedScene.  picture: what the camera shows.  set_frame: evaluates the
+    depsgraph at another frame, as RenderEngine.frame_set does; with it and the scene's motion blur
+    the file holds what moves while the shutter is open.  Throws SceneError or WorldError.  Cost:
+    linear in the triangles of distinct meshes, 1 s for a million; with motion blur also six times
+    what Blender takes for a frame."""
     scene = depsgraph.scene
     if scene.camera is None:
         raise SceneError("the scene has no camera: add one, and make it the active camera")
-    writer = SceneWriter()
+    if set_frame is None or not scene.render.use_motion_blur:
+        return _export(depsgraph, path, picture, SceneWriter(), lambda writer: None)
+    shutter = Shutter(scene, set_frame)
+    camera = scene.camera.original
+    motion = MotionWriter(scene.original)
+
+    def add_motion(writer):
+        collect_motion(shutter, depsgraph, motion, camera)
+        writer.losses += [*motion_losses(scene)]
+        moved = motion.write(writer.glb)
+        writer.losses += motion.losses
+        return moved
+
+    try:
+        shutter.set_moment(0)
+        return _export(depsgraph, path, picture, SceneWriter(motion), add_motion)
+    finally:
+        shutter.set_back()
+
+
+def _export(depsgraph, path, picture, writer, add_motion):
+    """Writes the file.  add_motion: called when all else is in the file; returns a text of what
+    moves, None: nothing."""
+    scene = depsgraph.scene
     writer.losses += _scene_losses(scene, picture)
     writer.add_camera(scene.camera.evaluated_get(depsgraph), picture)
     for instance in depsgraph.object_instances:
         if instance.show_self:
             writer.add(instance)
     writer.add_world(scene.world, os.path.dirname(path))
+    moved = add_motion(writer)
+    writer.hash.update((moved or "").encode())
     writer.glb.write(path)
     numbers = {"IndexOB": writer.object_numbers, "IndexMA": writer.materials.numbers}
-    return ExportedScene(path, writer.hash.hexdigest(), writer.triangles, numbers,
-                         without_repeats(writer.losses + writer.materials.losses))
+    return ExportedScene(path, writer.hash.hexdigest(), writer.triangles, moved is not None,
+                         numbers, without_repeats(writer.losses + writer.materials.losses))

@@ -18,7 +18,7 @@ import preview_headless
 from install_addon import render, set_up
 
 ARCHIVE, SCENES, OUT = sys.argv[sys.argv.index("--") + 1:]
-SIX = ("modifiers", "instances", "lights", "sky", "text", "glass")
+SCENES_BY_F12 = ("modifiers", "instances", "lights", "sky", "text", "glass", "motion")
 facts = {}
 
 
@@ -35,10 +35,21 @@ def time_of_partition(folder):
     return os.stat(os.path.join(out(folder), "Scene_ViewLayer", "scene.hpm")).st_mtime_ns
 
 
-def six_scenes():
-    for name in SIX:
+def scenes():
+    for name in SCENES_BY_F12:
         open_scene(name, name)
         render(out(name + ".f32"))
+
+
+def motion():
+    """A shutter that opens at the frame, and a world without motion; both end where they began."""
+    scene = open_scene("motion", "motion_start", passes=1)
+    scene.cycles.motion_blur_position = "START"
+    render(out("motion_start.f32"))
+    facts["frame_after_motion"] = scene.frame_current, scene.frame_subframe
+    facts["ball_after_motion"] = bpy.data.objects["Ball"].location.x
+    open_scene("modifiers", "motionless", passes=1).render.use_motion_blur = True
+    render(out("motionless.f32"))
 
 
 def again():
@@ -211,7 +222,8 @@ def maps():
 
 
 install_addon.install(ARCHIVE, "")
-six_scenes()
+scenes()
+motion()
 again()
 proceed()
 quote()

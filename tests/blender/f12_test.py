@@ -3,15 +3,18 @@
     f12_test.py FOLDER_OF_TOOLS
 """
 
+import array
 import json
 import os
 import sys
 import time
 
 import inside_blender
+from glb_content import Glb
 from inside_blender import HERE, BlenderTestCase, Tools
 
-SIX = ("modifiers", "instances", "lights", "sky", "text", "glass")
+STILL = ("modifiers", "instances", "lights", "sky", "text", "glass")
+MOTION = ("--frames", 1, "--fps", 1, "--shutter", 1)
 OPTIONS = ("--photons", 5000, "--threads", 2)
 WIDTH, HEIGHT = 48, 32
 PIXEL = 12  # bytes
@@ -22,12 +25,12 @@ class F12(BlenderTestCase):
     def setUpClass(cls):
         super().setUpClass()
         this = cls()
-        this.blender("--python", os.path.join(HERE, "six_scenes.py"), "--", cls.folder)
+        this.blender("--python", os.path.join(HERE, "f12_scenes.py"), "--", cls.folder)
         this.make_addon("hipmap.zip", "--programs", Tools.folder)
         began = time.monotonic()
         cls.said = this.blender("--python", os.path.join(HERE, "f12_inside.py"), "--",
                                 this.path("hipmap.zip"), cls.folder, cls.folder)
-        print(f"20 renders in Blender: {time.monotonic() - began:.1f} s")
+        print(f"22 renders in Blender: {time.monotonic() - began:.1f} s")
         with open(this.path("facts.json"), encoding="utf-8") as file:
             cls.facts = json.load(file)
 
@@ -38,13 +41,63 @@ class F12(BlenderTestCase):
     def by_command_line(self, folder, *options, size=(WIDTH, HEIGHT)):
         """The pixels of the scene that F12 exported, with a partition of its own."""
         scene = self.path(os.path.join(folder, "Scene_ViewLayer", "scene.glb"))
-        self.tool("preprocess", scene, "-o", self.path("own.hpm"))
+        of_frame = options[:4] if "--frames" in options else ()
+        self.tool("preprocess", scene, "-o", self.path("own.hpm"), *of_frame)
         self.tool("render", scene, self.path("own.hpm"), "-o", self.path("own.pfm"), *OPTIONS,
                   "--size", f"{size[0]}x{size[1]}", *options)
-        return self.content("own.pfm")[-size[0] * size[1] * PIXEL:]
+        made = "own.0001.pfm" if of_frame else "own.pfm"
+        return self.content(made)[-size[0] * size[1] * PIXEL:]
 
-    def test_six_scenes(self):
-        for name in SIX:
+    def channels(self, folder):
+        """What moves of an exported scene: (name of the node, path) and its keys."""
+        glb = Glb(self.path(os.path.join(folder, "Scene_ViewLayer", "scene.glb")))
+        animation, = glb.json["animations"]
+        return {(glb.json["nodes"][channel["target"]["node"]]["name"], channel["target"]["path"]):
+                glb.array(animation["samplers"][channel["sampler"]]["output"])
+                for channel in animation["channels"]}
+
+    def red_by_column(self, pixels):
+        """How much more red than blue is in each column."""
+        values = array.array("f", pixels)
+        return [sum(values[3 * (row * WIDTH + x)] - values[3 * (row * WIDTH + x) + 2]
+                    for row in range(HEIGHT)) for x in range(WIDTH)]
+
+    def test_motion_is_blurred_as_on_the_command_line(self):
+        self.assertEqual(self.content("motion.f32"),
+                         self.by_command_line("motion", *MOTION, "--passes", 2))
+        self.assertNotIn("motion blur", self.said)
+
+    def test_an_object_that_moves_is_spread_along_its_path(self):
+        blurred, still = (self.red_by_column(self.by_command_line("motion", *options, "--passes",
+                                                                  32, "--integrator", "path"))
+                          for options in (MOTION, MOTION[:4]))
+        self.assertAlmostEqual(sum(blurred) / sum(still), 1, delta=0.05)
+        self.assertLess(max(blurred), 0.75 * max(still))
+        columns = [sum(value > 0.05 * max(still) for value in one) for one in (blurred, still)]
+        # A ball of diameter 0.8 moves by 1 while the shutter is open.
+        self.assertAlmostEqual(columns[0] / columns[1], 1.8 / 0.8, delta=0.35)
+
+    def test_the_shutters_time_is_that_of_the_scene(self):
+        for folder, first in (("motion", -0.5), ("motion_start", 0)):
+            keys = self.channels(folder)[("Ball", "translation")]
+            for at, (x, y, z) in enumerate(keys):  # two metres a frame, open for half a frame
+                self.assertAlmostEqual(x, first + 0.25 * at, 5)
+                self.assertEqual((y, z), (1, -2))
+        self.assertEqual(self.facts["frame_after_motion"], [1, 0])
+        self.assertEqual(self.facts["ball_after_motion"], 0)
+
+    def test_what_moves_has_keys_and_nothing_else(self):
+        found = self.channels("motion")
+        self.assertEqual(set(found), {("Ball", "translation"), ("Blade", "rotation"),
+                                      ("Box", "weights")})
+        self.assertEqual([w for w, in found["Box", "weights"]][:4], [1, 0, 0, 0])
+
+    def test_a_scene_in_which_nothing_moves_is_no_animation(self):
+        self.assertEqual(self.content("motionless.f32"),
+                         self.by_command_line("modifiers", "--passes", 1))
+
+    def test_scenes(self):
+        for name in STILL:
             pixels = self.content(name + ".f32")
             self.assertGreater(len(set(pixels[i:i + PIXEL] for i in range(0, len(pixels), PIXEL))),
                                100, name)

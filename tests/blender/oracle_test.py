@@ -20,7 +20,7 @@ class Oracle(BlenderTestCase):
     def setUpClass(cls):
         super().setUpClass()
         this = cls()
-        this.blender("--python", os.path.join(HERE, "six_scenes.py"), "--", cls.folder)
+        this.blender("--python", os.path.join(HERE, "f12_scenes.py"), "--", cls.folder)
         cls.ours, cls.stock, cls.said = {}, {}, {}
         for name in SCENES:
             files = this.path(name + ".glb"), this.path(name + "_stock.glb")

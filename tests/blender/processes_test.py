@@ -34,7 +34,7 @@ class Processes(BlenderTestCase):
     def setUpClass(cls):
         super().setUpClass()
         this = cls()
-        this.blender("--python", os.path.join(HERE, "six_scenes.py"), "--", cls.folder, "lights")
+        this.blender("--python", os.path.join(HERE, "f12_scenes.py"), "--", cls.folder, "lights")
         this.make_addon("hipmap.zip")
 
     def start(self, waiting_for):

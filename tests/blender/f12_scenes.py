@@ -1,6 +1,6 @@
-"""Six small scenes with what Blender's own exporter, or glTF, leaves out.
+"""Seven small scenes with what Blender's own exporter, or glTF, leaves out.
 
-    blender --python six_scenes.py -- FOLDER [NAME...]
+    blender --python f12_scenes.py -- FOLDER [NAME...]
 """
 
 import math
@@ -220,7 +220,45 @@ def glass():
                    size=1, location=(0, -1, 4))
 
 
-SCENES = (modifiers, instances, lights, sky, text, glass)
+def moves(item, path, values, key=None):
+    """Animates a property from frame 0 to frame 2, at a constant rate."""
+    for frame, value in zip((0, 2), values):
+        setattr(key or item, path, value)
+        (key or item).keyframe_insert(path, frame=frame)
+    owner = key.id_data if key else item
+    for curve in owner.animation_data.action.fcurves:
+        for point in curve.keyframe_points:
+            point.interpolation = "LINEAR"
+
+
+def motion():
+    """Motion blur of a ball that emits, an instance that turns and a mesh that a shape key deforms."""
+    floor_and_camera()
+    build.plain_world((0.3, 0.3, 0.3))
+    ball = build.add_mesh("uv_sphere", "Ball", build.node_material(
+        "Light", "ShaderNodeEmission", Color=(1, 0.1, 0.1, 1), Strength=5.0), radius=0.4)
+    moves(ball, "location", ((-2, 2, 1), (2, 2, 1)))
+    blade = bpy.data.objects.new("Blade", build.add_mesh(
+        "cube", "Still", build.matte("Blue", (0.1, 0.2, 0.8)), size=1, location=(0, -1, 0.2)).data)
+    blade.scale = (1.5, 0.2, 0.2)
+    group = bpy.data.collections.new("Propeller")
+    group.objects.link(blade)
+    empty = build.add_object("Hub", None, (-2, 0, 1))
+    empty.instance_type, empty.instance_collection = "COLLECTION", group
+    moves(empty, "rotation_euler", ((0, -2, 0), (0, 2, 0)))
+    box = build.add_mesh("cube", "Box", build.matte("Green", (0.1, 0.7, 0.2)), size=1,
+                         location=(2, 0, 0.5))
+    box.shape_key_add(name="Basis")
+    key = box.shape_key_add(name="Up")
+    for vertex in key.data:
+        vertex.co.z += vertex.co.z > 0
+    moves(box, "value", (0, 1), key)
+    build.add_light("Key", "POINT", 300, shadow_soft_size=0.3, location=(2, -3, 4))
+    bpy.context.scene.frame_set(1)
+    bpy.context.scene.render.use_motion_blur = True
+
+
+SCENES = (modifiers, instances, lights, sky, text, glass, motion)
 
 
 def main():
