@@ -1,7 +1,8 @@
 """Renders the scenes of tests/blender by F12 and by Cycles, and puts them side by side:
 
     blender -b --factory-startup --python tests/blender/f12_scenes.py -- FOLDER
-    blender -b --factory-startup --python bench/f12_beside_cycles.py -- PROGRAMS FOLDER OUT.png
+    blender -b --factory-startup --python bench/f12_beside_cycles.py -- PROGRAMS FOLDER OUT.png \
+        [NAME...]
 
 Prints a table of mean radiance, hipmap / Cycles, for docs/blender.md.  In OUT.png hipmap is on the
 left of each pair.
@@ -19,8 +20,8 @@ sys.path.insert(0, os.path.join(ROOT, "blender"))
 import hipmap
 from hipmap import job
 
-PROGRAMS, FOLDER, OUT = sys.argv[sys.argv.index("--") + 1:]
-SCENES = ("modifiers", "instances", "lights", "sky", "text", "glass", "motion")
+PROGRAMS, FOLDER, OUT, *NAMES = sys.argv[sys.argv.index("--") + 1:]
+SCENES = ("modifiers", "instances", "lights", "sky", "text", "glass", "motion", "media")
 WIDTH, HEIGHT, COLUMNS = 300, 200, 2
 PASSES, SAMPLES = 48, 512
 TILE = 10
@@ -86,7 +87,7 @@ def main():
     hipmap.register()
     job.programs_folder = lambda context: PROGRAMS
     pictures, rows = [], []
-    for name in SCENES:
+    for name in NAMES or SCENES:
         set_up(name)
         (ours, ours_s), (theirs, theirs_s) = render(name, "HIPMAP"), render(name, "CYCLES")
         pictures.append(shown(ours, theirs))

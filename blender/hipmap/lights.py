@@ -3,6 +3,7 @@
 
 import math
 
+from .ies import ies_node, ies_problem, write_ies
 from .losses import label
 from .sockets import Unknown, follow
 
@@ -14,6 +15,9 @@ _WITH_HEIGHT = ("RECTANGLE", "ELLIPSE")
 
 # Blender's own limit: a spread of 180 degrees is none.
 _WHOLE_SPREAD = math.radians(179.9)
+
+# Cycles takes this many lumens for a watt of an IES file.
+_LUMENS_PER_WATT_OF_IES = 177.83
 
 
 def _emission_node(light):
@@ -44,11 +48,25 @@ def _radiant_colour(light):
     if getattr(light, "use_temperature", False):
         colour = [c * t for c, t in zip(colour, light.temperature_color)]
     emission = _emission_node(light)
-    for name in ("Color", "Strength") if emission else ():
-        source = _plain_source(emission.inputs[name])
+    for socket in _factors(emission) if emission else ():
+        source = _plain_source(socket)
         if source is not None:
             colour = [c * t for c, t in zip(colour, source.numbers())]
     return colour
+
+
+def _factors(emission):
+    """Inputs that multiply the colour and the power of a light.  A profile has a strength of its
+    own."""
+    profile = ies_node(emission)
+    return emission.inputs["Color"], (profile or emission).inputs["Strength"]
+
+
+def _profile(light):
+    """The IES Texture that a light is rendered with; None: there is none."""
+    emission = _emission_node(light)
+    node = ies_node(emission) if emission else None
+    return node if node and light.type == "POINT" and ies_problem(node) is None else None
 
 
 def _split(colour):
@@ -72,14 +90,19 @@ def punctual_light(light):
     return entry
 
 
-def light_extras(light):
-    """Returns the custom property `hipmap` of a light's object: its size, and all of an area
-    light.  hipmap's area lights have the power pi area radiance, Cycles' 4 area radiance."""
+def light_extras(light, folder):
+    """Returns the custom property `hipmap` of a light's object: its size, a photometric file, which
+    is written to a folder, and all of an area light.  hipmap's area lights have the power pi area
+    radiance, Cycles' 4 area radiance."""
     if light.type == "SUN":
         return {"angle_deg": math.degrees(light.angle)}
+    colour, power = _split([max(c, 0.0) for c in _radiant_colour(light)])
+    profile = _profile(light)
+    if profile is not None:  # its colour is the light's
+        return {"ies": write_ies(profile, folder),
+                "ies_scale": power * _LUMENS_PER_WATT / _LUMENS_PER_WATT_OF_IES}
     if light.type != "AREA":
         return {"radius": light.shadow_soft_size}
-    colour, power = _split([max(c, 0.0) for c in _radiant_colour(light)])
     return {"area_power": power * math.pi / 4, "area_color": colour,
             "area_width": light.size,
             "area_height": light.size_y if light.shape in _WITH_HEIGHT else light.size,
@@ -93,10 +116,23 @@ def _node_losses(light):
     if emission is None:
         yield "its nodes are not one Emission node: rendered without them"
         return
-    for name in ("Color", "Strength"):
+    profile = ies_node(emission)
+    if profile is not None:
+        yield from _profile_losses(light, profile)
+    for name in ("Color", "Strength") if profile is None else ("Color",):
         if _plain_source(emission.inputs[name]) is None:
             node = emission.inputs[name].links[0].from_node
             yield f"node {label(node)} at the {name.lower()} of its Emission is not rendered"
+
+
+def _profile_losses(light, node):
+    problem = ies_problem(node)
+    if light.type != "POINT":
+        yield f"node {label(node)} is rendered on point lights alone"
+    elif problem is not None:
+        yield f"node {label(node)}: {problem}: rendered without it"
+    elif light.shadow_soft_size > 0:
+        yield f"its radius is not rendered beside node {label(node)}: its shadows are sharp"
 
 
 def is_portal(light):

@@ -29,7 +29,7 @@ class _NumberedWriter(SceneWriter):
 
     def __init__(self, faces_of):
         """faces_of: the numbers of each mesh, a range by its full name."""
-        super().__init__()
+        super().__init__(folder="")
         self._faces_of = faces_of
         self._parts = []
         self._numbers_of = {}  # by the mesh's index
@@ -170,7 +170,7 @@ def _export(context, meshes):
         context.view_layer.update()
         writer = _NumberedWriter(faces_of)
         for instance in context.evaluated_depsgraph_get().object_instances:
-            if instance.show_self:
+            if instance.show_self and instance.object.type != "LIGHT":
                 writer.add(instance)
     finally:
         _forget_numbers(meshes)

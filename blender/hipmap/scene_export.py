@@ -59,8 +59,10 @@ def matrix_numbers(to_world):
 class SceneWriter:
     """One export under way."""
 
-    def __init__(self, motion=None):
-        """motion: a MotionWriter that follows everything; None: nothing moves."""
+    def __init__(self, folder, motion=None):
+        """folder: of the files beside the .glb; motion: a MotionWriter that follows everything,
+        None: nothing moves."""
+        self.folder = folder
         self.glb = GlbBuilder(generator())
         self.motion = motion
         self.materials = MaterialWriter(self.glb)
@@ -137,6 +139,10 @@ class SceneWriter:
                 "material": material.index}, part
 
     def _name_losses(self, item):
+        if any(modifier.type == "FLUID" and modifier.fluid_type == "DOMAIN" and
+               modifier.domain_settings.domain_type == "GAS" for modifier in item.modifiers):
+            self.losses.append(f"object '{item.name}': its smoke is not rendered: its volume fills "
+                               "the whole domain")
         for system in item.particle_systems:
             if system.settings.render_type == "PATH":
                 self.losses.append(f"object '{item.name}': its hair '{system.name}' is not "
@@ -155,7 +161,7 @@ class SceneWriter:
             return
         entry = punctual_light(light)
         node = {"name": item.name, "matrix": matrix_numbers(instance.matrix_world),
-                "extras": {"hipmap": light_extras(light)}}
+                "extras": {"hipmap": light_extras(light, self.folder)}}
         if entry is not None:
             self.glb.use_extension("KHR_lights_punctual")
             lights = self.glb.json.setdefault("extensions", {}).setdefault(
@@ -184,9 +190,9 @@ class SceneWriter:
             self.motion.follow(None, item, item.matrix_world, node)
         self.losses += camera_losses(item)
 
-    def add_world(self, world, folder, bake=bake_at_once):
+    def add_world(self, world, bake=bake_at_once):
         """Adds the world and its medium.  bake: as in world_extras."""
-        extras = world_extras(world, folder, bake)
+        extras = world_extras(world, self.folder, bake)
         self.losses += world_losses(world)
         self.glb.json["scenes"][0]["extras"] = {"hipmap": extras}
 
@@ -218,17 +224,18 @@ def _mesh_key(item):
 
 
 def export_depsgraph(depsgraph, path, picture, set_frame=None):
-    """Writes the evaluated scene to a .glb, and an environment map beside it if the world has
-    nodes.  Returns the ExportedScene.  picture: what the camera shows.  set_frame: evaluates the
-    depsgraph at another frame, as RenderEngine.frame_set does; with it and the scene's motion blur
-    the file holds what moves while the shutter is open.  Throws SceneError or WorldError.  Cost:
-    linear in the triangles of distinct meshes, 1 s for a million; with motion blur also six times
-    what Blender takes for a frame."""
+    """Writes the evaluated scene to a .glb, and beside it an environment map if the world has
+    nodes, and photometric files of lights.  Returns the ExportedScene.  picture: what the camera
+    shows.  set_frame: evaluates the depsgraph at another frame, as RenderEngine.frame_set does;
+    with it and the scene's motion blur the file holds what moves while the shutter is open.
+    Throws SceneError or WorldError.  Cost: linear in the triangles of distinct meshes, 1 s for a
+    million; with motion blur also six times what Blender takes for a frame."""
     scene = depsgraph.scene
     if scene.camera is None:
         raise SceneError("the scene has no camera: add one, and make it the active camera")
+    folder = os.path.dirname(path)
     if set_frame is None or not scene.render.use_motion_blur:
-        return _export(depsgraph, path, picture, SceneWriter(), lambda writer: None)
+        return _export(depsgraph, path, picture, SceneWriter(folder), lambda writer: None)
     shutter = Shutter(scene, set_frame)
     camera = scene.camera.original
     motion = MotionWriter(scene.original)
@@ -242,7 +249,7 @@ def export_depsgraph(depsgraph, path, picture, set_frame=None):
 
     try:
         shutter.set_moment(0)
-        return _export(depsgraph, path, picture, SceneWriter(motion), add_motion)
+        return _export(depsgraph, path, picture, SceneWriter(folder, motion), add_motion)
     finally:
         shutter.set_back()
 
@@ -256,7 +263,7 @@ def _export(depsgraph, path, picture, writer, add_motion):
     for instance in depsgraph.object_instances:
         if instance.show_self:
             writer.add(instance)
-    writer.add_world(scene.world, os.path.dirname(path))
+    writer.add_world(scene.world)
     moved = add_motion(writer)
     writer.hash.update((moved or "").encode())
     writer.glb.write(path)

@@ -36,13 +36,13 @@ def _add_extras(owner, values):
     extras["hipmap"] = {**values, **extras.get("hipmap", {})}
 
 
-def _complete_light(gltf, node, light):
+def _complete_light(gltf, node, light, folder):
     """Cycles multiplies the light's colour by its nodes'; the exporter takes one of them."""
     punctual = node.get("extensions", {}).get("KHR_lights_punctual")
     if punctual:
         entry = gltf["extensions"]["KHR_lights_punctual"]["lights"][punctual["light"]]
         entry.update(punctual_light(light))
-    _add_extras(node, light_extras(light))
+    _add_extras(node, light_extras(light, folder))
 
 
 def _whole_picture(scene):
@@ -52,13 +52,13 @@ def _whole_picture(scene):
                    part_height=picture.height)
 
 
-def _complete_nodes(gltf, scene):
+def _complete_nodes(gltf, scene, folder):
     for node in gltf.get("nodes", []):
         item = scene.objects.get(node.get("name", ""))
         if item is None:
             continue
         if item.type == "LIGHT" and not is_portal(item.data):
-            _complete_light(gltf, node, item.data)
+            _complete_light(gltf, node, item.data, folder)
         elif item.type == "CAMERA" and "camera" in node:
             _add_extras(node, {**camera_extras(item, item.matrix_world),
                                **shift_extras(item.data, _whole_picture(scene))})
@@ -96,7 +96,7 @@ def export_scene(scene, path):
     path = os.path.abspath(path)
     bpy.ops.export_scene.gltf(filepath=path, **_boxes())
     gltf, buffer = read_glb(path)
-    _complete_nodes(gltf, scene)
+    _complete_nodes(gltf, scene, os.path.dirname(path))
     if scene.camera is not None:
         _put_first(gltf, scene.camera)
     taken = gltf["scenes"][gltf.get("scene", 0)]

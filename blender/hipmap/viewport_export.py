@@ -47,15 +47,15 @@ def _is_shown(instance, space):
 
 def export_viewport(depsgraph, folder, space=None):
     """Returns the ViewportScene of an evaluated scene.  To be called where Blender's data may be
-    read.  folder: of environment maps; space: the 3D viewport, None: what all of them show.  Cost
-    and errors as for export_depsgraph."""
+    read.  folder: of files beside the scene; space: the 3D viewport, None: what all of them show.
+    Cost and errors as for export_depsgraph."""
     scene = depsgraph.scene
-    writer = SceneWriter()
+    writer = SceneWriter(folder)
     for instance in depsgraph.object_instances:
         if _is_shown(instance, space):
             writer.add(instance)
     bakes = []
-    writer.add_world(scene.world, folder,
+    writer.add_world(scene.world,
                      lambda world, path: bakes.append(prepare_bake(world, path)))
     settings = scene.hipmap
     options = ("--seed", str(settings.seed), "--threads", str(settings.threads))

@@ -18,7 +18,7 @@ import preview_headless
 from install_addon import render, set_up
 
 ARCHIVE, SCENES, OUT = sys.argv[sys.argv.index("--") + 1:]
-SCENES_BY_F12 = ("modifiers", "instances", "lights", "sky", "text", "glass", "motion")
+SCENES_BY_F12 = ("modifiers", "instances", "lights", "sky", "text", "glass", "motion", "media")
 facts = {}
 
 

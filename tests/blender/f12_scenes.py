@@ -1,4 +1,4 @@
-"""Seven small scenes with what Blender's own exporter, or glTF, leaves out.
+"""Eight small scenes with what Blender's own exporter, or glTF, leaves out.
 
     blender --python f12_scenes.py -- FOLDER [NAME...]
 """
@@ -258,7 +258,69 @@ def motion():
     bpy.context.scene.render.use_motion_blur = True
 
 
-SCENES = (modifiers, instances, lights, sky, text, glass, motion)
+def photometric_file():
+    """A profile that is brighter to one side.  Its steps are small, because Cycles interpolates by
+    cubics between them and hipmap linearly."""
+    polar, azimuth = range(0, 91, 5), range(0, 361, 15)
+    rows = [[900 * math.cos(math.radians(p)) ** 2 *
+             (1 + 0.8 * math.sin(math.radians(p)) * math.cos(math.radians(a))) for p in polar]
+            for a in azimuth]
+    numbers = [polar, azimuth, *rows]
+    return "\n".join(["IESNA:LM-63-2002", "TILT=NONE",
+                      f"1 1000 1 {len(polar)} {len(azimuth)} 1 2 0 0 0", "1 1 10",
+                      *(" ".join(f"{x:g}" for x in row) for row in numbers), ""])
+
+
+def profile(light):
+    """Links an IES Texture to a light."""
+    text_of_profile = bpy.data.texts.new("downlight.ies")
+    text_of_profile.write(photometric_file())
+    light.use_nodes = True
+    tree = light.node_tree
+    node = tree.nodes.new("ShaderNodeTexIES")
+    node.ies = text_of_profile
+    node.inputs["Strength"].default_value = 0.5
+    tree.links.new(node.outputs["Fac"], tree.nodes["Emission"].inputs["Strength"])
+
+
+def volume_material(name, *shaders):
+    """A material of a volume alone: of one node (kind, inputs), or two halves mixed."""
+    material = bpy.data.materials.new(name)
+    material.use_nodes = True
+    tree = material.node_tree
+    tree.nodes.remove(tree.nodes["Principled BSDF"])
+    nodes = []
+    for kind, inputs in shaders:
+        nodes.append(tree.nodes.new(kind))
+        for key, value in inputs.items():
+            nodes[-1].inputs[key].default_value = value
+    if len(nodes) > 1:
+        mix = tree.nodes.new("ShaderNodeMixShader")
+        for socket, node in zip(mix.inputs[1:], nodes):
+            tree.links.new(node.outputs[0], socket)
+        nodes.append(mix)
+    tree.links.new(nodes[-1].outputs[0], tree.nodes["Material Output"].inputs["Volume"])
+    return material
+
+
+def media():
+    """A Principled Volume that is hot, two volumes mixed, and a light with an IES Texture."""
+    floor_and_camera()
+    build.plain_world((0.2, 0.2, 0.2))
+    hot = volume_material("Hot", ("ShaderNodeVolumePrincipled", {
+        "Color": (0.6, 0.4, 0.3, 1), "Density": 1.5, "Anisotropy": 0.4, "Blackbody Intensity": 1,
+        "Temperature": 1600}))
+    build.add_mesh("cube", "Fire", hot, size=1.6, location=(-1.5, 0, 0.9))
+    mixed = volume_material(
+        "Mixed", ("ShaderNodeVolumeAbsorption", {"Color": (0.2, 0.6, 0.9, 1), "Density": 3}),
+        ("ShaderNodeVolumeScatter", {"Density": 2, "Anisotropy": -0.3}))
+    build.add_mesh("uv_sphere", "Cloud", mixed, radius=0.9, location=(1.5, 0, 1))
+    lamp = build.add_light("Downlight", "POINT", 40, shadow_soft_size=0, location=(0, -0.5, 3),
+                           rotation=(0.2, 0, 0.5))
+    profile(lamp.data)
+
+
+SCENES = (modifiers, instances, lights, sky, text, glass, motion, media)
 
 
 def main():

@@ -13,7 +13,7 @@ import inside_blender
 from glb_content import Glb
 from inside_blender import HERE, BlenderTestCase, Tools
 
-STILL = ("modifiers", "instances", "lights", "sky", "text", "glass")
+STILL = ("modifiers", "instances", "lights", "sky", "text", "glass", "media")
 MOTION = ("--frames", 1, "--fps", 1, "--shutter", 1)
 OPTIONS = ("--photons", 5000, "--threads", 2)
 WIDTH, HEIGHT = 48, 32
@@ -30,7 +30,7 @@ class F12(BlenderTestCase):
         began = time.monotonic()
         cls.said = this.blender("--python", os.path.join(HERE, "f12_inside.py"), "--",
                                 this.path("hipmap.zip"), cls.folder, cls.folder)
-        print(f"22 renders in Blender: {time.monotonic() - began:.1f} s")
+        print(f"23 renders in Blender: {time.monotonic() - began:.1f} s")
         with open(this.path("facts.json"), encoding="utf-8") as file:
             cls.facts = json.load(file)
 

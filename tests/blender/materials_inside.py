@@ -151,6 +151,75 @@ def unlinked():
     return material
 
 
+def volume(name, nodes, mix=None):
+    """A material of a volume alone: one node (kind, inputs), or more joined by a node of kind
+    `mix`."""
+    material = bpy.data.materials.new(name)
+    material.use_nodes = True
+    tree = material.node_tree
+    tree.nodes.remove(tree.nodes["Principled BSDF"])
+    made = []
+    for kind, inputs in nodes:
+        made.append(tree.nodes.new("ShaderNode" + kind))
+        for key, value in inputs.items():
+            made[-1].inputs[key].default_value = value
+    if mix:
+        joined = tree.nodes.new("ShaderNode" + mix)
+        for socket, node in zip(joined.inputs[-2:], made):
+            tree.links.new(node.outputs[0], socket)
+        made.append(joined)
+    tree.links.new(made[-1].outputs[0], tree.nodes["Material Output"].inputs["Volume"])
+    return material
+
+
+def patchy():
+    """A density that varies."""
+    material = volume("Patchy", [("VolumeScatter", {})])
+    tree = material.node_tree
+    tree.links.new(tree.nodes.new("ShaderNodeTexNoise").outputs["Fac"],
+                   tree.nodes["Volume Scatter"].inputs["Density"])
+    return material
+
+
+def volumes():
+    white = (1, 1, 1, 1)
+    yield volume("Mist", [("VolumeAbsorption", {"Color": (0.5, 0.5, 0.5, 1), "Density": 4}),
+                          ("VolumeScatter", {"Color": white, "Density": 2, "Anisotropy": 0.3})],
+                 "MixShader")
+    yield volume("Two ways", [("VolumeScatter", {"Color": white, "Anisotropy": g})
+                              for g in (0.6, -0.2)], "AddShader")
+    yield volume("Ember", [("VolumePrincipled", {"Color": (0, 0, 0, 1), "Temperature": 1000,
+                                                 "Blackbody Intensity": 1})])
+    yield patchy()
+
+
+def with_profile(kind, text):
+    """A light with an IES Texture."""
+    light = build.add_light("Profile " + kind.title(), kind, 10, shadow_soft_size=0).data
+    light.use_nodes = True
+    tree = light.node_tree
+    node = tree.nodes.new("ShaderNodeTexIES")
+    node.ies = text
+    node.inputs["Strength"].default_value = 2
+    tree.links.new(node.outputs[0], tree.nodes["Emission"].inputs["Strength"])
+
+
+def profiles():
+    text = bpy.data.texts.new("even.ies")
+    text.write("IESNA:LM-63-2002\nTILT=NONE\n1 1000 1 2 1 1 2 0 0 0\n1 1 10\n0 180\n0\n100 100\n")
+    with_profile("POINT", text)
+    with_profile("SPOT", text)
+    build.add_light("No file", "POINT", 10).data.use_nodes = True
+    tree = bpy.data.lights["No file"].node_tree
+    node = tree.nodes.new("ShaderNodeTexIES")
+    node.mode, node.filepath = "EXTERNAL", "//missing.ies"
+    tree.links.new(node.outputs[0], tree.nodes["Emission"].inputs["Strength"])
+
+
+def smoking(item):
+    item.modifiers.new("Fluid", "FLUID").fluid_type = "DOMAIN"
+
+
 def hairy():
     ball = build.add_mesh("uv_sphere", "Hairy", build.matte("Skin"), radius=0.2, location=(0, 4, 0))
     ball.modifiers.new("Hair", "PARTICLE_SYSTEM").particle_system.settings.type = "HAIR"
@@ -173,7 +242,11 @@ def main():
         build.add_mesh("cube", f"Cube {x}", make(), size=0.8, location=(x - 4, 0, 0))
     cube = build.add_mesh("cube", "Painted cube", None, size=0.8, location=(0, 2, 0))
     cube.data.materials.append(painted(cube))
+    for x, material in enumerate(volumes()):
+        build.add_mesh("cube", f"Volume {x}", material, size=0.8, location=(x - 4, -2, 0))
+    smoking(bpy.data.objects["Volume 0"])
     hairy()
+    profiles()
     world = build.plain_world((0.1, 0.2, 0.3))
     tree = world.node_tree
     fog = tree.nodes.new("ShaderNodeVolumeScatter")

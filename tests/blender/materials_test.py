@@ -64,6 +64,13 @@ class Materials(BlenderTestCase):
     def test_every_loss_is_named_once(self):
         self.assertEqual(sorted(self.losses), sorted([
             "light 'Narrow': its spread is not rendered: it emits to its whole side",
+            "light 'No file': node 'IES Texture': its file is missing: rendered without it",
+            "light 'Profile Spot': node 'IES Texture' is rendered on point lights alone",
+            "material 'Patchy': node 'Noise Texture' at Volume cannot be expressed: rendered "
+            "without the volume",
+            "material 'Two ways': node 'Add Shader' at Volume: both anisotropies are rendered as "
+            "their mean",
+            "object 'Volume 0': its smoke is not rendered: its volume fills the whole domain",
             "material 'Noisy': node 'Noise Texture' at Base Color cannot be expressed: rendered "
             "with the input's own value",
             "material 'Noisy': node 'Bump' at Normal cannot be expressed: rendered with the mesh's "
@@ -135,6 +142,29 @@ class Materials(BlenderTestCase):
         world = self.glb.json["scenes"][0]["extras"]["hipmap"]
         self.assertAlmostEqual(world["world_color"][1], 0.2, 5)
         self.assertAlmostEqual(world["medium"]["scattering"][0], 0.8 * 0.02, 5)
+
+    def medium(self, name):
+        return self.glb.materials()[name]["extras"]["hipmap"]["medium"]
+
+    def test_mixed_volumes_have_their_shares(self):
+        self.assertEqual([round(x, 5) for x in self.medium("Mist")["absorption"]], [1] * 3)
+        self.assertEqual([round(x, 5) for x in self.medium("Mist")["scattering"]], [1] * 3)
+        self.assertAlmostEqual(self.medium("Mist")["g"], 0.3, 5)
+        self.assertAlmostEqual(self.medium("Two ways")["g"], 0.2, 5)
+
+    def test_a_hot_volume_emits_as_a_black_body(self):
+        # The radiance of a black body of 1000 K, by Cycles' scale of 1e-6, and red above all.
+        red, green, blue = self.medium("Ember")["emission"]
+        self.assertAlmostEqual(0.2126 * red + 0.7152 * green + 0.0722 * blue, 0.01805,
+                               delta=0.0004)
+        self.assertGreater(red, 5 * green)
+
+    def test_a_photometric_file_is_beside_the_scene(self):
+        node, = (node for node in self.glb.json["nodes"] if node["name"] == "Profile Point")
+        extras = node["extras"]["hipmap"]
+        self.assertAlmostEqual(extras["ies_scale"], 10 * 2 * 683 / 177.83, 3)
+        with open(self.path(extras["ies"]), encoding="utf-8") as file:
+            self.assertIn("100 100", file.read())
 
     def test_hipmap_reads_all_of_it(self):
         said = self.tool("preprocess", self.path("a.glb"), "-o", self.path("a.hpm"))
