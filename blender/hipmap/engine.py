@@ -8,6 +8,7 @@ import bpy
 
 from .job import (has_partition, make_job, preprocess_command, remove_leftovers, render_command,
                   write_notes)
+from .losses import keep_losses
 from .passes import Rects, register_passes, renumber
 from .quote import is_asked, keep_costs
 from .run import Child, ToolError, read_pfm, warnings_of
@@ -43,12 +44,15 @@ class HipmapEngine(ViewportEngine, bpy.types.RenderEngine):
     def update(self, data=None, depsgraph=None):
         """Exports the scene: the only place where Blender's data may be read."""
         self.job = None
-        self._tell_state("exporting the scene")
+        bakes = depsgraph.scene.hipmap.bake
+        self._tell_state("baking nodes and exporting the scene" if bakes else
+                         "exporting the scene")
         try:
             self.job = make_job(bpy.context, depsgraph, self.frame_set, is_asked())
         except (SceneError, WorldError, ToolError) as error:
             self._fail(str(error))
             return
+        keep_losses(self.job.scene, self.job.losses)
         for line in self.job.losses:
             self.report({"WARNING"}, line)
 

@@ -9,6 +9,9 @@ from mathutils import Matrix
 # glTF has +Y up.
 _TO_Y_UP = Matrix(((1, 0, 0, 0), (0, 0, 1, 0), (0, -1, 0, 0), (0, 0, 0, 1)))
 
+# The UV map of baked images, which is in no mesh of Blender.
+BAKED_UV = "hipmap baked"
+
 # The layer with the colours of shared photon maps, which no render shows.
 MAP_COLOURS = "hipmap Maps"
 
@@ -102,9 +105,11 @@ def _words(array):
 class MeshArrays:
     """The arrays of a mesh from which parts are taken."""
 
-    def __init__(self, mesh):
+    def __init__(self, mesh, baked=None):
+        """baked: the BakedMesh of the mesh; None: nothing was baked of it."""
         mesh.calc_loop_triangles()
         self.mesh = mesh
+        self.baked = baked
         self.corners = _read(mesh.loop_triangles, "loops", numpy.int32, 3)
         self.slots = _read(mesh.loop_triangles, "material_index", numpy.int32)
         self.corner_vertices = _read(mesh.loops, "vertex_index", numpy.int32)
@@ -123,7 +128,7 @@ class MeshArrays:
         corners = self.corners[self.slots == slot].reshape(-1)
         attributes = []
         for name in uv_names:
-            uv = _uv_map(self.mesh, name)
+            uv = self.baked.uvs if self.baked and name == BAKED_UV else _uv_map(self.mesh, name)
             if uv is None:
                 break
             attributes.append(uv[corners])

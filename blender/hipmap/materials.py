@@ -3,7 +3,7 @@
 
 from dataclasses import dataclass, field
 
-from .surfaces import Surface, material_output, surface_of
+from .surfaces import TERMS, Surface, material_output, surface_of
 from .textures import TextureWriter
 from .volumes import medium_of
 
@@ -189,6 +189,11 @@ def _write_extras(entry, material):
         entry.json["extras"] = {"hipmap": extras}
 
 
+def _all_losses(surface):
+    pending = [getattr(surface, term).loss for term in TERMS] + [surface.normal_loss]
+    return [loss for loss in pending if loss] + surface.losses
+
+
 class MaterialWriter:
     """Adds materials to a GlbBuilder, each once.  losses: lines on what is not rendered."""
 
@@ -199,16 +204,20 @@ class MaterialWriter:
         self.losses = []
         self.numbers = []  # pass indices, by their place in the file
 
-    def write(self, material):
+    def write(self, material, baked=None):
         """Returns the WrittenMaterial of a material of Blender; None: a face without one, diffuse
-        as in Cycles."""
+        as in Cycles.  baked: the BakedMesh of the mesh; None: nothing was baked of it."""
         key = material.name_full if material else None
+        if baked is not None and baked.has(key):
+            key = key, id(baked)
         if key not in self._written:
-            self._written[key] = self._write(material)
+            self._written[key] = self._write(material, baked)
         return self._written[key]
 
-    def _write(self, material):
+    def _write(self, material, baked):
         surface = surface_of(material) if material else Surface(is_lambert=True)
+        if baked is not None and surface is not None:
+            baked.fill(material, surface)
         entry = _Entry(self._glb, self._textures, surface or Surface())
         pbr = {}
         entry.json.update(name=material.name if material else _NO_MATERIAL, doubleSided=True,
@@ -221,7 +230,7 @@ class MaterialWriter:
         _write_extras(entry, material)
         if material:
             self.losses += [f"material '{material.name}': {loss}" for loss in
-                            entry.surface.losses]
+                            _all_losses(entry.surface)]
         self.numbers.append(material.pass_index if material else 0)
         return WrittenMaterial(self._glb.add("materials", entry.json), entry.uv_names,
                                entry.colour_layer)

@@ -4,6 +4,7 @@
 import bpy
 
 from .engine import HipmapEngine
+from .losses import draw_losses
 from .motion import position_owner
 from .quote import draw_costs
 
@@ -85,6 +86,20 @@ class RENDER_PT_hipmap_partition(HipmapPanel, bpy.types.Panel):
         column.operator("object.hipmap_remove_maps")
 
 
+class RENDER_PT_hipmap_nodes(HipmapPanel, bpy.types.Panel):
+    """What hipmap does not render, and what it can bake"""
+
+    bl_label = "Not Rendered"
+
+    def draw(self, context):
+        """Shows the panel."""
+        column = self.column(context, "bake")
+        row = column.row()
+        row.active = context.scene.hipmap.bake
+        row.prop(context.scene.hipmap, "bake_size")
+        draw_losses(self.layout, context.scene)
+
+
 class RENDER_PT_hipmap_motion_blur(HipmapPanel, bpy.types.Panel):
     """Blender's settings of motion blur"""
 
@@ -123,7 +138,8 @@ class RENDER_PT_hipmap_running(HipmapPanel, bpy.types.Panel):
 
 
 _CLASSES = (RENDER_PT_hipmap_stop, RENDER_PT_hipmap_method, RENDER_PT_hipmap_partition,
-            RENDER_PT_hipmap_motion_blur, RENDER_PT_hipmap_viewport, RENDER_PT_hipmap_running)
+            RENDER_PT_hipmap_nodes, RENDER_PT_hipmap_motion_blur, RENDER_PT_hipmap_viewport,
+            RENDER_PT_hipmap_running)
 
 
 def _shared_panels():

@@ -57,6 +57,15 @@ class HipmapSettings(bpy.types.PropertyGroup):
     preview_passes: bpy.props.IntProperty(
         name="Passes", default=32, min=1, max=65536,
         description="Passes of a preview in the viewport, whose images are averaged")
+    bake: bpy.props.BoolProperty(
+        name="Bake Nodes", default=False,
+        description="Have Cycles bake the nodes that hipmap cannot express to images before a "
+                    "render; they are kept until nodes or meshes change")
+    bake_size: bpy.props.EnumProperty(
+        name="Image Size", default="1024",
+        description="Width and height of the image of each mesh and material",
+        items=tuple((size, size, f"{size} x {size} pixels")
+                    for size in ("256", "512", "1024", "2048", "4096")))
     folder: bpy.props.StringProperty(
         name="Folder", subtype="DIR_PATH",
         description="Where the exported scene, the partition and the passes are kept; empty: "

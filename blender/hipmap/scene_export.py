@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 
 import bpy
 
+from .bakes import NodeBaker
 from .cameras import camera_extras, camera_losses, gltf_camera, shift_extras
 from .geometry import MeshArrays, in_gltf_axes
 from .glb_file import GlbBuilder
@@ -67,6 +68,7 @@ class SceneWriter:
         self.motion = motion
         self.materials = MaterialWriter(self.glb)
         self.losses = []
+        self.bakes = {}  # BakedMeshes by the keys of meshes
         self.meshes = {}  # key -> index, or None for a mesh without faces
         self.hash = hashlib.sha256()
         self.triangles_of = {}
@@ -104,7 +106,7 @@ class SceneWriter:
         if mesh is None:
             return None
         try:
-            arrays = MeshArrays(mesh)
+            arrays = MeshArrays(mesh, self.bakes.get(_mesh_key(item)))
             written = [self._write_part(arrays, slot, item) for slot in arrays.used_slots()]
         finally:
             item.to_mesh_clear()
@@ -120,7 +122,7 @@ class SceneWriter:
 
     def _write_part(self, arrays, slot, item):
         """The primitive of a material slot, and its Part."""
-        material = self.materials.write(_material(item, arrays.mesh, slot))
+        material = self.materials.write(_material(item, arrays.mesh, slot), arrays.baked)
         part = arrays.part(slot, material.uv_names, material.colour_layer)
         self.hash.update(part.positions.tobytes())
         self.hash.update(part.indices.tobytes())
@@ -223,13 +225,23 @@ def _mesh_key(item):
     return owner.as_pointer(), materials
 
 
+def _baked_meshes(depsgraph, folder, settings):
+    """BakedMeshes by the keys of meshes: of all materials with nodes that glTF lacks."""
+    baker = NodeBaker(folder, int(settings.bake_size))
+    for instance in depsgraph.object_instances:
+        item = instance.object
+        if instance.show_self and item.type in _WITH_MESH:
+            baker.add(_mesh_key(item), item, _materials(item, item.data))
+    return baker.finish()
+
+
 def export_depsgraph(depsgraph, path, picture, set_frame=None):
     """Writes the evaluated scene to a .glb, and beside it an environment map if the world has
     nodes, and photometric files of lights.  Returns the ExportedScene.  picture: what the camera
     shows.  set_frame: evaluates the depsgraph at another frame, as RenderEngine.frame_set does;
     with it and the scene's motion blur the file holds what moves while the shutter is open.
-    Throws SceneError or WorldError.  Cost: linear in the triangles of distinct meshes, 1 s for a
-    million; with motion blur also six times what Blender takes for a frame."""
+    Throws SceneError, WorldError or ToolError.  Cost: linear in the triangles of distinct meshes,
+    1 s for a million; with motion blur also six times what Blender takes for a frame."""
     scene = depsgraph.scene
     if scene.camera is None:
         raise SceneError("the scene has no camera: add one, and make it the active camera")
@@ -258,6 +270,9 @@ def _export(depsgraph, path, picture, writer, add_motion):
     """Writes the file.  add_motion: called when all else is in the file; returns a text of what
     moves, None: nothing."""
     scene = depsgraph.scene
+    settings = getattr(scene, "hipmap", None)
+    if settings is not None and settings.bake:
+        writer.bakes = _baked_meshes(depsgraph, writer.folder, settings)
     writer.losses += _scene_losses(scene, picture)
     writer.add_camera(scene.camera.evaluated_get(depsgraph), picture)
     for instance in depsgraph.object_instances:

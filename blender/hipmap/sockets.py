@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What arrives at an input of a shader node: a number, a colour, an image or a colour layer."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import bpy
 import numpy
@@ -15,7 +15,7 @@ from .losses import label
 class Texture:
     """An image on a surface."""
 
-    image: bpy.types.Image
+    image: bpy.types.Image  # or a BakedImage
     channel: str = "COLOR"  # or R, G, B, A
     uv_name: str = None  # None: the UV map that renders use
     transform: tuple = None  # offset u, v; rotation; scale u, v: of a Mapping node
@@ -25,12 +25,24 @@ class Texture:
 
 
 @dataclass(frozen=True)
+class Place:
+    """An input of a shader node, by names that another Blender finds it by."""
+
+    groups: tuple  # names of the group nodes around the node
+    node: str
+    socket: str  # its identifier
+    factor: float = 1.0  # of what arrives there
+
+
+@dataclass(frozen=True)
 class Source:
     """A value times a texture or a colour layer, where there is one."""
 
     value: tuple  # four numbers of a colour, one of a number
     texture: Texture = None
     colour_layer: str = None
+    place: Place = field(default=None, compare=False)  # where it was read
+    loss: str = field(default=None, compare=False)  # why it is not what Blender renders
 
     @property
     def is_plain(self):

@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The shader nodes of a material as one Surface: the terms of glTF's material."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from .losses import label
-from .sockets import Source, Unknown, follow, origin
+from .sockets import Place, Source, Unknown, follow, origin
 
 _BLACK = Source((0.0, 0.0, 0.0, 1.0))
 _ONE, _ZERO = Source((1.0,)), Source((0.0,))
+
+# What a texture can give, if need be one that Cycles bakes.
+TERMS = ("base", "metallic", "roughness", "emission", "alpha", "coat", "coat_roughness")
 
 # glTF has colour layers for the base colour alone.
 _WITH_COLOUR_LAYER = ("Base Color", "Color")
@@ -15,7 +18,8 @@ _WITH_COLOUR_LAYER = ("Base Color", "Color")
 
 @dataclass
 class Surface:
-    """Every term is a Source; numbers are floats."""
+    """Every term is a Source; numbers are floats.  The losses of the Sources in TERMS and of the
+    normal are not in `losses`: a bake may make up for them."""
 
     base: Source = Source((0.8, 0.8, 0.8, 1.0))
     metallic: Source = _ZERO
@@ -32,6 +36,7 @@ class Surface:
     sheen_roughness: float = 0.0
     is_lambert: bool = False  # diffuse alone, the same at every roughness
     normal: object = None  # a Texture
+    normal_loss: str = None
     normal_scale: float = 1.0
     losses: list = field(default_factory=list)
 
@@ -46,21 +51,33 @@ class _Reader:
         """The first input of these names that the node has; Blender 4 renamed many."""
         return next((self.node.inputs[name] for name in names if name in self.node.inputs), None)
 
-    def source(self, *names, default=0.0):
-        """The Source at an input; `default` where the node has no such input."""
+    def _place(self, socket):
+        return Place(tuple(group.name for group in self.path), self.node.name, socket.identifier)
+
+    def term(self, *names, default=0.0):
+        """The Source at an input, which carries its loss; `default` where the node has no such
+        input."""
         socket = self.socket(*names)
         if socket is None:
             return Source((default,))
         try:
             source = follow(socket, self.path)
             if source.colour_layer is None or names[0] in _WITH_COLOUR_LAYER:
-                return source
+                return replace(source, place=self._place(socket))
             raise Unknown("'Color Attribute'")
         except Unknown as unknown:
-            self.losses.append(f"node {unknown} at {socket.name} cannot be expressed: rendered "
-                               "with the input's own value")
+            loss = (f"node {unknown} at {socket.name} cannot be expressed: rendered with the "
+                    "input's own value")
         value = socket.default_value
-        return Source(tuple(value) if hasattr(value, "__len__") else (float(value),))
+        return Source(tuple(value) if hasattr(value, "__len__") else (float(value),),
+                      place=self._place(socket), loss=loss)
+
+    def source(self, *names, default=0.0):
+        """The Source at an input whose loss nothing can make up for."""
+        source = self.term(*names, default=default)
+        if source.loss:
+            self.losses.append(source.loss)
+        return source
 
     def number(self, *names, default=0.0):
         """A plain number; of a texture its factor, and the loss of the texture is named."""
@@ -85,11 +102,13 @@ def _begin(node, path, **terms):
 
 
 def _scaled(source, factor):
-    return Source((*(c * factor for c in source.numbers()), 1.0), source.texture)
+    place = source.place and replace(source.place, factor=factor)
+    return replace(source, value=(*(c * factor for c in source.numbers()), 1.0),
+                   colour_layer=None, place=place)
 
 
 def _emission(reader, strength_name):
-    colour = reader.source("Emission Color", "Emission", "Color", default=0.0)
+    colour = reader.term("Emission Color", "Emission", "Color", default=0.0)
     return _scaled(colour, reader.number(strength_name))
 
 
@@ -100,8 +119,8 @@ def _read_normal(reader, surface):
         return
     node = output.node
     if node.bl_idname != "ShaderNodeNormalMap" or node.space != "TANGENT":
-        surface.losses.append(f"node {label(node)} at Normal cannot be expressed: rendered with "
-                              "the mesh's own normals")
+        surface.normal_loss = (f"node {label(node)} at Normal cannot be expressed: rendered with "
+                               "the mesh's own normals")
         return
     inner = _Reader(node, path, surface.losses)
     surface.normal = inner.source("Color").texture
@@ -126,18 +145,18 @@ def _specular(reader, surface, transmission):
 
 def _principled(node, path):
     surface, reader = _begin(node, path)
-    surface.base = reader.source("Base Color")
-    surface.metallic = reader.source("Metallic")
-    surface.roughness = reader.source("Roughness")
+    surface.base = reader.term("Base Color")
+    surface.metallic = reader.term("Metallic")
+    surface.roughness = reader.term("Roughness")
     surface.transmission = reader.source("Transmission Weight", "Transmission")
     transmits = surface.transmission.value[0]
     if transmits > 0 or reader.socket("Specular IOR Level") is not None:
         surface.ior = reader.number("IOR", default=1.5)
     surface.specular = _specular(reader, surface, transmits)
     surface.emission = _emission(reader, "Emission Strength")
-    surface.alpha = reader.source("Alpha", default=1.0)
-    surface.coat = reader.source("Coat Weight", "Clearcoat")
-    surface.coat_roughness = reader.source("Coat Roughness", "Clearcoat Roughness")
+    surface.alpha = reader.term("Alpha", default=1.0)
+    surface.coat = reader.term("Coat Weight", "Clearcoat")
+    surface.coat_roughness = reader.term("Coat Roughness", "Clearcoat Roughness")
     _read_sheen(reader, surface)
     _read_normal(reader, surface)
     for name in ("Subsurface", "Subsurface Weight"):
@@ -158,7 +177,7 @@ def _read_sheen(reader, surface):
 
 def _diffuse(node, path):
     surface, reader = _begin(node, path, is_lambert=True)
-    surface.base = reader.source("Color")
+    surface.base = reader.term("Color")
     reader.refuse("Roughness", "the roughness of its Diffuse BSDF is not rendered")
     _read_normal(reader, surface)
     return surface
@@ -166,8 +185,8 @@ def _diffuse(node, path):
 
 def _glossy(node, path):
     surface, reader = _begin(node, path, metallic=_ONE, specular=(1.0, 1.0, 1.0))
-    surface.base = reader.source("Color")
-    surface.roughness = reader.source("Roughness")
+    surface.base = reader.term("Color")
+    surface.roughness = reader.term("Roughness")
     reader.refuse("Anisotropy", "its anisotropy is not rendered")
     _read_normal(reader, surface)
     return surface
@@ -175,8 +194,8 @@ def _glossy(node, path):
 
 def _glass(node, path):
     surface, reader = _begin(node, path, transmission=_ONE, specular=(1.0, 1.0, 1.0))
-    surface.base = reader.source("Color")
-    surface.roughness = reader.source("Roughness")
+    surface.base = reader.term("Color")
+    surface.roughness = reader.term("Roughness")
     surface.ior = reader.number("IOR")
     _read_normal(reader, surface)
     if node.bl_idname == "ShaderNodeBsdfRefraction":
@@ -186,7 +205,7 @@ def _glass(node, path):
 
 def _translucent(node, path):
     surface = Surface(diffuse_transmission=1.0)
-    surface.base = _Reader(node, path, surface.losses).source("Color")
+    surface.base = _Reader(node, path, surface.losses).term("Color")
     return surface
 
 
@@ -211,12 +230,14 @@ def _is_invisible(surface):
 def _mix(node, path):
     first, second = (_read(socket, path) for socket in node.inputs[1:3])
     losses = first.losses + second.losses
-    factor = _Reader(node, path, losses).source("Fac", "Factor")
-    if factor.is_plain and factor.value[0] in (0, 1):
+    factor = _Reader(node, path, losses).term("Fac", "Factor")
+    if factor.is_plain and not factor.loss and factor.value[0] in (0, 1):
         return second if factor.value[0] == 1 else first
     if _is_invisible(first) and second.alpha == _ONE:
         second.alpha, second.losses = factor, losses
         return second
+    if factor.loss:
+        losses.append(factor.loss)
     if _is_invisible(second) and first.alpha == _ONE and factor.is_plain:
         first.alpha, first.losses = Source((1 - factor.value[0],)), losses
         return first
@@ -241,7 +262,7 @@ def _add(node, path):
 def _unknown(node, path):
     surface = Surface(is_lambert=True)
     if "Color" in node.inputs:
-        surface.base = _Reader(node, path, surface.losses).source("Color")
+        surface.base = _Reader(node, path, surface.losses).term("Color")
     surface.losses.append(f"node {label(node)} cannot be expressed: rendered as diffuse")
     return surface
 

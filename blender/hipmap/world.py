@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The world: a plain colour, or an environment map that Cycles renders of its nodes."""
 
-import hashlib
 import os
 import subprocess
 from dataclasses import dataclass
@@ -9,6 +8,7 @@ from dataclasses import dataclass
 import bpy
 
 from .losses import label
+from .node_digest import all_nodes, tree_digest
 from .run import end_with_parent
 from .volumes import medium_of
 
@@ -51,53 +51,11 @@ def _plain_colour(world):
     return tuple(c * strength for c in node.inputs["Color"].default_value[:3])
 
 
-def _all_nodes(tree):
-    for node in tree.nodes:
-        yield node
-        if node.bl_idname == "ShaderNodeGroup" and node.node_tree:
-            yield from _all_nodes(node.node_tree)
-
-
 def _map_width(world):
     """As wide as the widest image of the world, so that no detail of it is lost."""
-    widths = [node.image.size[0] for node in _all_nodes(world.node_tree)
+    widths = [node.image.size[0] for node in all_nodes(world.node_tree)
               if node.bl_idname == "ShaderNodeTexEnvironment" and node.image]
     return min(max(widths, default=_DEFAULT_WIDTH), _GREATEST_WIDTH) or _DEFAULT_WIDTH
-
-
-def _values(thing):
-    """The plain values of a node, socket or image, for the digest."""
-    for prop in thing.bl_rna.properties:
-        if prop.type in {"BOOLEAN", "INT", "FLOAT", "STRING", "ENUM"}:
-            value = getattr(thing, prop.identifier)
-            yield prop.identifier, tuple(value) if hasattr(value, "__len__") else value
-
-
-def _image_values(image):
-    path = bpy.path.abspath(image.filepath)
-    changed = os.path.getmtime(path) if os.path.isfile(path) else 0
-    return path, changed, image.colorspace_settings.name, tuple(image.size), image.is_dirty
-
-
-def digest(world):
-    """Returns a hash of everything that an environment map of the world depends on."""
-    found = []
-    for node in _all_nodes(world.node_tree):
-        # Where a node stands and whether it is selected changes no picture.
-        found.append((node.bl_idname, node.mute,
-                      sorted(pair for pair in _values(node) if not pair[0].startswith(
-                          ("location", "select", "show_", "hide", "width", "height", "bl_")))))
-        found += [tuple(_values(socket)) for socket in node.inputs]
-        if getattr(node, "image", None):
-            found.append(_image_values(node.image))
-        if hasattr(node, "color_ramp"):
-            found += [(stop.position, tuple(stop.color)) for stop in node.color_ramp.elements]
-        if hasattr(node, "mapping") and hasattr(node.mapping, "curves"):
-            found += [tuple(point.location) for curve in node.mapping.curves
-                      for point in curve.points]
-    found += [(link.from_node.name, link.from_socket.identifier, link.to_node.name,
-               link.to_socket.identifier) for link in world.node_tree.links]
-    return hashlib.sha256(repr(found).encode()).hexdigest()[:16]
 
 
 @dataclass(frozen=True)
@@ -154,7 +112,7 @@ def world_extras(world, folder, bake=bake_at_once):
     if colour is not None:
         extras = {"world_color": [max(c, 0.0) for c in colour], "world_strength": 1.0}
     else:
-        name = f"world_{digest(world)}.exr"
+        name = f"world_{tree_digest(world.node_tree)}.exr"
         path = os.path.join(folder, name)
         if not os.path.isfile(path):
             bake(world.original, path)
@@ -167,7 +125,7 @@ def world_losses(world):
     """Yields what hipmap does not render of a world, one line each."""
     if world is None or not world.use_nodes:
         return
-    for node in _all_nodes(world.node_tree):
+    for node in all_nodes(world.node_tree):
         if node.bl_idname == "ShaderNodeLightPath":
             yield (f"world '{world.name}': node {label(node)}: the camera and reflections see the "
                    "same world")

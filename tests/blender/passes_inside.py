@@ -3,9 +3,11 @@
     blender --python passes_inside.py -- ADDON.zip OUT
 
 Writes hipmap.exr and cycles.exr, multi-layer, layers.exr by `render --layers`, and border.exr,
-where hipmap renders a part.
+where hipmap renders a part; baked.exr and baked_cycles.exr of nodes that hipmap cannot express, and
+baked.json on them.
 """
 
+import json
 import os
 import shutil
 import sys
@@ -63,6 +65,76 @@ def build():
     return scene
 
 
+def veined():
+    """Noise and a ramp, by the coordinates that the object's box generates."""
+    made = material("Veined", 1, (0, 0, 0), 0)
+    tree = made.node_tree
+    noise, ramp = tree.nodes.new("ShaderNodeTexNoise"), tree.nodes.new("ShaderNodeValToRGB")
+    noise.inputs["Scale"].default_value = 2
+    ramp.color_ramp.elements[0].position, ramp.color_ramp.elements[1].position = 0.4, 0.6
+    ramp.color_ramp.elements[0].color = (0.8, 0.1, 0.05, 1)
+    ramp.color_ramp.elements[1].color = (0.1, 0.2, 0.7, 1)
+    tree.links.new(noise.outputs["Fac"], ramp.inputs["Fac"])
+    for socket, output in (("Base Color", ramp.outputs["Color"]),
+                           ("Roughness", noise.outputs["Fac"])):
+        tree.links.new(output, tree.nodes["Principled BSDF"].inputs[socket])
+    return made
+
+
+def tiled():
+    """A checker in a group, by a UV map that repeats."""
+    group = bpy.data.node_groups.new("Tiles", "ShaderNodeTree")
+    group.inputs.new("NodeSocketVector", "At")
+    group.outputs.new("NodeSocketShader", "Shader")
+    source, sink = group.nodes.new("NodeGroupInput"), group.nodes.new("NodeGroupOutput")
+    checker = group.nodes.new("ShaderNodeTexChecker")
+    shader = group.nodes.new("ShaderNodeBsdfDiffuse")
+    checker.inputs["Color1"].default_value = (0.9, 0.7, 0.6, 1)
+    checker.inputs["Color2"].default_value = (0.1, 0.3, 0.2, 1)
+    checker.inputs["Scale"].default_value = 6
+    group.links.new(source.outputs[0], checker.inputs["Vector"])
+    group.links.new(checker.outputs["Color"], shader.inputs["Color"])
+    group.links.new(shader.outputs[0], sink.inputs[0])
+    made = material("Tiled", 2, (0, 0, 0), 0)
+    tree = made.node_tree
+    node, place = tree.nodes.new("ShaderNodeGroup"), tree.nodes.new("ShaderNodeTexCoord")
+    node.node_tree = group
+    tree.links.new(place.outputs["UV"], node.inputs[0])
+    tree.links.new(node.outputs[0], tree.nodes["Material Output"].inputs["Surface"])
+    return made
+
+
+def build_baked(scene):
+    """The scene with procedural materials; the cube has a modifier."""
+    cube, floor = bpy.data.objects["Cube"], bpy.data.objects["Plane"]
+    cube.data.materials[0], floor.data.materials[0] = veined(), tiled()
+    cube.modifiers.new("Bevel", "BEVEL").width = 0.1
+    for loop in floor.data.uv_layers[0].data:
+        loop.uv = loop.uv * 1.5
+    scene.hipmap.bake, scene.hipmap.bake_size = True, "512"
+
+
+def counts():
+    """How many things Blender's file has."""
+    return [len(getattr(bpy.data, kind)) for kind in ("meshes", "materials", "images", "objects")]
+
+
+def baked_files(folder):
+    return sorted(name for name in os.listdir(folder) if name.startswith("baked"))
+
+
+def baked(scene, folder):
+    """Nodes are baked once, and again when they have changed."""
+    build_baked(scene)
+    before = counts()
+    multilayer(scene, "baked")
+    made = [baked_files(folder)]
+    multilayer(scene, "baked")
+    made.append(baked_files(folder))
+    with open(os.path.join(OUT, "baked.json"), "w", encoding="utf-8") as file:
+        json.dump({"made": made, "counts": [before, counts()]}, file)
+
+
 def multilayer(scene, name):
     image = scene.render.image_settings
     image.file_format, image.color_depth, image.exr_codec = "OPEN_EXR_MULTILAYER", "32", "ZIP"
@@ -92,7 +164,8 @@ for switch in ("map_id", "noise", "error", "denoising_albedo"):
 check_sockets(the_scene)
 multilayer(the_scene, "hipmap")
 name = bpy.path.clean_name(f"{the_scene.name}_{view_layer.name}")
-shutil.copy(os.path.join(OUT, name, "layers.exr"), OUT)
+files = os.path.join(OUT, name)
+shutil.copy(os.path.join(files, "layers.exr"), OUT)
 render = the_scene.render
 render.use_border, render.use_crop_to_border = True, False
 render.border_min_x, render.border_max_x = 0.25, 0.75
@@ -103,3 +176,8 @@ render.engine = "CYCLES"
 the_scene.cycles.samples, the_scene.cycles.filter_width = 1, 0.01
 the_scene.cycles.use_adaptive_sampling = the_scene.cycles.use_denoising = False
 multilayer(the_scene, "cycles")
+render.engine = "HIPMAP"
+baked(the_scene, files)
+render.engine = "CYCLES"
+the_scene.cycles.samples, the_scene.cycles.filter_width = 64, 1.5
+multilayer(the_scene, "baked_cycles")

@@ -3,6 +3,7 @@
     passes_test.py FOLDER_OF_TOOLS
 """
 
+import json
 import os
 import sys
 
@@ -28,11 +29,11 @@ class Passes(BlenderTestCase):
         super().setUpClass()
         this = cls()
         this.make_addon("hipmap.zip", "--programs", Tools.folder)
-        this.blender("--python", os.path.join(HERE, "passes_inside.py"), "--",
-                     this.path("hipmap.zip"), cls.folder)
-        cls.ours, cls.file, cls.border, cls.cycles = (
+        cls.said = this.blender("--python", os.path.join(HERE, "passes_inside.py"), "--",
+                                this.path("hipmap.zip"), cls.folder)
+        cls.ours, cls.file, cls.border, cls.cycles, cls.baked, cls.baked_cycles = (
             ExrFile(this.path(name + ".exr")).channels
-            for name in ("hipmap", "layers", "border", "cycles"))
+            for name in ("hipmap", "layers", "border", "cycles", "baked", "baked_cycles"))
 
     def even_pixels(self):
         """Pixels around which Cycles has one normal, so that a mean is that of any part."""
@@ -79,6 +80,33 @@ class Passes(BlenderTestCase):
                      *names("Denoising Albedo", "RGB"), *names("Combined", "RGBA")):
             self.assertEqual(self.ours[name], self.file[name], name)
             self.assertGreater(len(set(self.ours[name])), 0 if name.endswith("A") else 3, name)
+
+    def test_baked_nodes_have_the_colours_of_cycles(self):
+        even = list(self.even_pixels())
+        # Veins on a cube and its twin, and tiles whose edges cross pixels.
+        for indices, within in (((3, 300), 0.05), ((7,), 0.1)):
+            of = [i for i in even if self.baked[INDEX_OB][i] in indices]
+            self.assertGreater(len(of), 25)
+            for name in names("DiffCol", "RGB"):
+                values = [self.baked_cycles[name][i] for i in of]
+                off = [self.baked[name][i] - self.baked_cycles[name][i] for i in of]
+                span, mean = max(values) - min(values), sum(off) / len(off)
+                spread = sum(map(abs, off)) / len(off)
+                print(f"objects {indices}, {name}: {min(values):.2f} to {max(values):.2f}, off by "
+                      f"{spread:.4f}, in the mean by {mean:.4f}")
+                self.assertLess(spread, within * span)
+                self.assertLess(abs(mean), 0.02 * span)
+                self.assertGreater(span, 0.05)
+        self.assertNotIn("cannot be expressed", self.said)
+
+    def test_nodes_are_baked_once_and_leave_the_file_as_it_is(self):
+        with open(self.path("baked.json"), encoding="utf-8") as file:
+            facts = json.load(file)
+        first, second = facts["made"]
+        self.assertEqual(len(first), 3)  # the twin has no modifier
+        self.assertEqual(first, second)
+        before, after = facts["counts"]
+        self.assertEqual(before, after)
 
     def test_a_border_is_in_its_place(self):
         name = names("Depth", "Z")[0]
