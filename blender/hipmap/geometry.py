@@ -89,13 +89,28 @@ def _hash_rows(rows):
 
 
 def _distinct(rows):
-    """The index of one of each kind of row, and for each row which kind it is.  Rows whose hashes
-    collide all stay, which costs memory and no correctness."""
+    """The index of one of each kind of row, and for each row which kind it is.  The first column is
+    a vertex.  Rows whose hashes collide all stay, which costs memory and no correctness."""
+    first, kind, alike = _by_vertex(rows)
+    if alike:  # as in a mesh that is smooth all over: nothing to sort
+        return first, kind
     _, first, kind = numpy.unique(_hash_rows(rows), return_index=True, return_inverse=True)
     kind = kind.reshape(-1)
     if not numpy.array_equal(rows[first[kind]], rows):
         return numpy.arange(len(rows)), numpy.arange(len(rows))
     return first, kind
+
+
+def _by_vertex(rows):
+    """The index of a row of each vertex, for each row which of them is of its vertex, and whether
+    all rows of each vertex are the same."""
+    vertex = rows[:, 0]
+    of_vertex = numpy.full(int(vertex.max()) + 1, -1)
+    of_vertex[vertex] = numpy.arange(len(rows))
+    used = of_vertex >= 0
+    kind = (numpy.cumsum(used) - 1)[vertex]
+    first = of_vertex[used]
+    return first, kind, all(numpy.array_equal(column[first][kind], column) for column in rows.T)
 
 
 def _words(array):
