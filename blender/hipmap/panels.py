@@ -97,7 +97,7 @@ class RENDER_PT_hipmap_nodes(HipmapPanel, bpy.types.Panel):
         row = column.row()
         row.active = context.scene.hipmap.bake
         row.prop(context.scene.hipmap, "bake_size")
-        draw_losses(self.layout, context.scene)
+        draw_losses(self.layout, context)
 
 
 class RENDER_PT_hipmap_motion_blur(HipmapPanel, bpy.types.Panel):
