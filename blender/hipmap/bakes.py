@@ -8,7 +8,7 @@ arrays.  A mesh gets a UV map of its own for them, on which no two faces overlap
 import hashlib
 import json
 import os
-import subprocess
+import time
 from dataclasses import dataclass, replace
 
 import bpy
@@ -16,12 +16,12 @@ import numpy
 
 from .geometry import BAKED_UV
 from .node_digest import all_nodes, tree_digest
-from .run import ToolError, end_with_parent
+from .run import Cancelled, Child, ToolError
 from .sockets import Texture
 from .surfaces import TERMS, surface_of
 
 _SCRIPT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "bake_nodes.py")
-_SECONDS = 1800
+_SECONDS_BETWEEN_LOOKS = 0.05
 _LEAST_PEAK = 1.0
 
 _OF_THE_WORLD = {"ShaderNode" + kind for kind in (
@@ -173,11 +173,12 @@ def _digest(arrays, known, item, materials):
 
 
 class NodeBaker:
-    """Finds out what to bake, and has it baked.  folder: where images are kept."""
+    """Finds out what to bake, and has it baked."""
 
-    def __init__(self, folder, size):
-        """size: of the images, pixels."""
-        self._folder, self._size = folder, size
+    def __init__(self, folder, size, is_cancelled):
+        """folder: where images are kept; size: of the images, pixels; is_cancelled: called while
+        another Blender bakes."""
+        self._folder, self._size, self._is_cancelled = folder, size, is_cancelled
         self._paths = {}  # by the key of a mesh
         self._missing = []  # paths of what is to be baked
         self._materials = {}  # to send along, by their full names
@@ -213,7 +214,7 @@ class NodeBaker:
 
     def finish(self):
         """Bakes what is missing, and removes what is used no more.  Returns BakedMeshes by the keys
-        of meshes.  Throws ToolError."""
+        of meshes.  Throws ToolError or Cancelled."""
         if self._missing:
             self._bake()
         used = {os.path.basename(path) for path in self._paths.values()}
@@ -228,17 +229,17 @@ class NodeBaker:
         command = [bpy.app.binary_path, "--background", "--factory-startup",
                    "--python-exit-code", "1", "--python", _SCRIPT, "--", blend, *self._missing]
         try:
-            done = subprocess.run(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                                  stderr=subprocess.STDOUT, text=True, check=False,
-                                  timeout=_SECONDS, preexec_fn=end_with_parent)
-        except (OSError, subprocess.TimeoutExpired) as error:
-            raise ToolError(f"Blender could not bake nodes: {error}") from error
+            child = Child(command)
+            while child.running():
+                if self._is_cancelled():
+                    child.stop()
+                    raise Cancelled
+                time.sleep(_SECONDS_BETWEEN_LOOKS)
+            if child.finish() != 0:
+                raise ToolError(f"Blender could not bake nodes: {child.last_error()}")
         finally:
             for path in (blend, *(path + ".in" for path in self._missing)):
                 os.remove(path)
-        if done.returncode != 0:
-            why = (done.stdout.strip().splitlines() or ["no message"])[-1]
-            raise ToolError(f"Blender could not bake nodes: {why}")
 
 
 def _load(path):

@@ -11,7 +11,7 @@ from .job import (has_partition, make_job, preprocess_command, remove_leftovers,
 from .losses import keep_losses
 from .passes import Rects, register_passes, renumber
 from .quote import is_asked, keep_costs
-from .run import Child, ToolError, read_pfm, warnings_of
+from .run import Cancelled, Child, ToolError, read_pfm, warnings_of
 from .scene_export import SceneError
 from .viewport import ViewportEngine
 from .world import WorldError
@@ -19,10 +19,6 @@ from .world import WorldError
 _SECONDS_BETWEEN_LOOKS = 0.05
 _STOPPED_BY_SIGNAL = 3
 _BAD_INPUT = 2
-
-
-class _Cancelled(Exception):
-    """The user cancelled the render."""
 
 
 def _percent(error):
@@ -48,9 +44,11 @@ class HipmapEngine(ViewportEngine, bpy.types.RenderEngine):
         self._tell_state("baking nodes and exporting the scene" if bakes else
                          "exporting the scene")
         try:
-            self.job = make_job(bpy.context, depsgraph, self.frame_set, is_asked())
+            self.job = make_job(bpy.context, depsgraph, self, is_asked())
         except (SceneError, WorldError, ToolError) as error:
             self._fail(str(error))
+            return
+        except Cancelled:
             return
         keep_losses(self.job.scene, self.job.losses)
         for line in self.job.losses:
@@ -73,7 +71,7 @@ class HipmapEngine(ViewportEngine, bpy.types.RenderEngine):
             self._render_passes(layer)
         except ToolError as error:
             self._fail(str(error))
-        except _Cancelled:
+        except Cancelled:
             pass
 
     def _fail(self, line):
@@ -81,7 +79,7 @@ class HipmapEngine(ViewportEngine, bpy.types.RenderEngine):
         self.error_set(line)
 
     def _watch(self, command, on_event):
-        """Runs a program to its end.  Returns it, and its exit code.  Throws _Cancelled."""
+        """Runs a program to its end.  Returns it, and its exit code.  Throws Cancelled."""
         child = Child(command)
         while child.running():
             if self.test_break():
@@ -89,7 +87,7 @@ class HipmapEngine(ViewportEngine, bpy.types.RenderEngine):
                 remove_leftovers(self.job)
                 for event in child.events():
                     on_event(event)
-                raise _Cancelled
+                raise Cancelled
             for event in child.events():
                 on_event(event)
             time.sleep(_SECONDS_BETWEEN_LOOKS)

@@ -78,18 +78,17 @@ def _stop_options(settings, quote):
     return options
 
 
-def make_job(context, depsgraph, set_frame, quote=False):
-    """Exports the evaluated scene, and returns the Job of rendering it.  set_frame: as in
-    export_depsgraph.  quote: renders a few passes, adds them to those that are kept, and lists
-    costs.  To be called where Blender's data may be read.  Throws SceneError, WorldError or
-    ToolError."""
+def make_job(context, depsgraph, engine, quote=False):
+    """Exports the evaluated scene, and returns the Job of rendering it.  engine: the RenderEngine.
+    quote: renders a few passes, adds them to those that are kept, and lists costs.  To be called
+    where Blender's data may be read.  Throws SceneError, WorldError, ToolError or Cancelled."""
     scene = depsgraph.scene
     settings = scene.hipmap
     programs = programs_folder(context)
     tools = {name: find_tool(name, programs) for name in ("preprocess", "render")}
     picture = picture_of(scene.render)
     folder = folder_of(scene, depsgraph.view_layer)
-    exported = export_depsgraph(depsgraph, os.path.join(folder, "scene.glb"), picture, set_frame)
+    exported = export_depsgraph(depsgraph, os.path.join(folder, "scene.glb"), picture, engine)
     partition_options = ["--angle", f"{round(math.degrees(settings.angle), 4):g}"]
     passes_asked = asked_passes(depsgraph.view_layer)
     names = [one.name for one in passes_asked]

@@ -27,6 +27,10 @@ class ToolError(RuntimeError):
     """A program is missing or failed.  Its text is one line for the user."""
 
 
+class Cancelled(Exception):
+    """The user cancelled the render."""
+
+
 def find_tool(name, folder):
     """Returns the path of "preprocess" or "render": in `folder` if one is given, else in the
     add-on's folder `bin`, else hipmap-NAME on the PATH.  Throws ToolError."""

@@ -225,9 +225,12 @@ def _mesh_key(item):
     return owner.as_pointer(), materials
 
 
-def _baked_meshes(depsgraph, folder, settings):
+def _baked_meshes(depsgraph, folder, engine):
     """BakedMeshes by the keys of meshes: of all materials with nodes that glTF lacks."""
-    baker = NodeBaker(folder, int(settings.bake_size))
+    settings = depsgraph.scene.hipmap
+    if not settings.bake:
+        return {}
+    baker = NodeBaker(folder, int(settings.bake_size), engine.test_break)
     for instance in depsgraph.object_instances:
         item = instance.object
         if instance.show_self and item.type in _WITH_MESH:
@@ -235,20 +238,23 @@ def _baked_meshes(depsgraph, folder, settings):
     return baker.finish()
 
 
-def export_depsgraph(depsgraph, path, picture, set_frame=None):
+def export_depsgraph(depsgraph, path, picture, engine=None):
     """Writes the evaluated scene to a .glb, and beside it an environment map if the world has
     nodes, and photometric files of lights.  Returns the ExportedScene.  picture: what the camera
-    shows.  set_frame: evaluates the depsgraph at another frame, as RenderEngine.frame_set does;
-    with it and the scene's motion blur the file holds what moves while the shutter is open.
-    Throws SceneError, WorldError or ToolError.  Cost: linear in the triangles of distinct meshes,
-    1 s for a million; with motion blur also six times what Blender takes for a frame."""
+    shows.  engine: the RenderEngine whose depsgraph it is, which is evaluated at other frames; with
+    it the file holds what moves while the shutter is open, and baked nodes, as the scene's settings
+    say.  Throws SceneError, WorldError, ToolError or Cancelled.  Cost: linear in the triangles of
+    distinct meshes, 1 s for a million; with motion blur also six times what Blender takes for a
+    frame, and what baking takes."""
     scene = depsgraph.scene
     if scene.camera is None:
         raise SceneError("the scene has no camera: add one, and make it the active camera")
     folder = os.path.dirname(path)
-    if set_frame is None or not scene.render.use_motion_blur:
-        return _export(depsgraph, path, picture, SceneWriter(folder), lambda writer: None)
-    shutter = Shutter(scene, set_frame)
+    if engine is None or not scene.render.use_motion_blur:
+        writer = SceneWriter(folder)
+        writer.bakes = _baked_meshes(depsgraph, folder, engine) if engine else {}
+        return _export(depsgraph, path, picture, writer, lambda writer: None)
+    shutter = Shutter(scene, engine.frame_set)
     camera = scene.camera.original
     motion = MotionWriter(scene.original)
 
@@ -261,7 +267,9 @@ def export_depsgraph(depsgraph, path, picture, set_frame=None):
 
     try:
         shutter.set_moment(0)
-        return _export(depsgraph, path, picture, SceneWriter(folder, motion), add_motion)
+        writer = SceneWriter(folder, motion)
+        writer.bakes = _baked_meshes(depsgraph, folder, engine)
+        return _export(depsgraph, path, picture, writer, add_motion)
     finally:
         shutter.set_back()
 
@@ -270,9 +278,6 @@ def _export(depsgraph, path, picture, writer, add_motion):
     """Writes the file.  add_motion: called when all else is in the file; returns a text of what
     moves, None: nothing."""
     scene = depsgraph.scene
-    settings = getattr(scene, "hipmap", None)
-    if settings is not None and settings.bake:
-        writer.bakes = _baked_meshes(depsgraph, writer.folder, settings)
     writer.losses += _scene_losses(scene, picture)
     writer.add_camera(scene.camera.evaluated_get(depsgraph), picture)
     for instance in depsgraph.object_instances:
