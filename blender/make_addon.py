@@ -3,7 +3,8 @@
 
     blender/make_addon.py OUT.zip [--programs FOLDER]
 
---programs puts the programs preprocess and render of that folder inside, such as build/release/bin.
+--programs puts the programs preprocess and render of that folder inside, such as build/release/bin,
+and vdb_to_vol if it is there.
 The same files give the same zip, byte for byte.
 """
 
@@ -13,6 +14,7 @@ import zipfile
 
 FOLDER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "hipmap")
 PROGRAMS = ("preprocess", "render")
+OPTIONAL_PROGRAMS = ("vdb_to_vol",)
 SUFFIXES = (".py", ".toml")
 # The first date that a zip can hold: the time of a checkout must not be in the file.
 DATE = (1980, 1, 1, 0, 0, 0)
@@ -24,6 +26,12 @@ def source_files():
     names = sorted(name for name in os.listdir(FOLDER)
                    if name.endswith(SUFFIXES) or name == "LICENSE")
     return [(os.path.join(FOLDER, name), f"hipmap/{name}") for name in names]
+
+
+def programs_of(folder):
+    """The names of the programs of a folder that go into the zip."""
+    return (*PROGRAMS, *(name for name in OPTIONAL_PROGRAMS
+                         if os.path.isfile(os.path.join(folder, name))))
 
 
 def add(archive, path, name, mode):
@@ -40,12 +48,12 @@ def main():
     parser = argparse.ArgumentParser(description="Makes the zip of hipmap's Blender add-on.")
     parser.add_argument("out", metavar="OUT.zip")
     parser.add_argument("--programs", metavar="FOLDER",
-                        help="put the programs preprocess and render of this folder inside")
+                        help="put the programs of this folder inside")
     arguments = parser.parse_args()
     with zipfile.ZipFile(arguments.out, "w") as archive:
         for path, name in source_files():
             add(archive, path, name, READABLE)
-        for program in PROGRAMS if arguments.programs else ():
+        for program in programs_of(arguments.programs) if arguments.programs else ():
             add(archive, os.path.join(arguments.programs, program), f"hipmap/bin/{program}",
                 EXECUTABLE)
     print(f"wrote {arguments.out}")

@@ -99,6 +99,11 @@ def programs_folder(context):
     return bpy.path.abspath(addon.preferences.programs) if addon else ""
 
 
+def find_program(name):
+    """Returns the path of a program, as find_tool, by the user's preferences.  Throws ToolError."""
+    return find_tool(name, programs_folder(bpy.context))
+
+
 def register():
     """Adds the settings to every scene."""
     bpy.utils.register_class(HipmapSettings)

@@ -17,7 +17,8 @@ import numpy
 # A render that is asked to stop writes its image and its state; it gets this long for it.
 _SECONDS_TO_STOP = 0.6
 _PR_SET_PDEATHSIG = 1
-_NAMES = {"preprocess": ("hipmap-preprocess", "preprocess"), "render": ("hipmap-render", "render")}
+_NAMES = {"preprocess": ("hipmap-preprocess", "preprocess"), "render": ("hipmap-render", "render"),
+          "vdb_to_vol": ("hipmap-vdb_to_vol", "vdb_to_vol")}
 
 # Loaded before any fork: a child between fork and exec must not take the loader's lock.
 _LIBC = ctypes.CDLL(None) if sys.platform.startswith("linux") else None
@@ -32,7 +33,7 @@ class Cancelled(Exception):
 
 
 def find_tool(name, folder):
-    """Returns the path of "preprocess" or "render": in `folder` if one is given, else in the
+    """Returns the path of "preprocess", "render" or "vdb_to_vol": in `folder` if one is given, else in the
     add-on's folder `bin`, else hipmap-NAME on the PATH.  Throws ToolError."""
     if folder:
         found = _program_in(folder, name)

@@ -15,13 +15,14 @@ from .lights import is_portal, light_extras, light_losses, punctual_light
 from .losses import without_repeats
 from .materials import MaterialWriter
 from .motion import MotionWriter, Shutter, collect_motion, instance_key, motion_losses
+from .properties import find_program
+from .volume_objects import NotRendered, write_volume
 from .world import bake_at_once, world_extras, world_losses
 
 # From 3.0 on the mesh of a curve or a text is an instance of its own.
 _WITH_MESH = ({"MESH", "META"} if bpy.app.version >= (3, 0, 0) else
               {"MESH", "CURVE", "SURFACE", "FONT", "META"})
 _NOT_RENDERED = {"CURVES": "hair curves are not rendered", "POINTCLOUD": "points are not rendered",
-                 "VOLUME": "a volume object is not rendered",
                  "GPENCIL": "grease pencil is not rendered",
                  "GREASEPENCIL": "grease pencil is not rendered"}
 
@@ -82,6 +83,8 @@ class SceneWriter:
             self._add_light(item, instance)
         elif item.type in _WITH_MESH:
             self._add_mesh(item, instance)
+        elif item.type == "VOLUME":
+            self._add_volume(item, instance)
         elif item.type in _NOT_RENDERED:
             self.losses.append(f"object '{item.name}': {_NOT_RENDERED[item.type]}")
 
@@ -100,6 +103,21 @@ class SceneWriter:
         node = self.glb.add_root({"name": item.name, "mesh": mesh, "matrix": matrix})
         if self.motion:
             self.motion.follow(instance_key(instance), item, instance.matrix_world, node, mesh)
+
+    def _add_volume(self, item, instance):
+        material = item.active_material
+        try:
+            volume = write_volume(self.glb, item, instance.matrix_world, self.folder, find_program)
+        except NotRendered as why:
+            self.losses.append(f"object '{item.name}': the volume is not rendered: {why}")
+            return
+        self.losses += [f"object '{item.name}': {loss}" for loss in volume.losses]
+        self.materials.numbers.append(material.pass_index if material else 0)
+        self.object_numbers.append(item.pass_index)
+        numbers = [x for column in volume.matrix.transposed() for x in column]
+        self.triangles += 12
+        self.hash.update(volume.geometry + repr(numbers).encode())
+        self.glb.add_root({"name": item.name, "mesh": volume.mesh, "matrix": numbers})
 
     def _write_mesh(self, item):
         mesh = item.to_mesh()

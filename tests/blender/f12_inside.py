@@ -52,6 +52,19 @@ def motion():
     render(out("motionless.f32"))
 
 
+def volume():
+    """A volume object, moved and scaled, and one that is turned."""
+    scene = open_scene("modifiers", "volume", passes=1)
+    cloud = os.path.join(os.path.dirname(os.path.abspath(__file__)), "cloud.vdb")
+    for name, turn in (("Cloud", 0), ("Turned cloud", 0.5)):
+        data = bpy.data.volumes.new(name)
+        data.filepath = cloud
+        item = bpy.data.objects.new(name, data)
+        item.location, item.scale, item.rotation_euler = (0, 0, 0.5), (1, 2, 1), (0, 0, turn)
+        scene.collection.objects.link(item)
+    render(out("volume.f32"))
+
+
 def again():
     """A scene three times: the second time light and camera have changed, the third time a face."""
     open_scene("glass", "again")
@@ -224,6 +237,7 @@ def maps():
 install_addon.install(ARCHIVE, "")
 scenes()
 motion()
+volume()
 again()
 proceed()
 quote()

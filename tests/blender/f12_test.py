@@ -30,7 +30,7 @@ class F12(BlenderTestCase):
         began = time.monotonic()
         cls.said = this.blender("--python", os.path.join(HERE, "f12_inside.py"), "--",
                                 this.path("hipmap.zip"), cls.folder, cls.folder)
-        print(f"23 renders in Blender: {time.monotonic() - began:.1f} s")
+        print(f"24 renders in Blender: {time.monotonic() - began:.1f} s")
         with open(this.path("facts.json"), encoding="utf-8") as file:
             cls.facts = json.load(file)
 
@@ -95,6 +95,23 @@ class F12(BlenderTestCase):
     def test_a_scene_in_which_nothing_moves_is_no_animation(self):
         self.assertEqual(self.content("motionless.f32"),
                          self.by_command_line("modifiers", "--passes", 1))
+
+    def test_a_volume_object_is_a_medium_in_a_box(self):
+        self.assertIn("object 'Turned cloud': the volume is not rendered: it is turned", self.said)
+        if not os.path.isfile(os.path.join(Tools.folder, "vdb_to_vol")):
+            self.assertIn("no program 'vdb_to_vol'", self.said)
+            return
+        self.assertNotIn("object 'Cloud'", self.said)
+        self.assertNotEqual(self.content("volume.f32"), self.content("motionless.f32"))
+        self.assertEqual(self.content("volume.f32"), self.by_command_line("volume", "--passes", 1))
+        scene = Glb(self.path("volume/Scene_ViewLayer/scene.glb"))
+        medium = scene.materials()["Cloud"]["extras"]["hipmap"]["medium"]
+        self.assertAlmostEqual(medium["scattering"][0], 0.5 * (3 / (1 + 4 + 1)) ** 0.5, 5)
+        node, = (node for node in scene.json["nodes"] if node["name"] == "Cloud")
+        primitive = scene.json["meshes"][node["mesh"]]["primitives"][0]
+        corners = scene.array(primitive["attributes"]["POSITION"])
+        for at, value in enumerate((-0.75 - 0.3, 0.1 - 0.3, -0.6 - 0.3)):  # a voxel around it
+            self.assertAlmostEqual(corners[0][at], value, 5)
 
     def test_scenes(self):
         for name in STILL:
