@@ -18,7 +18,7 @@ import numpy
 _SECONDS_TO_STOP = 0.6
 _PR_SET_PDEATHSIG = 1
 _NAMES = {"preprocess": ("hipmap-preprocess", "preprocess"), "render": ("hipmap-render", "render"),
-          "vdb_to_vol": ("hipmap-vdb_to_vol", "vdb_to_vol")}
+          "vdb_to_vol": ("vdb_to_vol",)}
 
 # Loaded before any fork: a child between fork and exec must not take the loader's lock.
 _LIBC = ctypes.CDLL(None) if sys.platform.startswith("linux") else None
