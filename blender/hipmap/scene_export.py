@@ -16,7 +16,7 @@ from .losses import without_repeats
 from .materials import MaterialWriter
 from .motion import MotionWriter, Shutter, collect_motion, instance_key, motion_losses
 from .properties import find_program
-from .volume_objects import NotRendered, write_volume
+from .volume_objects import NotRendered, remove_other_volumes, write_volume
 from .world import bake_at_once, world_extras, world_losses
 
 # From 3.0 on the mesh of a curve or a text is an instance of its own.
@@ -305,6 +305,7 @@ def _export(depsgraph, path, picture, writer, add_motion):
     moved = add_motion(writer)
     writer.hash.update((moved or "").encode())
     writer.glb.write(path)
+    remove_other_volumes(writer.folder, writer.glb.json)
     numbers = {"IndexOB": writer.object_numbers, "IndexMA": writer.materials.numbers}
     return ExportedScene(path, writer.hash.hexdigest(), writer.triangles, moved is not None,
                          numbers, without_repeats(writer.losses + writer.materials.losses))

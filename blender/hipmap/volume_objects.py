@@ -43,6 +43,16 @@ class WrittenVolume:
     losses: list  # lines on what is not rendered
 
 
+def remove_other_volumes(folder, gltf):
+    """Removes the .vol files of a folder that the JSON of a scene does not name, such as those of
+    other frames."""
+    used = {material.get("extras", {}).get("hipmap", {}).get("medium", {}).get("density")
+            for material in gltf.get("materials", [])}
+    for name in os.listdir(folder):
+        if name.startswith("volume_") and name.endswith(".vol") and name not in used:
+            os.remove(os.path.join(folder, name))
+
+
 class NotRendered(Exception):
     """A volume object that hipmap does not render.  Its text says why."""
 

@@ -56,6 +56,10 @@ def volume():
     """A volume object, moved and scaled, and one that is turned."""
     scene = open_scene("modifiers", "volume", passes=1)
     cloud = os.path.join(os.path.dirname(os.path.abspath(__file__)), "cloud.vdb")
+    old = os.path.join(out("volume"), "Scene_ViewLayer", "volume_old.vol")
+    os.makedirs(os.path.dirname(old))
+    with open(old, "wb"):
+        pass
     for name, turn in (("Cloud", 0), ("Turned cloud", 0.5)):
         data = bpy.data.volumes.new(name)
         data.filepath = cloud
@@ -63,6 +67,7 @@ def volume():
         item.location, item.scale, item.rotation_euler = (0, 0, 0.5), (1, 2, 1), (0, 0, turn)
         scene.collection.objects.link(item)
     render(out("volume.f32"))
+    facts["volume_of_another_frame"] = os.path.exists(old)
 
 
 def again():

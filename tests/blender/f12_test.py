@@ -102,6 +102,7 @@ class F12(BlenderTestCase):
             self.assertIn("no program 'vdb_to_vol'", self.said)
             return
         self.assertNotIn("object 'Cloud'", self.said)
+        self.assertFalse(self.facts["volume_of_another_frame"])
         self.assertNotEqual(self.content("volume.f32"), self.content("motionless.f32"))
         self.assertEqual(self.content("volume.f32"), self.by_command_line("volume", "--passes", 1))
         scene = Glb(self.path("volume/Scene_ViewLayer/scene.glb"))
