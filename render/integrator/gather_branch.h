@@ -14,7 +14,8 @@ constexpr int kMostRays = 4;
 
 /// A part of an eye path that is still to be followed.
 struct GatherBranch : PathState {
-    float indirect_radius = 0;    ///< the first, of the indirect map at the last gathered lobe
+    glm::vec3 gathered_at{0.0f};  ///< the last gathered lobe
+    float indirect_radius = 0;    ///< the first, of the indirect map there
     float transmitted_radius = 0; ///< the same on the other side
 };
 

@@ -95,14 +95,15 @@ class GatherTracer {
                 return true;
             }
             const float first = radius_at(maps_.first.global, maps_.surfaces, query);
-            branch.throughput *= weight_of(branch, first);
-            const float radius = maps_.shrink * first;
+            branch.throughput *= weight_of(branch, query, first);
+            const float radius = maps_.scale.shrink * first;
             keep(scratch_.importons, &Importons::global, query, branch.throughput * factor);
             if (!(branch.behind == EyePathClass::indirect && distance < radius)) {
                 add_gathered(branch.throughput * factor, query, radius);
                 return true;
             }
         }
+        branch.gathered_at = query.position;
         if (!shared_maps(maps_.indirect).maps.empty()) {
             branch.indirect_radius = radius_at(maps_.first.indirect, maps_.surfaces, query);
             add_indirect(branch.throughput * factor, query, branch.indirect_radius);
@@ -124,12 +125,13 @@ class GatherTracer {
             add_caustic(branch, factor, query);
             if (is_gathered(branch.behind) && !shared_maps(maps_.global).maps.empty()) {
                 const float first = radius_at(maps_.first.global, maps_.surfaces, query);
-                const Rgb weight = branch.throughput * factor * weight_of(branch, first);
+                const Rgb weight = branch.throughput * factor * weight_of(branch, query, first);
                 keep(scratch_.importons, &Importons::global, query, weight);
-                add_gathered(weight, query, maps_.shrink * first);
+                add_gathered(weight, query, maps_.scale.shrink * first);
             } else if (!is_gathered(branch.behind) && !shared_maps(maps_.indirect).maps.empty()) {
                 const float first = radius_at(maps_.first.indirect, maps_.surfaces, query);
                 (other ? branch.transmitted_radius : branch.indirect_radius) = first;
+                branch.gathered_at = query.position;
                 add_indirect(branch.throughput * factor, query, first);
             }
         }
@@ -138,9 +140,10 @@ class GatherTracer {
 
     /// Returns the weight of what the final-gather ray finds, from photons within `first` in the
     /// first pass.
-    float weight_of(const GatherBranch& branch, float first) const
+    float weight_of(const GatherBranch& branch, const PhotonQuery& query, float first) const
     {
-        return gather_weight(first, branch.indirect_radius, maps_.rays);
+        const glm::vec3 way = query.position - branch.gathered_at;
+        return gather_weight({first, branch.indirect_radius, glm::dot(way, way)}, maps_.scale);
     }
 
     void add_caustic(const GatherBranch& branch, const Rgb& factor, const PhotonQuery& query)
@@ -148,10 +151,10 @@ class GatherTracer {
         if (shared_maps(maps_.caustic).maps.empty())
             return keep(scratch_.importons, &Importons::caustic, query, branch.throughput * factor);
         const float first = radius_at(maps_.first.caustic, maps_.surfaces, query);
-        const float share = is_gathered(branch.behind) ? weight_of(branch, first) : 1.0f;
+        const float share = is_gathered(branch.behind) ? weight_of(branch, query, first) : 1.0f;
         const Rgb weight = branch.throughput * factor * share;
         keep(scratch_.importons, &Importons::caustic, query, weight);
-        add_within(weight, maps_.caustic, query, maps_.shrink * first, scratch_.caustic);
+        add_within(weight, maps_.caustic, query, maps_.scale.shrink * first, scratch_.caustic);
     }
 
     /// first: the first radius; infinite where gather rays alone find the light.
@@ -159,7 +162,8 @@ class GatherTracer {
     {
         keep(scratch_.importons, &Importons::indirect, query, factor);
         if (std::isfinite(first))
-            add_within(factor, maps_.indirect, query, maps_.shrink * first, scratch_.indirect);
+            add_within(factor, maps_.indirect, query, maps_.scale.shrink * first,
+                       scratch_.indirect);
     }
 
     static std::array<float, 3> narrowing(float radius)

@@ -17,8 +17,7 @@ struct GatherMaps {
     const ChosenMaps& global;   ///< of the pass, direct photons too
     const ChosenMaps& indirect; ///< of the pass, weighed by weigh_bounces
     const FirstRadii& first;
-    float shrink = 1;                  ///< radius of the pass over the first radius
-    float rays = 1;                    ///< by counted_rays
+    GatherScale scale = {};
     bool bounces = true;               ///< false: rays of gathered lobes only look for lights
     const VolumeMap* volume = nullptr; ///< of the pass, of radii shrunk; null: there are no media
 };

@@ -13,20 +13,24 @@ PhotonQuery query_at(const Photon& photon, const MapSurfaces& surfaces)
     return {photon.position, photon.side == 0 ? up : -up, photon.face, photon.side};
 }
 
-float counted_rays(float samples, float shrink)
+GatherScale gather_scale(float samples, float shrink)
 {
     constexpr float kSharing = 8;
-    return samples / (1 + (kSharing - 1) * shrink * shrink);
+    return {samples / (1 + (kSharing - 1) * shrink * shrink), shrink};
 }
 
-float gather_weight(float radius_at_y, float radius_at_x, float rays)
+float gather_weight(const Bounce& bounce, const GatherScale& scale)
 {
-    const float y2 = rays * radius_at_y * radius_at_y, x2 = radius_at_x * radius_at_x;
-    return x2 > 0 && std::isfinite(x2) && std::isfinite(y2) ? y2 / (y2 + x2) : 1.0f;
+    const float y2 = scale.rays * bounce.radius_at_y * bounce.radius_at_y;
+    const float x2 = bounce.radius_at_x * bounce.radius_at_x;
+    const float blur2 = scale.shrink * scale.shrink * x2;
+    const float clear = bounce.distance2 / (bounce.distance2 + blur2);
+    const float found2 = x2 * clear * clear;
+    return found2 > 0 && std::isfinite(x2) && std::isfinite(y2) ? y2 / (y2 + found2) : 1.0f;
 }
 
 std::vector<Photon> weigh_bounces(const TracedPhotons& traced, const FirstRadii& first,
-                                  const MapSurfaces& surfaces, float rays)
+                                  const MapSurfaces& surfaces, const GatherScale& scale)
 {
     std::vector<Photon> out(traced.bounces.size());
     tbb::parallel_for(
@@ -43,7 +47,8 @@ std::vector<Photon> weigh_bounces(const TracedPhotons& traced, const FirstRadii&
                                           surfaces, query_at(from, surfaces));
                 const float x =
                     radius_at(first.indirect, surfaces, query_at(bounced.photon, surfaces));
-                out[i].power *= 1 - gather_weight(y, x, rays);
+                const glm::vec3 way = bounced.photon.position - from.position;
+                out[i].power *= 1 - gather_weight({y, x, glm::dot(way, way)}, scale);
             }
         });
     return out;

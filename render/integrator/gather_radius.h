@@ -16,21 +16,34 @@ struct FirstRadii {
 /// Returns the query of photons where one lies.
 PhotonQuery query_at(const Photon& photon, const MapSurfaces& surfaces);
 
-/// Returns how many of the gather rays of a pixel count in gather_weight: all photons that one
-/// reads share its direction, so that together they tell less than as many photons that came by
-/// ways of their own.  docs/light_transport.md (42).  shrink: radius of the pass over the first
-/// radius.
-float counted_rays(float samples, float shrink);
+/// Light that goes from a diffuse surface at y to the diffuse surface at x.
+struct Bounce {
+    float radius_at_y = 0; ///< the first radii
+    float radius_at_x = 0;
+    float distance2 = 0; ///< square, from y to x
+};
 
-/// Returns the weight of final gathering against direct photons.  Light that goes from a diffuse
-/// surface at y to the diffuse surface at x is found in two ways: by the final-gather ray from x
-/// that reads a map at y, and by the photon that continued from y to x.  Both are weighted by how
-/// much each finds, docs/light_transport.md (21); the weight of the first is 1 if there is no
-/// second (radius_at_x zero or not finite).  rays: by counted_rays.
-float gather_weight(float radius_at_y, float radius_at_x, float rays);
+/// The gather rays that count in the weights of a pass, and its radius over the first one.
+struct GatherScale {
+    float rays = 1;
+    float shrink = 1;
+};
+
+/// Returns the scale of a pass.  A gather ray counts for less than one: all photons that it reads
+/// share its direction, so that together they tell less than as many photons that came by ways of
+/// their own.  docs/light_transport.md (42).  samples: gather rays of a pixel in the pass, on
+/// average.
+GatherScale gather_scale(float samples, float shrink);
+
+/// Returns the weight of final gathering against direct photons.  The light of a bounce is found in
+/// two ways: by the final-gather ray from x that reads a map at y, and by the photon that continued
+/// from y to x.  Both are weighted by how much each finds, and the second by how little its radius
+/// blurs, docs/light_transport.md (21); the weight of the first is 1 if there is no second
+/// (radius_at_x zero or not finite).
+float gather_weight(const Bounce& bounce, const GatherScale& scale);
 
 /// Returns the bounced photons with their powers multiplied by 1 - gather_weight.  In parallel.
 std::vector<Photon> weigh_bounces(const TracedPhotons& traced, const FirstRadii& first,
-                                  const MapSurfaces& surfaces, float rays);
+                                  const MapSurfaces& surfaces, const GatherScale& scale);
 
 } // namespace hipmap

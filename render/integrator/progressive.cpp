@@ -34,9 +34,9 @@ struct ProgressivePass {
     const PhotonGuides* guides = nullptr;
     double shrink = 1; ///< radius over the first radius
 
-    float rays() const
+    GatherScale scale() const
     {
-        return counted_rays(static_cast<float>(options.samples), static_cast<float>(shrink));
+        return gather_scale(static_cast<float>(options.samples), static_cast<float>(shrink));
     }
 };
 
@@ -128,7 +128,7 @@ ProgressiveMaps make_maps(const ProgressivePass& pass, const ProgressiveRadii& f
         [&] { build(maps.global, traced.global, gathered(scene, options), statistics.global); },
         [&] {
             build(maps.indirect,
-                  weigh_bounces(traced, first.surfaces, mapped.surfaces, pass.rays()), read,
+                  weigh_bounces(traced, first.surfaces, mapped.surfaces, pass.scale()), read,
                   statistics.indirect);
         },
         [&] {
@@ -148,8 +148,7 @@ GatherMaps gathered_maps(const ProgressivePass& pass, const ProgressiveRadii& fi
             photons.global,
             photons.indirect,
             first.surfaces,
-            static_cast<float>(pass.shrink),
-            pass.rays(),
+            pass.scale(),
             pass.options.light.indirect,
             photons.volume ? &*photons.volume : nullptr};
 }
@@ -172,7 +171,7 @@ std::shared_ptr<const PhotonGuides> find_guides(const ProgressivePass& pilot,
         });
     PhotonWorth worth = make_worth(importons, pilot.mapped.surfaces);
     worth.weigh = [&](const TracedPhotons& traced) {
-        return weigh_bounces(traced, first.surfaces, pilot.mapped.surfaces, pilot.rays());
+        return weigh_bounces(traced, first.surfaces, pilot.mapped.surfaces, pilot.scale());
     };
     PhotonOptions learning = linked_options(pilot);
     learning.pass = kPilotPass - 1;

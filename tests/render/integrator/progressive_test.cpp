@@ -72,6 +72,31 @@ TEST_CASE("progressive: differs from paths by noise and by what narrower radii t
     CHECK(bias + kMostZ * noise < 0.04 * paths.radiance.mean());
 }
 
+TEST_CASE("progressive: at the foot of a box on a wide floor the light from the box is found",
+          "[integrator]")
+{
+    Scene scene = tiny::make_scene(tiny::floor_at(-0.501f, 20));
+    scene.materials[0] = tiny::diffuse(Rgb(0.7f));
+    tiny::add(scene, tiny::cube(), tiny::diffuse({0.1f, 0.8f, 0.1f}));
+    ScenePointLight lamp;
+    lamp.position = {2, 2, 3};
+    lamp.intensity = glm::dvec3(10);
+    scene.lights.push_back(lamp);
+    Camera& above = scene.cameras[0]; // sees the floor alone, from 2 % to 14 % of the box's side
+    above.position = {0, 0.5f, 0.58f};
+    above.forward = {0, -1, 0};
+    above.up = {0, 0, -1};
+    above.tan_half_height = 0.06f;
+    const auto ready = tiny::ready(scene);
+    RenderOptions options = small_options(20000);
+    options.samples = 4;
+    const Means gathered = mean_of_passes(*ready, options, 12);
+    options.integrator = Integrator::path;
+    options.samples = 64;
+    const Means paths = mean_of_passes(*ready, options, 12);
+    CHECK(gathered.radiance.mean() == Approx(paths.radiance.mean()).epsilon(0.02));
+}
+
 TEST_CASE("progressive: a pass has the same bits whenever and by however many threads",
           "[integrator]")
 {
