@@ -21,6 +21,7 @@ struct RenderedFrame {
     double seconds_rays = 0;        ///< building the ray tracing structure
     std::vector<LayerImage> layers; ///< of surfaces, those that were requested
     std::optional<Fireflies> fireflies;
+    std::string seen; ///< of a black image: what the camera looks at
 };
 
 /// Where a frame stands among all frames of a run.

@@ -71,6 +71,12 @@ void print_error(const RenderArguments& arguments, const RenderedFrame& frame, R
     const RenderState& state = frame.state;
     if (state.checks.empty())
         return;
+    if (!frame.seen.empty()) {
+        report.line(
+            "accuracy: the image is black, so its error is not known: the camera looks at " +
+            frame.seen + ", and no light was found there");
+        return;
+    }
     report.line(describe_error(state.checks.back()));
     if (frame.fireflies)
         report.line(describe_fireflies(*frame.fireflies));

@@ -8,6 +8,7 @@
 #include "render/integrator/moving_source.h"
 #include "render/layers/surface_layers.h"
 #include "render/live_images.h"
+#include "render/seen_objects.h"
 
 namespace hipmap {
 
@@ -106,6 +107,11 @@ PassSource make_source(const PreparedFrame& frame, const RenderScene& scene, Sce
     return make_moving_source({scene, at}, options, statistics);
 }
 
+bool shows_nothing(const Image& image)
+{
+    return std::ranges::all_of(image.pixels, [](const Rgb& pixel) { return is_black(pixel); });
+}
+
 /// The photons that frames share; null: none, or none may be shared.
 PhotonCache* find_cache(const PreparedFrame& frame, PreviousFrame* previous)
 {
@@ -133,6 +139,8 @@ RenderedFrame render_passes(PreparedFrame& frame, SceneSource& source, PreviousF
                               out.state);
     if (!out.state.checks.empty())
         out.fireflies = find_fireflies(out.state.film, out.state.checks.back().error);
+    if (shows_nothing(out.result.image))
+        out.seen = describe_seen(scene, frame.arguments.render);
     if (!frame.arguments.files.layers.empty())
         out.layers =
             surface_layers(scene, frame.arguments.render, chosen_layers(frame.arguments.layers));

@@ -40,6 +40,13 @@ class Pipeline(ToolsTestCase):
                      "direct", *options)
         return read_pfm(self.path(name))
 
+    def test_a_black_image_says_so_and_what_it_shows(self):
+        dark = ("--exclude", "Lamp", "--environment", 0)
+        self.succeed("preprocess", Tools.scene, "-o", self.path("dark.hpm"), *dark[:2])
+        said = self.succeed("render", Tools.scene, self.path("dark.hpm"), *dark, "-o",
+                            self.path("dark.pfm"), "--size", 16, "--passes", 2)
+        self.assertRegex(said, r"accuracy: the image is black, .* looks at 'Room', ")
+
     def test_as_pipeline_sh_calls_it(self):
         name = self.path("cornell")
         said = self.succeed("preprocess", Tools.scene, "-o", name + ".hpm", "--images",
