@@ -33,6 +33,17 @@ void print_photons(const RenderStatistics& statistics, Report& report)
     report.detail(line.str());
 }
 
+void print_guides(const RenderStatistics& statistics, Report& report)
+{
+    const auto say = [&](const char* paths, double variance) {
+        if (variance < 1)
+            report.detail(std::string(paths) + ": guided; what they are worth varies " +
+                          percent(variance) + " as much as by power");
+    };
+    say("light paths", statistics.guided_variance);
+    say("light paths aimed at specular surfaces", statistics.guided_variance_aimed);
+}
+
 void print_levels(const RenderStatistics& statistics, Report& report)
 {
     for (const auto& [name, kind] :
@@ -61,6 +72,7 @@ void print_statistics(const RenderArguments& arguments, const RenderStatistics& 
 {
     if (kind_of(arguments.render.integrator).photons) {
         print_photons(statistics, report);
+        print_guides(statistics, report);
         print_levels(statistics, report);
     }
     warn_of_dropped(statistics, film, report);

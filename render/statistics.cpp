@@ -187,6 +187,8 @@ Json photons_json(const RenderStatistics& render, const RenderOptions& options)
 {
     Json json = {{"emitted", render.emitted},
                  {"aimed", render.aimed},
+                 {"guided_variance", render.guided_variance},
+                 {"guided_variance_aimed", render.guided_variance_aimed},
                  {"stored", render.caustic.stored + render.global.stored},
                  {"in_media", render.volume_photons},
                  {"dropped", render.dropped_photons},

@@ -15,7 +15,7 @@ PhotonQuery query_at(const Photon& photon, const MapSurfaces& surfaces)
 
 GatherScale gather_scale(float samples, float shrink)
 {
-    constexpr float kSharing = 8;
+    constexpr float kSharing = 4;
     return {samples / (1 + (kSharing - 1) * shrink * shrink), shrink};
 }
 

@@ -64,9 +64,9 @@ learn_guides(const MappedScene& mapped, const PhotonOptions& photons, const Phot
         if (without_aim.settled() && aimed.settled())
             break;
     }
-    if (!without_aim.found() && !aimed.found())
-        return nullptr;
-    return std::make_shared<const PhotonGuides>(PhotonGuides{without_aim.best(), aimed.best()});
+    PhotonGuides out{without_aim.best(), aimed.best()};
+    const bool found = out.without_aim.variance < 1 || out.aimed.variance < 1;
+    return found ? std::make_shared<const PhotonGuides>(std::move(out)) : nullptr;
 }
 
 std::uint64_t checksum(const PhotonGuides& guides)

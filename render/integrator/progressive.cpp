@@ -9,6 +9,7 @@
 
 #include <tbb/parallel_invoke.h>
 
+#include <cmath>
 #include <memory>
 
 namespace hipmap {
@@ -17,6 +18,9 @@ namespace {
 
 /// The share of its photons in the work of a pass, for the progress shown.
 constexpr double kPhotonShare = 0.3;
+
+/// Estimates of more photons cost more, and no gain is known so well.
+constexpr double kMostGain = 64;
 
 /// What all passes share.
 struct Progressive {
@@ -80,6 +84,18 @@ DissertationOptions gathered(const RenderScene& scene, const RenderOptions& opti
     return precomputes(scene, options) ? without_levels(options.dissertation) : estimated(options);
 }
 
+/// Returns the options of the maps by which the first radii of guided photons are found: denser
+/// photons are shared out between less noise and less bias, docs/light_transport.md (41).
+MapOptions guided_options(const ProgressivePass& pilot, EmissionGuide PhotonGuides::*kind)
+{
+    MapOptions out = pilot.options.maps;
+    if (pilot.guides == nullptr)
+        return out;
+    const double gain = std::min(kMostGain, 1 / (pilot.guides->*kind).variance);
+    out.neighbours = static_cast<std::uint32_t>(std::lround(out.neighbours * std::cbrt(gain)));
+    return out;
+}
+
 /// By photons of their own, as many as a pass has.
 std::shared_ptr<const ProgressiveRadii> find_first_radii(const ProgressivePass& pilot)
 {
@@ -91,14 +107,18 @@ std::shared_ptr<const ProgressiveRadii> find_first_radii(const ProgressivePass& 
     for (const BouncedPhoton& bounced : traced.bounces)
         indirect.push_back(bounced.photon);
     using Sparse = RadiusField::Sparse;
-    const auto field = [&](const std::vector<Photon>& photons, Sparse sparse = Sparse::even) {
+    const auto field = [&](const std::vector<Photon>& photons, const MapOptions& maps,
+                           Sparse sparse = Sparse::even) {
         return build_radius_field(
-            build_chosen_maps(photons, mapped.surfaces, options.maps, estimated(options)),
-            mapped.surfaces, sparse);
+            build_chosen_maps(photons, mapped.surfaces, maps, estimated(options)), mapped.surfaces,
+            sparse);
     };
-    return std::make_shared<ProgressiveRadii>(ProgressiveRadii{
-        FirstRadii{field(traced.caustic), field(traced.global), field(indirect, Sparse::infinite)},
-        volume_radii(mapped.scene, traced, options)});
+    const MapOptions aimed = guided_options(pilot, &PhotonGuides::aimed);
+    const MapOptions others = guided_options(pilot, &PhotonGuides::without_aim);
+    return std::make_shared<ProgressiveRadii>(
+        ProgressiveRadii{FirstRadii{field(traced.caustic, aimed), field(traced.global, others),
+                                    field(indirect, others, Sparse::infinite)},
+                         volume_radii(mapped.scene, traced, options)});
 }
 
 void count_searches(const GatherScratch& scratch, RenderStatistics& statistics)
@@ -264,8 +284,11 @@ PassSource make_progressive_source(const RenderScene& scene, const RenderOptions
     source.clamped = options.clamp > 0;
     source.photons = options.photons;
     source.allocation = checksum(shared->allocation);
-    if (shared->guides)
+    if (shared->guides) {
         source.allocation = mix_bits(source.allocation ^ checksum(*shared->guides));
+        statistics.guided_variance = shared->guides->without_aim.variance;
+        statistics.guided_variance_aimed = shared->guides->aimed.variance;
+    }
     source.bias = precomputes(scene, options) ? BiasKnowledge::unknown : BiasKnowledge::from_radii;
     source.render = [&scene, &options, &statistics, surfaces, shared](std::uint64_t pass,
                                                                       const PassControl& control) {

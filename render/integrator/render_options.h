@@ -70,6 +70,8 @@ struct RenderStatistics {
     std::uint64_t passes = 0;          ///< whole ones
     std::uint64_t emitted = 0;         ///< light paths
     std::uint64_t aimed = 0;           ///< light paths besides, aimed at specular surfaces
+    double guided_variance = 1;        ///< of EmissionGuide, for the paths not aimed
+    double guided_variance_aimed = 1;  ///< for the others
     std::uint64_t dropped_photons = 0; ///< not finite
     std::uint64_t dropped_samples = 0; ///< not finite
     std::uint64_t cut_paths = 0;

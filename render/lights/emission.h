@@ -26,6 +26,7 @@ struct EmissionGuide {
         PrimaryDensity density;
     };
     std::vector<OfLight> lights; ///< [lights]
+    double variance = 1;         ///< of what its paths are worth, over that of paths by power
 };
 
 /// Returns the guide without knowledge: lights share by power, with a minimum share for each.

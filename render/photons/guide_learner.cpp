@@ -102,16 +102,18 @@ bool GuideLearner::settled() const
            next > kGoOn * variance(guides_[guides_.size() - 2]);
 }
 
-const EmissionGuide& GuideLearner::best() const
+EmissionGuide GuideLearner::best() const
 {
-    const EmissionGuide* out = &guides_.front();
+    const EmissionGuide* best = &guides_.front();
     double least = kWorthIt;
     for (const EmissionGuide& guide : guides_)
         if (const double found = variance(guide); found < least) {
             least = found;
-            out = &guide;
+            best = &guide;
         }
-    return *out;
+    EmissionGuide out = *best;
+    out.variance = best == &guides_.front() ? 1 : least;
+    return out;
 }
 
 } // namespace hipmap

@@ -24,11 +24,9 @@ class GuideLearner {
     /// Returns whether a further round promises little.
     bool settled() const;
 
-    /// Returns whether some guide is clearly better than emission by power.
-    bool found() const { return &best() != &guides_.front(); }
-
-    /// Returns the best of all guides; that by power unless another is clearly better.
-    const EmissionGuide& best() const;
+    /// Returns the best of all guides, with its variance; that by power, of variance 1, unless
+    /// another is clearly better.
+    EmissionGuide best() const;
 
   private:
     struct Point {
