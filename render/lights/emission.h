@@ -19,7 +19,7 @@ struct EmissionPlan {
 enum class Emitters : std::uint8_t { all, all_but_media };
 
 /// How the light paths of a pass are spread over the lights and, of each light, over their starts,
-/// docs/light_transport.md (34).
+/// docs/light_transport.md (41).
 struct EmissionGuide {
     struct OfLight {
         double share = 0; ///< of all paths

@@ -10,7 +10,7 @@ namespace hipmap {
 
 /// A density over the unit cube of primary samples, by which the starts of light paths are drawn
 /// where they matter (Guo, Bauszat, Bikker and Eisemann 2018).  It is even within the leaves of a
-/// binary tree whose nodes halve their cell.  docs/light_transport.md (34).
+/// binary tree whose nodes halve their cell.  docs/light_transport.md (41).
 struct PrimaryDensity {
     struct Node {
         std::uint32_t lower = 0; ///< node of the lower half, before that of the upper; 0: a leaf

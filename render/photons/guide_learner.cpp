@@ -11,9 +11,10 @@ namespace {
 /// The share of paths that start by power whatever is learnt, so that no power grows above 4 times.
 constexpr double kByPower = 0.25;
 
-constexpr double kWorthIt =
-    0.5;                      ///< most of the variance of emission by power that is worth a guide
-constexpr double kGoOn = 0.8; ///< most of the present variance that is worth another round
+/// The most of the variance of emission by power at which a guide is worth its pilots, and of the
+/// present variance at which another round is.
+constexpr double kWorthIt = 0.5;
+constexpr double kGoOn = 0.8;
 
 /// Points that are to matter after the first round; a quarter after each round more.
 constexpr double kFirstAlike = 64;
