@@ -58,10 +58,11 @@ class Lab:
         errors = {kind: float(re.search(r"relMSE of A against B\s+([\d.e+-]+)",
                                         run([BIN / "compare_images", made[0], reference]))[1])
                   for kind, made in kinds.items()}
-        PICTURES.mkdir(parents=True, exist_ok=True)
         first = "before" if self.options.before else "by-power"
-        run([BIN / "compare_images", kinds[first][0], kinds["guided"][0], "--side-by-side",
-             PICTURES / f"{scene}.png"])
+        if scene in HARD:
+            PICTURES.mkdir(parents=True, exist_ok=True)
+            run([BIN / "compare_images", kinds[first][0], kinds["guided"][0], "--side-by-side",
+                 PICTURES / f"{scene}.png"])
         cells = [f"{errors[kind]:.3g} ({made[1]} passes; {made[2]} stated)"
                  for kind, made in kinds.items()]
         return [scene, *cells, f"{errors[first] / errors['guided']:.2f}"]
@@ -75,7 +76,7 @@ def page(options, rows):
         "Written by `bench/guided_emission.py`; do not edit. Run on "
         f"{datetime.date.today().isoformat()}.", "",
         f"relMSE ([error.md](error.md) (3)) of images {options.size} pixels wide after "
-        f"{options.seconds} s on all cores, against {options.reference} s of another seed, which "
+        f"{options.seconds:g} s on all cores, against {options.reference:g} s of another seed, which "
         "has noise of its own. [light_transport.md](light_transport.md) (41) says how paths are "
         "guided.",
         *(["`before` is the version without guides, and with the weights of (21) before (42)."]
