@@ -6,8 +6,7 @@
 
 namespace hipmap {
 
-/// Says in a few words what the camera looks at: the objects that a grid of rays meets first, those
-/// that most meet first.
+/// Names the objects that the camera sees by a grid of rays, those that most rays hit first.
 std::string describe_seen(const RenderScene& scene, const RenderOptions& options);
 
 } // namespace hipmap

@@ -14,7 +14,7 @@ from dataclasses import dataclass, replace
 import bpy
 import numpy
 
-from .geometry import BAKED_UV
+from .geometry import BAKED_UV, read_array
 from .node_digest import all_nodes, tree_digest
 from .run import Cancelled, Child, ToolError
 from .sockets import Texture
@@ -120,9 +120,7 @@ def _requests(materials, slots):
 
 
 def _read(things, name, kind, width=1):
-    out = numpy.empty(len(things) * width, kind)
-    things.foreach_get(name, out)
-    return out
+    return read_array(things, name, kind, width).reshape(-1)
 
 
 def _layers(mesh):

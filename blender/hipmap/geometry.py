@@ -34,7 +34,8 @@ class Part:
     colours: numpy.ndarray = None  # [vertices, 4] linear
 
 
-def _read(things, name, kind, width=1):
+def read_array(things, name, kind, width=1):
+    """Returns an attribute of all things of a collection, [n] or [n, width]."""
     out = numpy.empty(len(things) * width, kind)
     things.foreach_get(name, out)
     return out if width == 1 else out.reshape(-1, width)
@@ -42,9 +43,9 @@ def _read(things, name, kind, width=1):
 
 def _corner_normals(mesh):
     if hasattr(mesh, "corner_normals"):  # Blender 4.1 and later
-        return _read(mesh.corner_normals, "vector", numpy.float32, 3)
+        return read_array(mesh.corner_normals, "vector", numpy.float32, 3)
     mesh.calc_normals_split()
-    return _read(mesh.loops, "normal", numpy.float32, 3)
+    return read_array(mesh.loops, "normal", numpy.float32, 3)
 
 
 def _uv_map(mesh, name):
@@ -53,7 +54,7 @@ def _uv_map(mesh, name):
     layer = layers.get(name) if name else next((x for x in layers if x.active_render), None)
     if layer is None:
         return None
-    uv = _read(layer.data, "uv", numpy.float32, 2)
+    uv = read_array(layer.data, "uv", numpy.float32, 2)
     uv[:, 1] = 1 - uv[:, 1]
     return uv
 
@@ -75,7 +76,7 @@ def _colours(mesh, name, corner_vertices):
     layer = layers.get(name) if name else _default_colours(mesh)
     if layer is None:
         return None
-    values = _read(layer.data, "color", numpy.float32, 4)
+    values = read_array(layer.data, "color", numpy.float32, 4)
     return values[corner_vertices] if getattr(layer, "domain", "CORNER") == "POINT" else values
 
 
@@ -125,10 +126,10 @@ class MeshArrays:
         mesh.calc_loop_triangles()
         self.mesh = mesh
         self.baked = baked
-        self.corners = _read(mesh.loop_triangles, "loops", numpy.int32, 3)
-        self.slots = _read(mesh.loop_triangles, "material_index", numpy.int32)
-        self.corner_vertices = _read(mesh.loops, "vertex_index", numpy.int32)
-        self.positions = _read(mesh.vertices, "co", numpy.float32, 3)
+        self.corners = read_array(mesh.loop_triangles, "loops", numpy.int32, 3)
+        self.slots = read_array(mesh.loop_triangles, "material_index", numpy.int32)
+        self.corner_vertices = read_array(mesh.loops, "vertex_index", numpy.int32)
+        self.positions = read_array(mesh.vertices, "co", numpy.float32, 3)
         self.normals = _corner_normals(mesh) if len(self.corners) else None
         self.counts = len(self.positions), len(self.corner_vertices)
 

@@ -42,7 +42,8 @@ class Job:
         return os.path.join(self.folder, name)
 
     def made(self, name):
-        """The path of a file that a program makes when it is told this name."""
+        """The path of the file that a program writes where it is given this name: with motion it adds
+        the number of the frame."""
         stem, suffix = os.path.splitext(name)
         return self.path(stem + FRAME_SUFFIX + suffix if self.moves else name)
 

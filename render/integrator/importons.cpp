@@ -6,7 +6,7 @@
 #include <tbb/parallel_for.h>
 
 #include <cmath>
-#include <span>
+#include <utility>
 
 namespace hipmap {
 
@@ -116,20 +116,21 @@ Importons trace_importons(const RenderScene& scene, const RenderOptions& options
     return out;
 }
 
-PhotonWorth make_worth(const Importons& importons, const MapSurfaces& surfaces)
+PhotonWorth make_worth(const Importons& importons, const MapSurfaces& surfaces,
+                       std::function<std::vector<Photon>(const TracedPhotons&)> weigh)
 {
     const MapOptions options{.neighbours = kNeighbours};
     const auto build = [&](const std::vector<Photon>& of) {
         return build_chosen_maps(of, surfaces, options, {});
     };
-    return {build(importons.caustic), build(importons.global), build(importons.indirect), {}};
+    return {build(importons.caustic), build(importons.global), build(importons.indirect),
+            std::move(weigh)};
 }
 
 std::vector<double> worth_of_paths(const MappedScene& mapped, const PhotonWorth& worth,
                                    const TracedPhotons& traced)
 {
-    const std::vector<Photon> indirect =
-        worth.weigh ? worth.weigh(traced) : std::vector<Photon>(traced.bounces.size());
+    const std::vector<Photon> indirect = worth.weigh(traced);
     std::vector<double> out(traced.after_path.size());
     using Range = tbb::blocked_range<std::size_t>;
     tbb::parallel_for(Range(0, out.size()), [&](const Range& paths) {

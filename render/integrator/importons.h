@@ -41,12 +41,13 @@ Importons trace_importons(const RenderScene& scene, const RenderOptions& options
 /// What photons are worth to an image: maps of its importons.
 struct PhotonWorth {
     ChosenMaps caustic, global, indirect;
-    /// Returns the photons of the indirect map, one for each bounce; empty: there is none.
+    /// Returns the photons of the indirect map, one for each bounce.
     std::function<std::vector<Photon>(const TracedPhotons&)> weigh;
 };
 
-/// Builds the maps of importons, for a pass without an indirect map.  No importon: no worth.
-PhotonWorth make_worth(const Importons& importons, const MapSurfaces& surfaces);
+/// Builds the maps of importons.  No importon: no worth.
+PhotonWorth make_worth(const Importons& importons, const MapSurfaces& surfaces,
+                       std::function<std::vector<Photon>(const TracedPhotons&)> weigh);
 
 /// Returns the worth of each path, in the order of trace_photons: the power of its photons times
 /// the density of importons there, docs/light_transport.md (41).  traced: with after_path.  In

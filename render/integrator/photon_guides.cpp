@@ -44,10 +44,9 @@ bool has_volume_photons(const RenderScene& scene)
 std::shared_ptr<const PhotonGuides>
 learn_guides(const MappedScene& mapped, const PhotonOptions& photons, const PhotonWorth& worth)
 {
-    const LightSet& lights = mapped.scene.lights;
     if (has_volume_photons(mapped.scene))
         return nullptr;
-    const EmissionGuide by_power = even_guide(lights, Emitters::all_but_media);
+    const EmissionGuide by_power = even_guide(mapped.scene.lights, Emitters::all_but_media);
     GuideLearner without_aim(by_power, RandomStream::photons);
     GuideLearner aimed(by_power, RandomStream::caustics);
     for (int round = 0; round < kRounds; ++round) {
@@ -58,9 +57,11 @@ learn_guides(const MappedScene& mapped, const PhotonOptions& photons, const Phot
         const std::vector<double> worths = worth_of_paths(mapped, worth, traced);
         const std::span<const double> all(worths);
         if (traced.emitted > 0)
-            without_aim.add(plan_without_aim(lights, pilot), all.first(traced.emitted), pilot);
+            without_aim.add(plan_emission(guides.without_aim, pilot.paths),
+                            all.first(traced.emitted), pilot);
         if (traced.aimed > 0)
-            aimed.add(plan_aimed(lights, pilot), all.last(traced.aimed), pilot);
+            aimed.add(plan_emission(guides.aimed, pilot.caustic_paths), all.last(traced.aimed),
+                      pilot);
         if (without_aim.settled() && aimed.settled())
             break;
     }

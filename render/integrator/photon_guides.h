@@ -10,7 +10,7 @@ namespace hipmap {
 /// Learns where light paths should start, from photons of pilots, the first of which start by
 /// power. photons: of a pass, its number that of the first pilot, from which the others count down.
 /// Null: paths by power are about as good, or there are photons in media, whose worth is not known.
-/// The same at any thread count.  docs/light_transport.md (41).
+/// The result is the same at any thread count.  docs/light_transport.md (41).
 std::shared_ptr<const PhotonGuides>
 learn_guides(const MappedScene& mapped, const PhotonOptions& photons, const PhotonWorth& worth);
 

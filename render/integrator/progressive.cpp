@@ -189,10 +189,10 @@ std::shared_ptr<const PhotonGuides> find_guides(const ProgressivePass& pilot,
             scratch.importons = &kept;
             return trace_gather_path(maps, ray, SeenLights::left_out, random, scratch)[0];
         });
-    PhotonWorth worth = make_worth(importons, pilot.mapped.surfaces);
-    worth.weigh = [&](const TracedPhotons& traced) {
-        return weigh_bounces(traced, first.surfaces, pilot.mapped.surfaces, pilot.scale());
-    };
+    const MapSurfaces& surfaces = pilot.mapped.surfaces;
+    const PhotonWorth worth = make_worth(importons, surfaces, [&](const TracedPhotons& traced) {
+        return weigh_bounces(traced, first.surfaces, surfaces, pilot.scale());
+    });
     PhotonOptions learning = linked_options(pilot);
     learning.pass = kPilotPass - 1;
     return learn_guides(pilot.mapped, learning, worth);
@@ -298,9 +298,9 @@ PassSource make_progressive_source(const RenderScene& scene, const RenderOptions
     source.render_in = [&options, &statistics, shared](const RenderScene& now, std::uint64_t pass,
                                                        const PassControl& control) {
         const MapSurfaces surfaces_now(now.mesh(), now.partition);
-        const Progressive anew{shared->first, shared->guides, shared->allocation};
-        return render_pass(numbered_pass({now, surfaces_now}, options, pass, anew), anew, control,
-                           statistics);
+        const Progressive uncached{shared->first, shared->guides, shared->allocation};
+        return render_pass(numbered_pass({now, surfaces_now}, options, pass, uncached), uncached,
+                           control, statistics);
     };
     return source;
 }

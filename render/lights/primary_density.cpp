@@ -38,15 +38,13 @@ struct Cell {
 
     float middle(std::uint32_t dimension) const { return low[dimension] + size[dimension] / 2; }
 
-    Cell half(std::uint32_t dimension, bool upper) const
+    void halve(std::uint32_t dimension, bool upper)
     {
-        Cell out = *this;
-        out.size[dimension] /= 2;
+        size[dimension] /= 2;
         if (upper)
-            out.low[dimension] += out.size[dimension];
-        out.volume /= 2;
-        ++out.depth;
-        return out;
+            low[dimension] += size[dimension];
+        volume /= 2;
+        ++depth;
     }
 };
 
@@ -57,24 +55,38 @@ struct Sums {
     double alike() const { return square > 0 ? second * second / square : 0; }
 };
 
-/// What a point adds to the mean square of a power of worth.
+/// A point, and what it adds to the mean square of worth and of a power of worth.
+struct Point {
+    PrimarySample at;
+    double second = 0, second_of_power = 0;
+};
+
+Sums sum_up(std::span<const Point> points)
+{
+    Sums out;
+    for (const Point& point : points) {
+        out.second += point.second_of_power;
+        out.square += point.second_of_power * point.second_of_power;
+    }
+    return out;
+}
+
 double second_of(const PrimaryWorth& point, double power)
 {
     return point.worth > 0 ? std::pow(point.worth, 2 * power) / point.density : 0;
 }
 
-Sums sum_up(std::span<const PrimaryWorth> points, double power)
+std::vector<Point> by_power(std::span<const PrimaryWorth> points, double power)
 {
-    Sums out;
-    for (const PrimaryWorth& point : points) {
-        const double second = second_of(point, power);
-        out.second += second;
-        out.square += second * second;
-    }
+    std::vector<Point> out;
+    out.reserve(points.size());
+    for (const PrimaryWorth& point : points)
+        out.push_back({point.at, second_of(point, 1), second_of(point, power)});
     return out;
 }
 
-/// Of worth, of which the first that leaves enough points that matter is learnt.
+/// Exponents of worth, from the one that is learnt where enough points matter by it to the last
+/// resort.
 constexpr double kPowers[] = {1, 0.75, 0.5, 0.35, 0.25};
 
 float rounded_share(double share)
@@ -86,11 +98,9 @@ float rounded_share(double share)
 
 class Learner {
   public:
-    explicit Learner(double power) : power_(power) {}
-
-    LearntDensity learn(std::span<PrimaryWorth> points)
+    LearntDensity learn(std::span<Point> points)
     {
-        const Sums all = sum_up(points, power_);
+        const Sums all = sum_up(points);
         if (!(all.second > 0))
             return {};
         out_.density.nodes.emplace_back();
@@ -103,14 +113,17 @@ class Learner {
 
   private:
     /// Grows the tree below a node; second: of its points, and a prior for what they did not show.
-    void grow(std::uint32_t node, const Cell& cell, std::span<PrimaryWorth> points, double second)
+    void grow(std::uint32_t node, const Cell& cell, std::span<Point> points, double second)
     {
         out_.node_share[node] = std::sqrt(second * cell.volume);
-        const Sums sums = sum_up(points, power_);
+        const Sums sums = sum_up(points);
         const bool enough = sums.alike() >= kFewestAlike && cell.depth < kMostDepth;
         const std::uint32_t dimension = enough ? most_uneven(cell, points, sums) : kDimensions;
         if (dimension == kDimensions) {
-            out_.worth += std::sqrt(sum_up(points, 1).second * cell.volume);
+            double plain = 0;
+            for (const Point& point : points)
+                plain += point.second;
+            out_.worth += std::sqrt(plain * cell.volume);
             return;
         }
         const float middle = cell.middle(dimension);
@@ -122,32 +135,35 @@ class Learner {
         // As if one more point had shown each half.
         const double prior = second / (2 * sums.alike() + 2);
         const double kept = 1 - 2 * prior / second, shown = sums.second;
-        const auto second_in = [&](std::span<PrimaryWorth> part) {
-            return prior + second * kept * (sum_up(part, power_).second / shown);
+        const auto second_in = [&](std::span<const Point> part) {
+            return prior + second * kept * (sum_up(part).second / shown);
         };
         const auto lower = static_cast<std::uint32_t>(out_.density.nodes.size());
         out_.density.nodes.resize(lower + 2);
         out_.node_share.resize(lower + 2);
-        grow(lower, cell.half(dimension, false), below, second_in(below));
-        grow(lower + 1, cell.half(dimension, true), above, second_in(above));
+        Cell half = cell;
+        half.halve(dimension, false);
+        grow(lower, half, below, second_in(below));
+        half = cell;
+        half.halve(dimension, true);
+        grow(lower + 1, half, above, second_in(above));
         const double sum = out_.node_share[lower] + out_.node_share[lower + 1];
         out_.node_share[node] = sum;
         out_.density.nodes[node] = {lower, dimension, rounded_share(out_.node_share[lower] / sum)};
     }
 
     /// The dimension along which bins differ most; kDimensions: by no more than noise in any.
-    std::uint32_t most_uneven(const Cell& cell, std::span<const PrimaryWorth> points,
-                              const Sums& sums) const
+    static std::uint32_t most_uneven(const Cell& cell, std::span<const Point> points,
+                                     const Sums& sums)
     {
         std::array<std::array<double, kBins>, kDimensions> bins{};
-        for (const PrimaryWorth& point : points) {
-            const double second = second_of(point, power_);
+        for (const Point& point : points)
             for (std::uint32_t d = 0; d < kDimensions; ++d) {
                 const float place = (coordinate(point.at, d) - cell.low[d]) / cell.size[d];
                 const auto bin = static_cast<int>(place * static_cast<float>(kBins));
-                bins[d][static_cast<std::size_t>(std::clamp(bin, 0, int{kBins} - 1))] += second;
+                bins[d][static_cast<std::size_t>(std::clamp(bin, 0, int{kBins} - 1))] +=
+                    point.second_of_power;
             }
-        }
         double least = 1 - kLeastGain - kNoise / sums.alike();
         std::uint32_t out = kDimensions;
         for (std::uint32_t d = 0; d < kDimensions; ++d) {
@@ -162,7 +178,6 @@ class Learner {
         return out;
     }
 
-    const double power_;
     LearntDensity out_;
 };
 
@@ -173,8 +188,7 @@ DrawnPrimary draw(const PrimaryDensity& density, const PrimarySample& even)
     DrawnPrimary out{even, 1.0f};
     if (density.nodes.empty())
         return out;
-    std::array<float, kDimensions> low{}, size;
-    size.fill(1.0f);
+    Cell cell;
     const auto at = [&](std::uint32_t d) -> float& {
         return out.at[d / 2][static_cast<int>(d % 2)];
     };
@@ -182,16 +196,15 @@ DrawnPrimary draw(const PrimaryDensity& density, const PrimarySample& even)
     while (node->lower != 0) {
         const std::uint32_t d = node->dimension;
         float& u = at(d);
-        size[d] /= 2;
         const bool upper = !(u < node->lower_share);
         const float share = upper ? 1 - node->lower_share : node->lower_share;
         u = std::min((upper ? u - node->lower_share : u) / share, 0x1.fffffep-1f);
-        low[d] += upper ? size[d] : 0;
+        cell.halve(d, upper);
         out.density *= 2 * share;
         node = &density.nodes[node->lower + (upper ? 1 : 0)];
     }
     for (std::uint32_t d = 0; d < kDimensions; ++d)
-        at(d) = std::min(low[d] + size[d] * at(d), 0x1.fffffep-1f);
+        at(d) = std::min(cell.low[d] + cell.size[d] * at(d), 0x1.fffffep-1f);
     return out;
 }
 
@@ -205,17 +218,21 @@ double density_at(const PrimaryDensity& density, const PrimarySample& at)
     while (node->lower != 0) {
         const bool upper = !(coordinate(at, node->dimension) < cell.middle(node->dimension));
         out *= 2 * double{upper ? 1 - node->lower_share : node->lower_share};
-        cell = cell.half(node->dimension, upper);
+        cell.halve(node->dimension, upper);
         node = &density.nodes[node->lower + (upper ? 1 : 0)];
     }
     return out;
 }
 
-LearntDensity learn_density(std::span<PrimaryWorth> points, double alike)
+LearntDensity learn_density(std::span<const PrimaryWorth> points, double alike)
 {
-    const auto power = std::ranges::find_if(
-        kPowers, [&](double each) { return sum_up(points, each).alike() >= alike; });
-    return Learner(power == std::end(kPowers) ? *std::rbegin(kPowers) : *power).learn(points);
+    std::vector<Point> tried;
+    for (const double power : kPowers) {
+        tried = by_power(points, power);
+        if (sum_up(tried).alike() >= alike)
+            break;
+    }
+    return Learner().learn(tried);
 }
 
 PrimaryDensity mixed_with_even(const LearntDensity& learnt, double even)

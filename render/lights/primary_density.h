@@ -51,9 +51,9 @@ struct LearntDensity {
 /// volume times the mean square of worth in it: samples in proportion to it estimate the sum of all
 /// worth with the least variance.  A cell is halved while its points show that worth is uneven
 /// there.  Where less than `alike` points of equal worth would hold all, a power of worth below one
-/// decides, which leads on towards them.  Reorders the points.  No point with worth: no node, and
-/// worth zero.  O(points log points).
-LearntDensity learn_density(std::span<PrimaryWorth> points, double alike);
+/// decides, which leads on towards them.  No point with worth: no node, and worth zero.  O(points
+/// log points).
+LearntDensity learn_density(std::span<const PrimaryWorth> points, double alike);
 
 /// Returns the density of which a share `even` is spread evenly.
 PrimaryDensity mixed_with_even(const LearntDensity& learnt, double even);

@@ -8,7 +8,7 @@
 namespace hipmap {
 
 /// Learns the guide of one kind of light path (those not aimed, or the aimed ones) in rounds, each
-/// of which traces paths by the guide learnt of the rounds before.  docs/light_transport.md (41).
+/// of which traces paths by the guide learnt from the rounds before.  docs/light_transport.md (41).
 class GuideLearner {
   public:
     /// by_power: the guide of the first round (even_guide).
@@ -17,7 +17,7 @@ class GuideLearner {
     /// Returns the guide for the next round.
     const EmissionGuide& guide() const { return guides_.back(); }
 
-    /// Takes the paths of a round by guide(), and learns the next guide of all rounds.  plan: of
+    /// Takes the paths of a round by guide(), and learns the next guide from all rounds.  plan: of
     /// the paths; worth: of each; options: by which they were traced.  No path: nothing.
     void add(const EmissionPlan& plan, std::span<const double> worth, const PhotonOptions& options);
 

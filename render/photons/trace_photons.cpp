@@ -68,11 +68,16 @@ TracedPhotons join(std::vector<TracedPhotons>& chunks)
 /// Paths of a pass that start alike.
 struct PathKind {
     const PhotonOptions& options;
+    const EmissionGuide* guide; ///< null: none
     const EmissionPlan plan;
-    const EmissionGuide* guide = nullptr; ///< null: none
     RandomStream stream = RandomStream::photons;
     Wanted wanted;
 };
+
+const EmissionGuide* guide_of(const PhotonOptions& options, EmissionGuide PhotonGuides::*kind)
+{
+    return options.guides == nullptr ? nullptr : &(options.guides->*kind);
+}
 
 /// Traces all paths, in chunks that are joined in order.  emit(share, random): their starts.
 template <typename Emit>
@@ -116,8 +121,11 @@ TracedPhotons trace_without_aim(const RenderScene& scene, const PhotonOptions& o
     const Wanted wanted = wanted_without_aim(options);
     if (!wanted.direct && !wanted.caustic && !wanted.indirect && !wanted.volume)
         return {};
-    const PathKind kind{options, plan_without_aim(scene.lights, options),
-                        options.guides == nullptr ? nullptr : &options.guides->without_aim,
+    const EmissionGuide* const guide = guide_of(options, &PhotonGuides::without_aim);
+    const Emitters emitters = options.media ? Emitters::all : Emitters::all_but_media;
+    const PathKind kind{options, guide,
+                        guide == nullptr ? plan_emission(scene.lights, options.paths, emitters)
+                                         : plan_emission(*guide, options.paths),
                         RandomStream::photons, wanted};
     TracedPhotons out =
         trace_paths(scene, kind, [&](const LightShare& share, RandomSequence& random) {
@@ -129,13 +137,16 @@ TracedPhotons trace_without_aim(const RenderScene& scene, const PhotonOptions& o
 
 TracedPhotons trace_aimed(const RenderScene& scene, const PhotonOptions& options)
 {
-    if (!aims(scene, options))
-        return {};
     const std::vector<TargetSphere>& targets = scene.specular_targets;
+    if (!options.light.caustic || options.caustic_paths == 0 || targets.empty())
+        return {};
     Wanted wanted{false, true, false, options.link_bounces};
     wanted.volume = options.media;
-    const PathKind kind{options, plan_aimed(scene.lights, options),
-                        options.guides == nullptr ? nullptr : &options.guides->aimed,
+    const EmissionGuide* const guide = guide_of(options, &PhotonGuides::aimed);
+    const PathKind kind{options, guide,
+                        guide == nullptr ? plan_emission(scene.lights, options.caustic_paths,
+                                                         Emitters::all_but_media)
+                                         : plan_emission(*guide, options.caustic_paths),
                         RandomStream::caustics, wanted};
     TracedPhotons out =
         trace_paths(scene, kind, [&](const LightShare& share, RandomSequence& random) {
@@ -147,25 +158,6 @@ TracedPhotons trace_aimed(const RenderScene& scene, const PhotonOptions& options
 }
 
 } // namespace
-
-bool aims(const RenderScene& scene, const PhotonOptions& options)
-{
-    return options.light.caustic && options.caustic_paths > 0 && !scene.specular_targets.empty();
-}
-
-EmissionPlan plan_without_aim(const LightSet& lights, const PhotonOptions& options)
-{
-    const Emitters emitters = options.media ? Emitters::all : Emitters::all_but_media;
-    return options.guides == nullptr ? plan_emission(lights, options.paths, emitters)
-                                     : plan_emission(options.guides->without_aim, options.paths);
-}
-
-EmissionPlan plan_aimed(const LightSet& lights, const PhotonOptions& options)
-{
-    return options.guides == nullptr
-               ? plan_emission(lights, options.caustic_paths, Emitters::all_but_media)
-               : plan_emission(options.guides->aimed, options.caustic_paths);
-}
 
 RandomSequence path_sequence(const PhotonOptions& options, RandomStream stream,
                              const LightShare& share)

@@ -72,13 +72,6 @@ struct TracedPhotons {
     PowerBalance power;
 };
 
-/// Returns whether paths are aimed at specular surfaces.
-bool aims(const RenderScene& scene, const PhotonOptions& options);
-
-/// Return the plans of the paths of trace_photons, whose paths not aimed come first.
-EmissionPlan plan_without_aim(const LightSet& lights, const PhotonOptions& options);
-EmissionPlan plan_aimed(const LightSet& lights, const PhotonOptions& options);
-
 /// Returns the random numbers of a path.
 RandomSequence path_sequence(const PhotonOptions& options, RandomStream stream,
                              const LightShare& share);
