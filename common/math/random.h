@@ -23,7 +23,8 @@ enum class RandomStream : std::uint64_t {
     eye_paths = 2,
     pictures = 3,
     caustics = 4,
-    seen_lights = 5
+    seen_lights = 5,
+    seeds = 6
 };
 
 /// The first steps of a sequence, where each call of next() or next2() is one: a point of the unit

@@ -18,6 +18,13 @@ inline glm::vec2 sample_disc(const glm::vec2& u)
     return {r * std::cos(phi), r * std::sin(phi)};
 }
 
+/// Returns the u from which `sample_disc` makes a point of the unit disc.
+inline glm::vec2 disc_sample_of(const glm::vec2& point)
+{
+    const float turn = std::atan2(point.y, point.x) / (2 * kPi);
+    return {glm::dot(point, point), turn < 0 ? turn + 1 : turn};
+}
+
 /// Returns a unit vector of the upper hemisphere about +z with pdf cos(theta) / pi.  u: [0, 1)^2.
 inline glm::vec3 sample_cosine_hemisphere(const glm::vec2& u)
 {
@@ -37,6 +44,13 @@ inline glm::vec3 direction_from_cosine(float cos_theta, float u)
 inline glm::vec3 sample_sphere(const glm::vec2& u)
 {
     return direction_from_cosine(1 - 2 * u.x, u.y);
+}
+
+/// Returns the u from which `sample_sphere` makes a unit vector.
+inline glm::vec2 sphere_sample_of(const glm::vec3& direction)
+{
+    const float turn = std::atan2(direction.y, direction.x) / (2 * kPi);
+    return {(1 - direction.z) / 2, turn < 0 ? turn + 1 : turn};
 }
 
 /// Returns barycentric coordinates (of the second and third corner), uniform by area.  u: [0, 1)^2.

@@ -1,7 +1,5 @@
 #include "render/integrator/photon_guides.h"
 
-#include "render/photons/guide_learner.h"
-
 #include <algorithm>
 #include <bit>
 #include <span>
@@ -41,13 +39,15 @@ bool has_volume_photons(const RenderScene& scene)
 
 } // namespace
 
-std::shared_ptr<const PhotonGuides>
-learn_guides(const MappedScene& mapped, const PhotonOptions& photons, const PhotonWorth& worth)
+std::shared_ptr<const PhotonGuides> learn_guides(const MappedScene& mapped,
+                                                 const PhotonOptions& photons,
+                                                 const PhotonWorth& worth,
+                                                 std::span<const EmissionSeed> seeds)
 {
     if (has_volume_photons(mapped.scene))
         return nullptr;
     const EmissionGuide by_power = even_guide(mapped.scene.lights, Emitters::all_but_media);
-    GuideLearner without_aim(by_power, RandomStream::photons);
+    GuideLearner without_aim(by_power, RandomStream::photons, seeds);
     GuideLearner aimed(by_power, RandomStream::caustics);
     for (int round = 0; round < kRounds; ++round) {
         PhotonOptions pilot = round_options(photons, round);

@@ -1,5 +1,6 @@
 #include "render/integrator/progressive.h"
 
+#include "render/integrator/environment_seeds.h"
 #include "render/integrator/gather_path.h"
 #include "render/integrator/light_sample_allocation.h"
 #include "render/integrator/pass_photons.h"
@@ -195,7 +196,8 @@ std::shared_ptr<const PhotonGuides> find_guides(const ProgressivePass& pilot,
     });
     PhotonOptions learning = linked_options(pilot);
     learning.pass = kPilotPass - 1;
-    return learn_guides(pilot.mapped, learning, worth);
+    return learn_guides(pilot.mapped, learning, worth,
+                        environment_seeds(scene, importons, learning.seed));
 }
 
 RenderedPass gather_pass(const ProgressivePass& pass, const Progressive& shared,

@@ -28,6 +28,11 @@ EmittedPath sample_emission(const ConstantEnvironment& light, const PathPlace&,
     return path_along(light.scene, direction, irradiance(light) * light.scene.disc_area(), random);
 }
 
+PrimarySample primary_of(const ConstantEnvironment& light, const Ray& ray)
+{
+    return {sphere_sample_of(ray.direction), disc_sample_of(light.scene, ray)};
+}
+
 EmittedPath sample_aimed_emission(const ConstantEnvironment& light, const PathPlace&,
                                   const std::vector<TargetSphere>& targets, RandomSequence& random)
 {

@@ -29,15 +29,22 @@ struct Pixel {
     int x, y;
 };
 
-Pixel pixel_towards(const EnvironmentMap& map, const glm::vec3& direction)
+/// Returns the place of a unit direction in the map, in pixels.
+glm::dvec2 place_towards(const EnvironmentMap& map, const glm::vec3& direction)
 {
     const int width = map.radiance.width, height = map.radiance.height;
     const double turned =
         0.5 + (std::atan2(double{direction.z}, double{direction.x}) + map.turn) / (2 * pi);
     const double u = turned - std::floor(turned);
     const double v = std::acos(std::clamp(double{direction.y}, -1.0, 1.0)) / pi;
-    return {std::min(static_cast<int>(u * width), width - 1),
-            std::min(static_cast<int>(v * height), height - 1)};
+    return {u * width, v * height};
+}
+
+Pixel pixel_towards(const EnvironmentMap& map, const glm::vec3& direction)
+{
+    const glm::dvec2 at = place_towards(map, direction);
+    return {std::min(static_cast<int>(at.x), map.radiance.width - 1),
+            std::min(static_cast<int>(at.y), map.radiance.height - 1)};
 }
 
 /// Draws from running sums that end at 1; u becomes the place within what was drawn, [0, 1).
@@ -137,6 +144,19 @@ glm::vec3 sample_direction(const EnvironmentMap& map, const glm::vec2& u)
     const double sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
     return {static_cast<float>(sine * std::cos(azimuth)), static_cast<float>(cosine),
             static_cast<float>(sine * std::sin(azimuth))};
+}
+
+glm::vec2 direction_sample_of(const EnvironmentMap& map, const glm::vec3& direction)
+{
+    const int width = map.radiance.width;
+    const Pixel pixel = pixel_towards(map, direction);
+    const float* const row = map.columns.data() + static_cast<std::ptrdiff_t>(pixel.y) * width;
+    const double upper = edge_cosine(map, pixel.y);
+    const double down = (double{direction.y} - upper) / (edge_cosine(map, pixel.y + 1) - upper);
+    const double across = place_towards(map, direction).x - pixel.x;
+    return {static_cast<float>(row[pixel.x] - (1 - across) * probability(row, pixel.x)),
+            static_cast<float>(map.rows[static_cast<std::size_t>(pixel.y)] -
+                               (1 - down) * probability(map.rows.data(), pixel.y))};
 }
 
 } // namespace hipmap

@@ -43,4 +43,7 @@ MapPoint at_direction(const EnvironmentMap& map, const glm::vec3& direction);
 /// not be empty.  u: [0, 1)^2.
 glm::vec3 sample_direction(const EnvironmentMap& map, const glm::vec2& u);
 
+/// Returns the u from which `sample_direction` makes a unit direction.  The map must not be empty.
+glm::vec2 direction_sample_of(const EnvironmentMap& map, const glm::vec3& direction);
+
 } // namespace hipmap

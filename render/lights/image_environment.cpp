@@ -52,6 +52,11 @@ EmittedPath sample_emission(const ImageEnvironment& light, const PathPlace&, Ran
     return path_along(light.scene, -drawn.from, drawn.irradiance * light.scene.disc_area(), random);
 }
 
+PrimarySample primary_of(const ImageEnvironment& light, const Ray& ray)
+{
+    return {direction_sample_of(*light.map, -ray.direction), disc_sample_of(light.scene, ray)};
+}
+
 EmittedPath sample_aimed_emission(const ImageEnvironment& light, const PathPlace&,
                                   const std::vector<TargetSphere>& targets, RandomSequence& random)
 {

@@ -50,6 +50,18 @@ EmittedPath sample_aimed_emission(const Light& light, const PathPlace& path,
         light);
 }
 
+std::optional<PrimarySample> primary_of(const Light& light, const Ray& ray)
+{
+    return std::visit(
+        [&](const auto& kind) -> std::optional<PrimarySample> {
+            if constexpr (requires { primary_of(kind, ray).size(); })
+                return primary_of(kind, ray);
+            else
+                return std::nullopt;
+        },
+        light);
+}
+
 glm::dvec3 power(const Light& light)
 {
     return std::visit([](const auto& kind) { return power(kind); }, light);

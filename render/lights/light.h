@@ -54,6 +54,9 @@ bool can_be_met(const Light& light);
 EmittedPath sample_emission(const Light& light, const PathPlace& path, RandomSequence& random);
 EmittedPath sample_aimed_emission(const Light& light, const PathPlace& path,
                                   const std::vector<TargetSphere>& targets, RandomSequence& random);
+/// Returns the random numbers by which `sample_emission` draws a path along a ray, if the light is
+/// of a kind that knows them.  The last steps are zero where it draws fewer.
+std::optional<PrimarySample> primary_of(const Light& light, const Ray& ray);
 glm::dvec3 power(const Light& light);
 std::optional<LightBounds> bounds(const Light& light);
 

@@ -26,6 +26,10 @@ namespace hipmap {
 //
 //   path_power           mean of the largest channel of the paths' power; else that of `power`
 //
+// and one whose light comes from beyond the scene
+//
+//   primary_of           the random numbers by which sample_emission draws a path
+//
 // To add a kind: write its file, add it to `Light` (light.h) and make it from the scene
 // (collect_lights.cpp).
 

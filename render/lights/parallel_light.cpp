@@ -20,6 +20,12 @@ Ray ray_into(const SceneSphere& scene, const glm::vec3& direction, const glm::ve
     return ray;
 }
 
+glm::vec2 disc_sample_of(const SceneSphere& scene, const Ray& ray)
+{
+    const glm::vec3 at = Frame(ray.direction).to_local(ray.origin - scene.centre) / scene.radius;
+    return disc_sample_of(glm::vec2(at));
+}
+
 EmittedPath path_along(const SceneSphere& scene, const glm::vec3& direction, const Rgb& power,
                        RandomSequence& random)
 {

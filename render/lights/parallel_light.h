@@ -17,6 +17,9 @@ struct SceneSphere {
 /// across it. The ray starts outside the sphere.
 Ray ray_into(const SceneSphere& scene, const glm::vec3& direction, const glm::vec2& u);
 
+/// Returns the u from which `ray_into` makes a ray along the same line.  direction: unit.
+glm::vec2 disc_sample_of(const SceneSphere& scene, const Ray& ray);
+
 /// Returns a light path along `direction` (unit) with that power, drawn as by `ray_into`.
 EmittedPath path_along(const SceneSphere& scene, const glm::vec3& direction, const Rgb& power,
                        RandomSequence& random);

@@ -19,10 +19,29 @@ constexpr double kGoOn = 0.8;
 /// Points that are to matter after the first round; a quarter after each round more.
 constexpr double kFirstAlike = 64;
 
+/// The share of the first round's paths of a light that start by power, whatever its seeds are.
+constexpr double kNotBySeeds = 0.5;
+
+/// Returns the guide by power with starts near the seeds, where there are some.
+EmissionGuide seeded(const EmissionGuide& by_power, std::span<const EmissionSeed> seeds)
+{
+    EmissionGuide out = by_power;
+    std::vector<std::vector<PrimaryWorth>> of_light(out.lights.size());
+    for (const EmissionSeed& seed : seeds)
+        of_light[seed.light].push_back({.at = seed.at, .worth = 1, .density = 1 / seed.weight});
+    tbb::parallel_for(std::size_t{0}, of_light.size(), [&](std::size_t light) {
+        if (!of_light[light].empty())
+            out.lights[light].density =
+                mixed_with_even(learn_density(of_light[light], kFirstAlike), kNotBySeeds);
+    });
+    return out;
+}
+
 } // namespace
 
-GuideLearner::GuideLearner(EmissionGuide by_power, RandomStream stream)
-    : stream_(stream), guides_{std::move(by_power)}
+GuideLearner::GuideLearner(EmissionGuide by_power, RandomStream stream,
+                           std::span<const EmissionSeed> seeds)
+    : stream_(stream), by_power_(std::move(by_power)), guides_{seeded(by_power_, seeds)}
 {
 }
 
@@ -61,8 +80,7 @@ double GuideLearner::drawn_density(std::size_t round, const Point& point) const
 
 void GuideLearner::learn()
 {
-    const EmissionGuide& even = guides_.front();
-    std::vector<std::vector<PrimaryWorth>> of_light(even.lights.size());
+    std::vector<std::vector<PrimaryWorth>> of_light(by_power_.lights.size());
     for (const Point& point : points_)
         of_light[point.light].push_back(point.worth);
     std::vector<LearntDensity> learnt(of_light.size());
@@ -73,9 +91,9 @@ void GuideLearner::learn()
     double total = 0;
     for (const LearntDensity& light : learnt)
         total += light.worth;
-    EmissionGuide next = even;
+    EmissionGuide next = by_power_;
     for (std::size_t i = 0; i < learnt.size() && total > 0; ++i) {
-        const double by_power = kByPower * even.lights[i].share;
+        const double by_power = kByPower * by_power_.lights[i].share;
         next.lights[i].share = by_power + (1 - kByPower) * learnt[i].worth / total;
         if (learnt[i].worth > 0)
             next.lights[i].density = mixed_with_even(learnt[i], by_power / next.lights[i].share);
@@ -90,7 +108,7 @@ double GuideLearner::variance(const EmissionGuide& guide) const
     for (const Point& point : points_) {
         const double second = point.worth.worth * point.worth.worth / point.worth.density;
         const EmissionGuide::OfLight& light = guide.lights[point.light];
-        by_power += second / guides_.front().lights[point.light].share;
+        by_power += second / by_power_.lights[point.light].share;
         by_guide += second / (light.share * density_at(light.density, point.worth.at));
     }
     return by_power > 0 ? by_guide / by_power : 1;
@@ -105,7 +123,7 @@ bool GuideLearner::settled() const
 
 EmissionGuide GuideLearner::best() const
 {
-    const EmissionGuide* best = &guides_.front();
+    const EmissionGuide* best = &by_power_;
     double least = kWorthIt;
     for (const EmissionGuide& guide : guides_)
         if (const double found = variance(guide); found < least) {
@@ -113,7 +131,7 @@ EmissionGuide GuideLearner::best() const
             best = &guide;
         }
     EmissionGuide out = *best;
-    out.variance = best == &guides_.front() ? 1 : least;
+    out.variance = best == &by_power_ ? 1 : least;
     return out;
 }
 

@@ -7,12 +7,21 @@
 
 namespace hipmap {
 
+/// The start of a light path that was found from the eye.
+struct EmissionSeed {
+    std::size_t light = 0; ///< place in LightSet::lights
+    PrimarySample at{};
+    double weight = 0; ///< what all light that it stands for is worth
+};
+
 /// Learns the guide of one kind of light path (those not aimed, or the aimed ones) in rounds, each
 /// of which traces paths by the guide learnt from the rounds before.  docs/light_transport.md (41).
 class GuideLearner {
   public:
-    /// by_power: the guide of the first round (even_guide).
-    GuideLearner(EmissionGuide by_power, RandomStream stream);
+    /// by_power: even_guide.  seeds: from which the guide of the first round is made; none: it is
+    /// by power.
+    GuideLearner(EmissionGuide by_power, RandomStream stream,
+                 std::span<const EmissionSeed> seeds = {});
 
     /// Returns the guide for the next round.
     const EmissionGuide& guide() const { return guides_.back(); }
@@ -39,6 +48,7 @@ class GuideLearner {
     void learn();
 
     RandomStream stream_;
+    EmissionGuide by_power_;
     std::vector<EmissionGuide> guides_; ///< of the rounds, and of the next
     std::vector<EmissionPlan> plans_;   ///< of the rounds
     std::vector<Point> points_;         ///< starts of all paths that are worth something

@@ -1,9 +1,12 @@
+#include "render/integrator/environment_seeds.h"
 #include "render/integrator/integrators.h"
 #include "tests/support/statistics.h"
 #include "tests/support/tiny_rooms.h"
 
 #include <catch2/catch.hpp>
 #include <tbb/global_control.h>
+
+#include <algorithm>
 
 using namespace hipmap;
 
@@ -98,6 +101,31 @@ TEST_CASE("photon guides: the image is that of emission by power", "[integrator]
     CHECK(guided.noise.mean() < 0.5 * by_power.noise.mean());
     const auto rooms = tiny::ready(two_rooms());
     same(mean_of_passes(*rooms, Emission::guided), mean_of_passes(*rooms, Emission::by_power));
+}
+
+TEST_CASE("photon guides: seeds are starts of paths that reach the importons", "[integrator]")
+{
+    Scene scene = box_on_a_plain();
+    scene.lights.clear();
+    scene.environment = Rgb(2);
+    const auto ready = tiny::ready(scene);
+    const LightSet& lights = ready->render->lights;
+    Importons importons;
+    for (const float x : {-0.3f, 0.1f, 0.4f})
+        importons.global.push_back({{x, -0.5f, 0.2f}, Rgb(1), {0, 1, 0}, 0, 0});
+    const std::vector<EmissionSeed> seeds = environment_seeds(*ready->render, importons, 0);
+    REQUIRE(!seeds.empty());
+    for (const EmissionSeed& seed : seeds) {
+        RandomSequence random(0, RandomStream::photons, 0, 0);
+        random.give(seed.at);
+        const Ray ray = sample_emission(lights.lights[seed.light], {}, random).ray;
+        const auto misses = [&](const Photon& importon) {
+            const glm::vec3 way = importon.position - ray.origin;
+            return glm::length(way - glm::dot(way, ray.direction) * ray.direction) > 0.01f;
+        };
+        CHECK_FALSE(std::ranges::all_of(importons.global, misses));
+        CHECK(seed.weight > 0);
+    }
 }
 
 TEST_CASE("photon guides: a pass has the same bits by however many threads", "[integrator]")

@@ -114,3 +114,15 @@ TEST_CASE("environment map: a black one is none", "[lights]")
     CHECK(make_environment_map(mottled(8, 4), 0, 0).empty());
     CHECK(make_environment_map(Image(), 1, 0).empty());
 }
+
+TEST_CASE("environment map: the numbers that draw a direction are found again", "[lights]")
+{
+    const EnvironmentMap map = make_environment_map(mottled(16, 8), 1, 0.7f);
+    RandomSequence random(3, RandomStream::pictures, 0, 0);
+    for (int i = 0; i < 200; ++i) {
+        const glm::vec2 u = random.next2();
+        const glm::vec2 found = direction_sample_of(map, sample_direction(map, u));
+        CHECK(found.x == Approx(u.x).margin(1e-3));
+        CHECK(found.y == Approx(u.y).margin(1e-3));
+    }
+}

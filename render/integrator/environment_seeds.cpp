@@ -1,0 +1,78 @@
+#include "render/integrator/environment_seeds.h"
+
+#include "common/math/frame.h"
+#include "common/math/sampling.h"
+
+#include <tbb/parallel_for.h>
+
+#include <array>
+
+namespace hipmap {
+
+namespace {
+
+/// Importons that rays start from, of each kind; more are passed over evenly.
+constexpr std::size_t kMostImportons = 1 << 15;
+
+constexpr int kRays = 4; ///< of each importon
+
+/// Adds the seeds of one ray that leaves the scene.
+void add_seeds(const RenderScene& scene, const Ray& ray, double weight, RandomSequence& random,
+               std::vector<EmissionSeed>& out)
+{
+    Ray light = ray;
+    light.direction = -ray.direction;
+    for (const std::uint32_t environment : scene.lights.environments) {
+        const Light& from = scene.lights.lights[environment];
+        const std::optional<LightHit> hit = intersect(from, ray);
+        std::optional<PrimarySample> at = primary_of(from, light);
+        const double worth =
+            hit ? weight * double{hit->radiance.x + hit->radiance.y + hit->radiance.z} : 0;
+        if (!at || !(worth > 0))
+            continue;
+        for (std::size_t step = 2; step < at->size(); ++step)
+            (*at)[step] = random.next2();
+        out.push_back({environment, *at, worth});
+    }
+}
+
+/// Adds the seeds of an importon.  docs/light_transport.md (41).
+void trace_back(const RenderScene& scene, const Photon& importon, RandomSequence& random,
+                std::vector<EmissionSeed>& out)
+{
+    const double weight = double{importon.power.x + importon.power.y + importon.power.z};
+    const SurfacePoint from = {.face = importon.face,
+                               .position = importon.position,
+                               .geometric_normal = importon.direction};
+    for (int i = 0; i < kRays; ++i) {
+        Ray ray;
+        ray.direction =
+            Frame(importon.direction).to_world(sample_cosine_hemisphere(random.next2()));
+        ray.origin = offset_origin(from, ray.direction);
+        if (!scene.rays.nearest(ray))
+            add_seeds(scene, ray, weight, random, out);
+    }
+}
+
+} // namespace
+
+std::vector<EmissionSeed> environment_seeds(const RenderScene& scene, const Importons& importons,
+                                            std::uint64_t seed)
+{
+    if (scene.lights.environments.empty())
+        return {};
+    std::vector<EmissionSeed> out;
+    for (const std::vector<Photon>* kind : {&importons.global, &importons.indirect}) {
+        const std::size_t step = kind->size() / kMostImportons + 1;
+        std::vector<std::vector<EmissionSeed>> found((kind->size() + step - 1) / step);
+        tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t i) {
+            RandomSequence random(seed, RandomStream::seeds, kind == &importons.global, i);
+            trace_back(scene, (*kind)[i * step], random, found[i]);
+        });
+        for (const std::vector<EmissionSeed>& seeds : found)
+            out.insert(out.end(), seeds.begin(), seeds.end());
+    }
+    return out;
+}
+
+} // namespace hipmap
