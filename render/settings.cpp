@@ -18,6 +18,8 @@ constexpr Choice<DirectLight> kDirectLights[] = {{"shadow-rays", DirectLight::sh
                                                  {"photons", DirectLight::photons}};
 constexpr Choice<Emission> kEmissions[] = {{"guided", Emission::guided},
                                            {"by-power", Emission::by_power}};
+constexpr Choice<GatherDirections> kGatherDirections[] = {{"guided", GatherDirections::guided},
+                                                          {"by-lobes", GatherDirections::by_lobes}};
 constexpr Choice<PixelFilter> kFilters[] = {{"b-spline", PixelFilter::b_spline},
                                             {"box", PixelFilter::box}};
 constexpr Choice<LookChoice> kLooks[] = {{"auto", LookChoice::automatic},
@@ -148,12 +150,25 @@ OptionRow emission_row(Emission& emission)
             .only_with = {{"", "integrator", {"progressive"}}}};
 }
 
+OptionRow gather_row(GatherDirections& gather)
+{
+    return {.name = "gather",
+            .section = kMethodSection,
+            .field = choice_field<GatherDirections>(gather, kGatherDirections),
+            .help =
+                "Directions of the final-gather rays of --integrator progressive: guided, where "
+                "pilots found light, or by the lobes of the surface alone",
+            .changes = Changes::passes,
+            .only_with = {{"", "integrator", {"progressive"}}}};
+}
+
 std::vector<OptionRow> method_rows(RenderArguments& arguments)
 {
     RenderOptions& render = arguments.render;
     return {integrator_row(render.integrator),
             photons_row(arguments.photons),
             emission_row(render.emission),
+            gather_row(render.gather),
             {.name = "neighbours",
              .section = kMethodSection,
              .field = number_field(render.maps.neighbours, {2, kMostNeighbours}),

@@ -6,7 +6,10 @@ GatherBranch scatter(const RenderScene& scene, const GatherBranch& from, const I
                      Lobes lobes, RandomSequence& random)
 {
     GatherBranch next = from;
-    const bool through = go_by_lobes(scene, at, {lobes}, random, next);
+    const bool through = go_by_lobes(
+        scene, at, {.lobes = lobes, .guide = lobes == Lobes::gathered ? from.guide : nullptr},
+        random, next);
+    next.guide = nullptr;
     if (lobes == Lobes::gathered && through)
         next.indirect_radius = from.transmitted_radius;
     return next;

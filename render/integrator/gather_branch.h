@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/integrator/gather_record.h"
 #include "render/paths/path_state.h"
 
 #include <array>
@@ -14,9 +15,11 @@ constexpr int kMostRays = 4;
 
 /// A part of an eye path that is still to be followed.
 struct GatherBranch : PathState {
-    glm::vec3 gathered_at{0.0f};  ///< the last gathered lobe
-    float indirect_radius = 0;    ///< the first, of the indirect map there
-    float transmitted_radius = 0; ///< the same on the other side
+    glm::vec3 gathered_at{0.0f};           ///< the last gathered lobe
+    float indirect_radius = 0;             ///< the first, of the indirect map there
+    float transmitted_radius = 0;          ///< the same on the other side
+    const DirectionGuide* guide = nullptr; ///< of the ray that the gathered lobes are to send
+    std::size_t record = kNoRecord;        ///< of the gather ray behind it
 };
 
 /// The branches that leave a surface.

@@ -25,7 +25,7 @@ class GatherTracer {
     {
         stack_.branches[stack_.size++] = {path_from_eye(maps_.scene, ray)};
         while (stack_.size > 0)
-            follow(stack_.branches[--stack_.size]);
+            follow_kept(stack_.branches[--stack_.size]);
         return radiance_;
     }
 
@@ -51,6 +51,29 @@ class GatherTracer {
             sum += radiance;
     }
 
+    void follow_kept(const GatherBranch& branch)
+    {
+        const Rgb before = radiance_[0];
+        follow(branch);
+        if (branch.record == kNoRecord)
+            return;
+        const Rgb found = radiance_[0] - before;
+        (*scratch_.records)[branch.record].light += found.x + found.y + found.z;
+    }
+
+    /// Keeps the ray that the gathered lobes of a surface sent.
+    void keep_record(const Interaction& at, GatherBranch& sent)
+    {
+        if (scratch_.records == nullptr || at.phase != nullptr)
+            return;
+        sent.record = scratch_.records->size();
+        scratch_.records->push_back({.position = at.point.position,
+                                     .direction = sent.ray.direction,
+                                     .face = at.point.face,
+                                     .side = at.side,
+                                     .pdf = sent.source.pdf});
+    }
+
     void follow(GatherBranch branch)
     {
         const RenderScene& scene = maps_.scene;
@@ -69,7 +92,8 @@ class GatherTracer {
         GatherBranch gathering = branch;
         const bool onward = at.gathers() && !add_photons(gathering, at, reached.hit->distance);
         if (onward)
-            add(gathering.throughput * light_sampled_light(scene, at, {.gathered = 1}, random_));
+            add(gathering.throughput *
+                light_sampled_light(scene, at, {.gathered = 1, .guide = gathering.guide}, random_));
         if (onward && !maps_.bounces)
             add(gathering.throughput * bsdf_sampled_light(scene, at, random_));
         if (at.follows() && !is_gathered(branch.behind))
@@ -104,6 +128,8 @@ class GatherTracer {
             }
         }
         branch.gathered_at = query.position;
+        if (maps_.guide != nullptr && maps_.bounces)
+            branch.guide = directions_at(*maps_.guide, maps_.scene.partition, query);
         if (!shared_maps(maps_.indirect).maps.empty()) {
             branch.indirect_radius = radius_at(maps_.first.indirect, maps_.surfaces, query);
             add_indirect(branch.throughput * factor, query, branch.indirect_radius);
@@ -195,8 +221,12 @@ class GatherTracer {
     void send_on(const GatherBranch* gathering, const GatherBranch& from, const Interaction& at)
     {
         Departures out;
-        if (gathering != nullptr)
-            out.add(scatter(maps_.scene, *gathering, at, Lobes::gathered, random_));
+        if (gathering != nullptr) {
+            GatherBranch sent = scatter(maps_.scene, *gathering, at, Lobes::gathered, random_);
+            if (!is_gathered(from.behind))
+                keep_record(at, sent);
+            out.add(sent);
+        }
         if (at.follows())
             out.add(scatter(maps_.scene, from, at, Lobes::followed, random_));
         if (!at.is_diffuse())

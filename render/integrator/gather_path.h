@@ -2,6 +2,7 @@
 
 #include "common/math/random.h"
 #include "render/integrator/eye_path.h"
+#include "render/integrator/gather_guide.h"
 #include "render/integrator/gather_radius.h"
 #include "render/integrator/importons.h"
 #include "render/maps/volume_map.h"
@@ -18,14 +19,16 @@ struct GatherMaps {
     const ChosenMaps& indirect; ///< of the pass, weighed by weigh_bounces
     const FirstRadii& first;
     GatherScale scale = {};
-    bool bounces = true;               ///< false: rays of gathered lobes only look for lights
-    const VolumeMap* volume = nullptr; ///< of the pass, of radii shrunk; null: there are no media
+    bool bounces = true;                ///< false: rays of gathered lobes only look for lights
+    const VolumeMap* volume = nullptr;  ///< of the pass, of radii shrunk; null: there are no media
+    const GatherGuide* guide = nullptr; ///< of final-gather rays; null: lobes draw them
 };
 
 /// Scratch memory of one thread for gather paths.
 struct GatherScratch {
     ChosenScratch caustic, global, indirect;
-    Importons* importons = nullptr; ///< to keep the queries of photons in
+    Importons* importons = nullptr;               ///< to keep the queries of photons in
+    std::vector<GatherRecord>* records = nullptr; ///< to keep what gather rays found in
 };
 
 /// Estimates of one radiance with the radius of the pass and with two narrower ones (kNarrowing),

@@ -116,6 +116,27 @@ Importons trace_importons(const RenderScene& scene, const RenderOptions& options
     return out;
 }
 
+std::vector<GatherRecord> trace_gather_rays(const RenderScene& scene, const RenderOptions& options,
+                                            const SampleRange& of_pixel, const GatherPath& trace)
+{
+    const RenderOptions small = importon_options(options);
+    const SampleAllocation evenly;
+    const PictureJob job{scene, small, kPilotPass - 1, evenly};
+    std::vector<std::vector<GatherRecord>> rows(static_cast<std::size_t>(small.height));
+    tbb::parallel_for(0, small.height, [&](int y) {
+        for (int x = 0; x < small.width; ++x)
+            for (std::uint32_t i = of_pixel.begin; i < of_pixel.end; ++i) {
+                RandomSequence random =
+                    sample_sequence(job, RandomStream::eye_paths, job.index_of(x, y), 0, i);
+                trace(pixel_ray(job, x, y, random).ray, random, rows[static_cast<std::size_t>(y)]);
+            }
+    });
+    std::vector<GatherRecord> out;
+    for (const std::vector<GatherRecord>& row : rows)
+        out.insert(out.end(), row.begin(), row.end());
+    return out;
+}
+
 PhotonWorth make_worth(const Importons& importons, const MapSurfaces& surfaces,
                        std::function<std::vector<Photon>(const TracedPhotons&)> weigh)
 {

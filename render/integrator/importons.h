@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/integrator/gather_record.h"
 #include "render/integrator/pass_photons.h"
 #include "render/maps/find_photons.h"
 #include "render/photons/photon.h"
@@ -37,6 +38,20 @@ using ImportonPath =
 /// the error of the image, docs/error.md (3).  In parallel; the same at any thread count.
 Importons trace_importons(const RenderScene& scene, const RenderOptions& options,
                           const ImportonPath& trace);
+
+/// Traces an eye path as a pass would and keeps what its gather rays found.  Thread-safe.
+using GatherPath =
+    std::function<void(const Ray& ray, RandomSequence& random, std::vector<GatherRecord>& records)>;
+
+/// Some of the samples of a pixel.
+struct SampleRange {
+    std::uint32_t begin = 0, end = 1;
+};
+
+/// Returns what gather rays of eye paths all over the image found.  In parallel; the same at any
+/// thread count.
+std::vector<GatherRecord> trace_gather_rays(const RenderScene& scene, const RenderOptions& options,
+                                            const SampleRange& of_pixel, const GatherPath& trace);
 
 /// What photons are worth to an image: maps of its importons.
 struct PhotonWorth {

@@ -21,6 +21,7 @@ struct ProgressiveMaps {
 struct ProgressiveRadii {
     FirstRadii surfaces;
     VolumeRadii volume;
+    GatherGuide guide = {};
 };
 
 /// The maps and radii that integrator progressive keeps for images of one scene from several

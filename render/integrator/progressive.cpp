@@ -23,6 +23,9 @@ constexpr double kPhotonShare = 0.3;
 /// Estimates of more photons cost more, and no gain is known so well.
 constexpr double kMostGain = 64;
 
+/// Samples of a pixel of a pilot whose gather rays are learnt from, round by round.
+constexpr SampleRange kGatherRounds[] = {{0, 2}, {2, 8}};
+
 /// What all passes share.
 struct Progressive {
     std::shared_ptr<const ProgressiveRadii> first;
@@ -98,7 +101,7 @@ MapOptions guided_options(const ProgressivePass& pilot, EmissionGuide PhotonGuid
 }
 
 /// By photons of their own, as many as a pass has.
-std::shared_ptr<const ProgressiveRadii> find_first_radii(const ProgressivePass& pilot)
+ProgressiveRadii find_first_radii(const ProgressivePass& pilot)
 {
     const MappedScene& mapped = pilot.mapped;
     const RenderOptions& options = pilot.options;
@@ -116,10 +119,9 @@ std::shared_ptr<const ProgressiveRadii> find_first_radii(const ProgressivePass& 
     };
     const MapOptions aimed = guided_options(pilot, &PhotonGuides::aimed);
     const MapOptions others = guided_options(pilot, &PhotonGuides::without_aim);
-    return std::make_shared<ProgressiveRadii>(
-        ProgressiveRadii{FirstRadii{field(traced.caustic, aimed), field(traced.global, others),
-                                    field(indirect, others, Sparse::infinite)},
-                         volume_radii(mapped.scene, traced, options)});
+    return {FirstRadii{field(traced.caustic, aimed), field(traced.global, others),
+                       field(indirect, others, Sparse::infinite)},
+            volume_radii(mapped.scene, traced, options)};
 }
 
 void count_searches(const GatherScratch& scratch, RenderStatistics& statistics)
@@ -171,7 +173,8 @@ GatherMaps gathered_maps(const ProgressivePass& pass, const ProgressiveRadii& fi
             first.surfaces,
             pass.scale(),
             pass.options.light.indirect,
-            photons.volume ? &*photons.volume : nullptr};
+            photons.volume ? &*photons.volume : nullptr,
+            &first.guide};
 }
 
 /// Learns from a part of the photons of a pass, whose maps only say where gather rays end.
@@ -198,6 +201,34 @@ std::shared_ptr<const PhotonGuides> find_guides(const ProgressivePass& pilot,
     learning.pass = kPilotPass - 1;
     return learn_guides(pilot.mapped, learning, worth,
                         environment_seeds(scene, importons, learning.seed));
+}
+
+/// Learns where gather rays find light, from rays of pilots that read the maps of one; from few, if
+/// they show that lobes alone are as good.
+GatherGuide find_directions(const ProgressivePass& pilot, const ProgressiveRadii& first)
+{
+    const RenderScene& scene = pilot.mapped.scene;
+    RenderStatistics ignored;
+    const RenderOptions small = pilot_options(pilot.options);
+    const ProgressivePass few{pilot.mapped, small, pilot.number, pilot.guides};
+    const ProgressiveMaps photons = make_maps(few, first, ignored);
+    const GatherMaps maps = gathered_maps(few, first, photons);
+    std::vector<GatherRecord> records;
+    GatherGuide out;
+    for (const SampleRange& of_pixel : kGatherRounds) {
+        const std::vector<GatherRecord> found = trace_gather_rays(
+            scene, pilot.options, of_pixel,
+            [&](const Ray& ray, RandomSequence& random, std::vector<GatherRecord>& kept) {
+                GatherScratch scratch;
+                scratch.records = &kept;
+                trace_gather_path(maps, ray, SeenLights::left_out, random, scratch);
+            });
+        records.insert(records.end(), found.begin(), found.end());
+        out = learn_directions(scene.partition, records);
+        if (out.directions.empty())
+            break;
+    }
+    return out;
 }
 
 RenderedPass gather_pass(const ProgressivePass& pass, const Progressive& shared,
@@ -259,15 +290,20 @@ void prepare(const MappedScene& mapped, const RenderOptions& options, Progressiv
         shared.first = shared.cache->radii;
         return;
     }
-    shared.first = find_first_radii(pilot);
-    if (shared.cache != nullptr) {
-        shared.cache->radii = shared.first; // of images by several cameras: no guides
-    } else if (options.emission == Emission::guided) {
-        shared.guides = find_guides(pilot, *shared.first);
+    ProgressiveRadii first = find_first_radii(pilot);
+    // Images by several cameras share their photons.
+    if (shared.cache == nullptr && options.emission == Emission::guided) {
+        shared.guides = find_guides(pilot, first);
         pilot.guides = shared.guides.get();
         if (shared.guides)
-            shared.first = find_first_radii(pilot);
+            first = find_first_radii(pilot);
     }
+    if (shared.cache == nullptr && options.gather == GatherDirections::guided &&
+        options.light.indirect)
+        first.guide = find_directions(pilot, first);
+    shared.first = std::make_shared<const ProgressiveRadii>(std::move(first));
+    if (shared.cache != nullptr)
+        shared.cache->radii = shared.first;
 }
 
 } // namespace
@@ -286,6 +322,7 @@ PassSource make_progressive_source(const RenderScene& scene, const RenderOptions
     source.clamped = options.clamp > 0;
     source.photons = options.photons;
     source.allocation = checksum(shared->allocation);
+    source.allocation = mix_bits(source.allocation ^ checksum(shared->first->guide));
     if (shared->guides) {
         source.allocation = mix_bits(source.allocation ^ checksum(*shared->guides));
         statistics.guided_variance = shared->guides->without_aim.variance;

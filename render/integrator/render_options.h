@@ -21,6 +21,12 @@ enum class Emission : std::uint8_t {
     by_power, ///< by the power of the lights alone
 };
 
+/// How the directions of final-gather rays are drawn.
+enum class GatherDirections : std::uint8_t {
+    guided,   ///< as gather_guide.h says
+    by_lobes, ///< by the lobes of the surface alone
+};
+
 /// The options of a pass, the same for all passes of an image.
 struct RenderOptions {
     Integrator integrator = Integrator::progressive;
@@ -31,6 +37,7 @@ struct RenderOptions {
     DissertationOptions dissertation;
     DirectLight direct = DirectLight::shadow_rays;
     Emission emission = Emission::guided;
+    GatherDirections gather = GatherDirections::guided;
     std::uint64_t photons = 0; ///< light paths per pass
     std::uint32_t samples = 1; ///< eye paths per pixel and pass
     std::uint64_t seed = 0;

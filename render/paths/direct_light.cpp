@@ -32,6 +32,8 @@ InLobes in_lobes(const Interaction& at, const glm::vec3& direction, const LobeRa
     InLobes out;
     if (rays.gathered > 0)
         out.gathered = scattered(at, direction, Lobes::gathered);
+    if (rays.guide != nullptr)
+        out.gathered.pdf = mixed_pdf(*rays.guide, out.gathered.pdf, direction);
     if (rays.followed > 0)
         out.followed = scattered(at, direction, Lobes::followed);
     return out;

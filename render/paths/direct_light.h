@@ -1,6 +1,7 @@
 #pragma once
 
 #include "common/math/random.h"
+#include "render/paths/direction_guide.h"
 #include "render/shading/interaction.h"
 
 namespace hipmap {
@@ -10,6 +11,7 @@ namespace hipmap {
 struct LobeRays {
     float gathered = 0.0f;
     float followed = 0.0f;
+    const DirectionGuide* guide = nullptr; ///< of the gathered rays; null: their lobes alone
 };
 
 /// The start of a ray and the pdf of its direction.

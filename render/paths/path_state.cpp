@@ -21,6 +21,23 @@ void depart(PathState& path)
     ++path.depth;
 }
 
+/// Draws a direction from the gathered lobes or from the guide.
+ScatterSample sample_guided(const Interaction& at, const DirectionGuide& guide,
+                            RandomSequence& random)
+{
+    ScatterSample out;
+    if (random.next() < guide.by_lobes)
+        out = sample_scatter(at, Lobes::gathered, random);
+    else
+        out.direction = draw(guide, random.next2());
+    if (out.direction == glm::vec3(0))
+        return out;
+    const Scattered all = scattered(at, out.direction, Lobes::gathered);
+    out.pdf = mixed_pdf(guide, all.pdf, out.direction);
+    out.weight = out.pdf > 0 ? all.value / out.pdf : Rgb(0);
+    return out;
+}
+
 } // namespace
 
 PathState path_from_eye(const RenderScene& scene, const Ray& ray)
@@ -68,7 +85,8 @@ void go_through(const RenderScene& scene, const Interaction& at, const SpecularL
 bool go_by_lobes(const RenderScene& scene, const Interaction& at, const PickedLobes& picked,
                  RandomSequence& random, PathState& path)
 {
-    const ScatterSample sample = sample_scatter(at, picked.lobes, random);
+    const ScatterSample sample = picked.guide != nullptr ? sample_guided(at, *picked.guide, random)
+                                                         : sample_scatter(at, picked.lobes, random);
     path.throughput *= sample.weight / picked.probability;
     const bool gathered = picked.lobes == Lobes::gathered;
     path.behind = gathered ? EyePathClass::indirect : after_followed(path.behind);

@@ -86,6 +86,7 @@ void go_through(const RenderScene& scene, const Interaction& at, const SpecularL
 struct PickedLobes {
     Lobes lobes;
     float probability = 1.0f;
+    const DirectionGuide* guide = nullptr; ///< of gathered lobes; null: their directions alone
 };
 
 /// Sends the path on in a direction drawn from lobes.  The throughput becomes zero where they send

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "render/integrator/gather_record.h"
+#include "render/maps/estimate.h"
+#include "render/paths/direction_guide.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace hipmap {
+
+/// The directions from which light comes that final-gather rays find, by place on each side of the
+/// shared maps.  docs/light_transport.md (43).
+struct GatherGuide {
+    static constexpr std::uint32_t kLeaf = 3; ///< as an axis
+
+    /// Of a tree over the places of a side of a map.  The lower child follows its parent.
+    struct Node {
+        float split = 0;
+        std::uint32_t axis = kLeaf; ///< coordinate that is split; kLeaf: none
+        std::uint32_t next = 0;     ///< upper child; of a leaf its place in `directions`
+    };
+    std::vector<std::uint32_t> roots; ///< [2 * shared maps + side] in `nodes`; kNone: no guide
+    std::vector<Node> nodes;
+    std::vector<DirectionGuide> directions;
+};
+
+/// Returns the directions at a place.  Null: the lobes alone are as good.  Thread-safe.
+const DirectionGuide* directions_at(const GatherGuide& guide, const Partition& partition,
+                                    const PhotonQuery& query);
+
+/// Learns from gather rays that the lobes drew.  Records move within their vector.  In parallel;
+/// the result is the same at any thread count.  No record: no guide.
+GatherGuide learn_directions(const Partition& partition, std::vector<GatherRecord>& records);
+
+/// Returns a checksum of the guide, by which states know it.
+std::uint64_t checksum(const GatherGuide& guide);
+
+} // namespace hipmap

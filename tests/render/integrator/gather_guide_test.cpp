@@ -1,0 +1,151 @@
+#include "common/math/frame.h"
+#include "render/integrator/gather_guide.h"
+#include "render/integrator/integrators.h"
+#include "tests/support/statistics.h"
+#include "tests/support/tiny_rooms.h"
+
+#include <catch2/catch.hpp>
+#include <tbb/global_control.h>
+
+using namespace hipmap;
+
+namespace {
+
+/// A room below a lid that leaves a strip open along a wall, through which the sky shines.
+Scene room_below_a_lid()
+{
+    TriangleMesh mesh = tiny::open_box();
+    tiny::turn_inside_out(mesh);
+    Scene scene = tiny::make_scene(mesh);
+    scene.materials[0] = tiny::diffuse(Rgb(0.5f));
+    TriangleMesh lid = tiny::floor_at(0.49f, -0.8f);
+    tiny::move(lid, {0.1f, 0, 0});
+    tiny::add(scene, lid, tiny::diffuse(Rgb(0.5f)));
+    scene.cameras[0].position = {0, 0, 0.48f};
+    scene.environment = Rgb(3);
+    return scene;
+}
+
+RenderOptions small_options(GatherDirections gather)
+{
+    RenderOptions options;
+    options.integrator = Integrator::progressive;
+    options.width = options.height = 32;
+    options.photons = 50000;
+    options.samples = 4;
+    options.gather = gather;
+    return options;
+}
+
+struct Means {
+    RunningMean radiance;
+    RunningMean noise; ///< square of the relative difference of a pixel between two passes
+};
+
+Means mean_of_passes(const tiny::ReadyScene& ready, GatherDirections gather)
+{
+    RenderStatistics ignored;
+    const RenderOptions options = small_options(gather);
+    const PassSource source = make_pass_source(*ready.render, options, ignored);
+    Means out;
+    Image last;
+    for (std::uint64_t pass = 0; pass < 24; ++pass) {
+        const Image now = source.render(pass, {}).images.radiance;
+        for (std::size_t i = 0; i < last.pixels.size(); ++i) {
+            const Rgb off = now.pixels[i] - last.pixels[i];
+            out.noise.add(glm::dot(off, off) / (1e-4 + glm::dot(last.pixels[i], last.pixels[i]) +
+                                                glm::dot(now.pixels[i], now.pixels[i])));
+        }
+        last = now;
+        out.radiance.add(mean_of(now));
+    }
+    return out;
+}
+
+/// Records of one face, drawn by a Lambertian lobe about +y; light comes from within a cone alone.
+std::vector<GatherRecord> records_below(const glm::vec3& window, float cosine, std::size_t count)
+{
+    std::vector<GatherRecord> out;
+    RandomSequence random(1, RandomStream::pictures, 0, 0);
+    for (std::size_t i = 0; i < count; ++i) {
+        GatherRecord record{.position = {random.next(), 0, random.next()}, .face = 0};
+        record.direction =
+            Frame(glm::vec3(0, 1, 0)).to_world(sample_cosine_hemisphere(random.next2()));
+        record.pdf = record.direction.y / kPi;
+        record.light = glm::dot(record.direction, window) > cosine ? 1.0f : 0.0f;
+        out.push_back(record);
+    }
+    return out;
+}
+
+PhotonQuery query_on_side(std::uint8_t side)
+{
+    PhotonQuery out;
+    out.position = {0.5f, 0, 0.5f};
+    out.face = 0;
+    out.side = side;
+    return out;
+}
+
+Partition one_map()
+{
+    Partition out;
+    out.map_of_face = {0};
+    return out;
+}
+
+} // namespace
+
+TEST_CASE("gather guide: rays go where records found light", "[integrator]")
+{
+    const glm::vec3 window = glm::normalize(glm::vec3(1, 0.7f, 0));
+    std::vector<GatherRecord> records = records_below(window, 0.95f, 4000);
+    const Partition partition = one_map();
+    const GatherGuide guide = learn_directions(partition, records);
+    const DirectionGuide* const found = directions_at(guide, partition, query_on_side(0));
+    REQUIRE(found != nullptr);
+    RandomSequence random(2, RandomStream::pictures, 0, 0);
+    int inside = 0;
+    for (int i = 0; i < 1000; ++i)
+        inside += glm::dot(draw(*found, random.next2()), window) > 0.95f ? 1 : 0;
+    CHECK(inside > 350); // the grid is coarse; by the lobe 14
+    CHECK(directions_at(guide, partition, query_on_side(1)) == nullptr);
+}
+
+TEST_CASE("gather guide: there is none where lobes are as good, or nothing is known",
+          "[integrator]")
+{
+    const Partition partition = one_map();
+    std::vector<GatherRecord> even = records_below({0, 1, 0}, -1, 4000), none;
+    CHECK(learn_directions(partition, even).directions.empty());
+    CHECK(learn_directions(partition, none).directions.empty());
+    std::vector<GatherRecord> dark = records_below({0, 1, 0}, 2, 4000);
+    CHECK(learn_directions(partition, dark).directions.empty());
+}
+
+TEST_CASE("gather guide: the image is that of rays by the lobes, with less noise", "[integrator]")
+{
+    const auto room = tiny::ready(room_below_a_lid());
+    const Means guided = mean_of_passes(*room, GatherDirections::guided);
+    const Means by_lobes = mean_of_passes(*room, GatherDirections::by_lobes);
+    const double noise =
+        std::hypot(guided.radiance.standard_error(), by_lobes.radiance.standard_error());
+    CHECK(std::abs(guided.radiance.mean() - by_lobes.radiance.mean()) < kMostZ * noise);
+    CHECK(kMostZ * noise < 0.1 * by_lobes.radiance.mean());
+    CHECK(guided.noise.mean() < 0.8 * by_lobes.noise.mean());
+}
+
+TEST_CASE("gather guide: a pass has the same bits by however many threads", "[integrator]")
+{
+    const auto room = tiny::ready(room_below_a_lid());
+    const RenderOptions options = small_options(GatherDirections::guided);
+    const auto second_pass = [&](std::size_t threads) {
+        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+        RenderStatistics ignored;
+        return make_pass_source(*room->render, options, ignored).render(2, {}).images;
+    };
+    const PassImages one = second_pass(1);
+    CHECK(mean_of(one.radiance) > 0);
+    for (const std::size_t threads : {2, 7})
+        CHECK(one.radiance.pixels == second_pass(threads).radiance.pixels);
+}
