@@ -35,8 +35,7 @@ constexpr Choice<Quality> kQualities[] = {{"standard", Quality::standard},
                                           {"good", Quality::good},
                                           {"final", Quality::final}};
 
-/// What the qualities stand for; the limit that is reached first applies.  An error is reached
-/// after kBatches passes at the earliest, more than a draft needs.
+/// What the qualities stand for; the limit that is reached first applies.
 constexpr std::uint64_t kDraftPasses = 4;
 constexpr double kGoodError = 0.05, kFinalError = 0.02;
 constexpr double kDraftSeconds = 60, kGoodSeconds = 20 * 60;

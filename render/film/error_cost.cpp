@@ -36,7 +36,7 @@ std::uint64_t next_look(std::uint64_t passes)
 
 std::uint64_t next_check(std::uint64_t passes)
 {
-    return next_look(std::max(passes, kBatches - 1));
+    return next_look(std::max(passes, kFewestBatches - 1));
 }
 
 ErrorLaw error_law(std::span<const ErrorCheck> checks, double alpha)

@@ -11,6 +11,8 @@ namespace hipmap {
 /// The number of batches.  Passes are assigned to batches by their number; the noise is estimated
 /// from the differences between batches.
 inline constexpr std::uint64_t kBatches = 8;
+/// The number of batches with passes from which on the interval of an error is known.
+inline constexpr std::uint64_t kFewestBatches = 4;
 /// The number of batches of the images by narrower radii; a divisor of kBatches.
 inline constexpr std::uint64_t kNarrowBatches = 4;
 

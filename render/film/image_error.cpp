@@ -74,7 +74,7 @@ std::optional<ImageError> estimate_error(const Film& film)
     out.order = bias.order;
     out.error = std::sqrt(sum / products.channels);
     out.high = std::numeric_limits<double>::infinity();
-    if (products.wide.batch.size() < kBatches)
+    if (products.wide.batch.size() < kFewestBatches)
         return out;
     // docs/error.md (11)
     const double both2 = kZ * kZ * 4 * known * spread.along() / products.wide.all;

@@ -16,7 +16,7 @@ struct ImageError {
     double order = 0;   ///< bias falls with this power of the radius, 1 to 4; 0: not known
     double error = 0;   ///< root of noise2 and clamp2, and of bias2 where above zero
     double low = 0;     ///< with `high`, 95 % interval for the error of this very image
-    double high = 0;    ///< infinite: not known, before every batch holds a pass
+    double high = 0;    ///< infinite: not known, below kFewestBatches with passes
     bool operator==(const ImageError&) const = default;
 };
 

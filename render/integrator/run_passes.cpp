@@ -81,7 +81,7 @@ class Run {
     bool error_is_met() const
     {
         return rules_.error > 0 && !state_.checks.empty() &&
-               state_.checks.back().passes == passes() && passes() >= kBatches &&
+               state_.checks.back().passes == passes() && passes() >= kFewestBatches &&
                state_.checks.back().error.error <= rules_.error;
     }
 
