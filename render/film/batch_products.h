@@ -40,7 +40,7 @@ struct ChannelStatistics {
     double weight = 0;      ///< docs/error.md (5)
     double unbiased = 0;    ///< the mean less what bias is plain, docs/error.md (9), and with what
                             ///< clamping took
-    double bias_weight = 0; ///< by that
+    double bias_weight = 0; ///< `weight` with `unbiased` in place of the mean
     double steady = 0;      ///< the weight by the pixels around, docs/error.md (5)
     double noise = 0;       ///< sum of squares of `deviation`, weighed by `steady`
     double most_noise = 0;  ///< the same, each weighed by the other batches alone
@@ -56,8 +56,8 @@ struct BatchProducts {
     Batches wide;                 ///< of the image
     Batches narrow;               ///< of the images by narrower radii
     double channels = 0;          ///< 3 * pixels
-    double noise = 0;             ///< of ChannelStatistics::noise
-    double most_noise = 0;        ///< of ChannelStatistics::most_noise
+    double noise = 0;             ///< sum of ChannelStatistics::noise
+    double most_noise = 0;        ///< sum of ChannelStatistics::most_noise
     double fourth = 0;            ///< sum over pixels of fourth cumulants, docs/error.md (7)
     Products deviations;          ///< of ChannelStatistics::deviation
     Products first, both, second; ///< first x first, first x second, second x second
