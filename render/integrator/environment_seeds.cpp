@@ -14,21 +14,27 @@ namespace {
 /// Importons that rays start from, of each kind; more are passed over evenly.
 constexpr std::size_t kMostImportons = 1 << 15;
 
-constexpr int kRays = 4; ///< of each importon
+/// Directions of each importon, of each of two ways to draw them.
+constexpr int kRays = 4;
 
-/// Adds the seeds of one ray that leaves the scene.
-void add_seeds(const RenderScene& scene, const Ray& ray, double weight, RandomSequence& random,
-               std::vector<EmissionSeed>& out)
+/// Adds the seeds of a ray from an importon that leaves the scene, drawn by the cosine or by a
+/// light (balance heuristic).  weight: of irradiance at the importon.
+void add_seeds(const RenderScene& scene, const Ray& ray, const glm::vec3& normal, double weight,
+               RandomSequence& random, std::vector<EmissionSeed>& out)
 {
+    const double cosine = glm::dot(normal, ray.direction);
     Ray light = ray;
     light.direction = -ray.direction;
     for (const std::uint32_t environment : scene.lights.environments) {
         const Light& from = scene.lights.lights[environment];
         const std::optional<LightHit> hit = intersect(from, ray);
         std::optional<PrimarySample> at = primary_of(from, light);
-        const double worth =
-            hit ? weight * double{hit->radiance.x + hit->radiance.y + hit->radiance.z} : 0;
-        if (!at || !(worth > 0))
+        if (!hit || !at || !(cosine > 0))
+            continue;
+        const Rgb& sent = hit->radiance;
+        const double worth = weight * double{sent.x + sent.y + sent.z} * cosine /
+                             (cosine / double{kPi} + double{hit->pdf});
+        if (!(worth > 0))
             continue;
         for (std::size_t step = 2; step < at->size(); ++step)
             (*at)[step] = random.next2();
@@ -41,16 +47,22 @@ void trace_back(const RenderScene& scene, const Photon& importon, RandomSequence
                 std::vector<EmissionSeed>& out)
 {
     const double weight = double{importon.power.x + importon.power.y + importon.power.z};
-    const SurfacePoint from = {.face = importon.face,
-                               .position = importon.position,
-                               .geometric_normal = importon.direction};
-    for (int i = 0; i < kRays; ++i) {
+    const glm::vec3& normal = importon.direction;
+    const SurfacePoint from = {
+        .face = importon.face, .position = importon.position, .geometric_normal = normal};
+    const auto look = [&](const glm::vec3& direction) {
         Ray ray;
-        ray.direction =
-            Frame(importon.direction).to_world(sample_cosine_hemisphere(random.next2()));
-        ray.origin = offset_origin(from, ray.direction);
+        ray.direction = direction;
+        ray.origin = offset_origin(from, direction);
         if (!scene.rays.nearest(ray))
-            add_seeds(scene, ray, weight, random, out);
+            add_seeds(scene, ray, normal, weight, random, out);
+    };
+    for (int i = 0; i < kRays; ++i) {
+        look(Frame(normal).to_world(sample_cosine_hemisphere(random.next2())));
+        for (const std::uint32_t environment : scene.lights.environments)
+            if (const std::optional<LightSample> drawn = sample_li(
+                    scene.lights.lights[environment], {importon.position, normal}, random))
+                look(drawn->direction);
     }
 }
 
