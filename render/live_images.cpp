@@ -1,8 +1,7 @@
 #include "render/live_images.h"
 
 #include "common/image/exposure.h"
-#include "common/image/exr_file.h"
-#include "common/image/write_image.h"
+#include "render/image_files.h"
 
 #include <cmath>
 
@@ -10,7 +9,7 @@ namespace hipmap {
 
 namespace {
 
-/// The share of the time that rewriting images may take.
+/// The share of the time that rewriting the files of a pace may take.
 constexpr double kWritingShare = 0.05;
 
 /// The change of an automatic exposure that is followed, in stops.
@@ -18,27 +17,47 @@ constexpr float kVisibleChange = 0.25f;
 
 } // namespace
 
-std::vector<std::filesystem::path> LiveImages::rewrite(const Film& film)
+bool WritingPace::write(const std::function<void()>& write)
 {
     const double begun = watch_.seconds();
-    if (files_.images.empty() || writing_ > kWritingShare * (begun - written_))
-        return {};
-    const Image image = film_image(film);
-    const Display display = {exposure_of(image), files_.view};
-    for (const std::filesystem::path& path : files_.images)
-        if (image_format(path) == ImageFormat::exr)
-            write_exr(path, image, {}, film.place);
-        else
-            write_image(path, image, display);
+    if (writing_ > kWritingShare * (begun - written_))
+        return false;
+    write();
     written_ = watch_.seconds();
     writing_ = written_ - begun;
-    return files_.images;
+    return true;
+}
+
+std::vector<std::filesystem::path> LiveImages::rewrite(const RenderState& state)
+{
+    const OutputFiles& files = arguments_.files;
+    std::vector<std::filesystem::path> out;
+    if (!files.images.empty() && images_.write([&] { write_images(state); }))
+        out = files.images;
+    if (!files.error_image.empty() && !state.checks.empty() &&
+        error_image_.write([&] { write_error_image(files.error_image, state); }))
+        out.push_back(files.error_image);
+    if (!files.layers.empty() && layers_.write([&] {
+            write_layers_of(files.layers, arguments_.layers, surfaces_(), film_image(state.film),
+                            state);
+        }))
+        out.push_back(files.layers);
+    return out;
+}
+
+void LiveImages::write_images(const RenderState& state)
+{
+    const OutputFiles& files = arguments_.files;
+    const Image image = film_image(state.film);
+    const Display display = {exposure_of(image), files.view};
+    for (const std::filesystem::path& path : files.images)
+        write_image_of(path, image, state, display);
 }
 
 float LiveImages::exposure_of(const Image& image)
 {
-    if (files_.exposure_ev)
-        return *files_.exposure_ev;
+    if (arguments_.files.exposure_ev)
+        return *arguments_.files.exposure_ev;
     const float now = auto_exposure(image);
     if (!exposure_ev_ || std::abs(now - *exposure_ev_) > kVisibleChange)
         exposure_ev_ = now;

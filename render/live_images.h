@@ -1,30 +1,54 @@
 #pragma once
 
 #include "common/stopwatch.h"
+#include "render/film/render_state.h"
+#include "render/layers/layer.h"
 #include "render/options.h"
+
+#include <functional>
 
 namespace hipmap {
 
-/// Rewrites the images of a render after passes, so that a whole picture is there if the render is
-/// killed.
-class LiveImages {
+/// Decides when files are rewritten, so that writing takes a small share of the time.
+class WritingPace {
   public:
-    /// files: borrowed; only its images are rewritten, those in .exr files without layers.
-    explicit LiveImages(const OutputFiles& files) : files_(files) {}
-
-    /// Writes all images by the passes so far, each whole or not at all, unless writing takes more
-    /// than a small share of the time.  An automatic exposure stays while the new one is near, so
-    /// that viewers do not flicker.  Returns what was written.  Throws InputError if a file cannot
-    /// be written.
-    std::vector<std::filesystem::path> rewrite(const Film& film);
+    /// Calls `write` unless that would take more than its share of the time.  Returns whether it
+    /// did.
+    bool write(const std::function<void()>& write);
 
   private:
+    const Stopwatch watch_;
+    double written_ = 0; ///< s, when the files were written
+    double writing_ = 0; ///< s that writing them took
+};
+
+/// Rewrites the images of a render after passes, so that whole pictures are there if the render is
+/// killed.  The images of --output, the error image and the layers are each written at a pace of
+/// their own: large layers do not delay the image.
+class LiveImages {
+  public:
+    /// Returns the layers of first surfaces that were requested.
+    using Surfaces = std::function<const std::vector<LayerImage>&()>;
+
+    /// arguments: borrowed, of one frame.  surfaces: called if layers are requested.
+    LiveImages(const RenderArguments& arguments, Surfaces surfaces)
+        : arguments_(arguments), surfaces_(std::move(surfaces))
+    {
+    }
+
+    /// Writes the images by the passes so far, each whole or not at all, unless writing takes more
+    /// than a small share of the time.  The error image follows once two passes know an error.  An
+    /// automatic exposure stays while the new one is near, so that viewers do not flicker.
+    /// Returns what was written.  Throws InputError if a file cannot be written.
+    std::vector<std::filesystem::path> rewrite(const RenderState& state);
+
+  private:
+    void write_images(const RenderState& state);
     float exposure_of(const Image& image);
 
-    const OutputFiles& files_;
-    const Stopwatch watch_;
-    double written_ = 0;               ///< s, when the images were written
-    double writing_ = 0;               ///< s that writing them took
+    const RenderArguments& arguments_;
+    const Surfaces surfaces_;
+    WritingPace images_, error_image_, layers_;
     std::optional<float> exposure_ev_; ///< last used; none: not written yet
 };
 

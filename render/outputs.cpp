@@ -2,13 +2,10 @@
 
 #include "common/file/output_file.h"
 #include "common/image/exposure.h"
-#include "common/image/exr_file.h"
-#include "common/image/write_image.h"
 #include "common/input_error.h"
 #include "common/scene/scene_names.h"
 #include "common/stopwatch.h"
-#include "render/film/error_picture.h"
-#include "render/film/image_error.h"
+#include "render/image_files.h"
 #include "render/settings.h"
 
 #include <algorithm>
@@ -21,30 +18,13 @@ namespace {
 
 constexpr double kMostExposure = 100;
 
-void write_exr_with_error(const std::filesystem::path& path, const Image& image, const Film& film,
-                          const std::vector<ErrorCheck>& checks)
-{
-    if (checks.empty()) {
-        write_exr(path, image, {}, film.place);
-        return;
-    }
-    const ErrorLayers layers = error_layers(film);
-    std::vector<Layer> named = {{"noise", &layers.noise}, {"error", &layers.error}};
-    if (!layers.bias.pixels.empty())
-        named.push_back({"bias", &layers.bias});
-    write_exr(path, image, named, film.place);
-}
-
 /// Returns the exposure of 8-bit images.
 float write_each(const OutputFiles& files, const Image& image, const RenderState& state,
                  Report& report)
 {
     const float ev = files.exposure_ev ? *files.exposure_ev : auto_exposure(image);
     for (const std::filesystem::path& path : files.images) {
-        if (image_format(path) == ImageFormat::exr)
-            write_exr_with_error(path, image, state.film, state.checks);
-        else
-            write_image(path, image, {ev, files.view});
+        write_image_of(path, image, state, {ev, files.view});
         std::ostringstream note;
         if (is_exposed(path))
             note << "exposure " << std::showpos << std::fixed << std::setprecision(2) << ev << " EV"
@@ -54,20 +34,15 @@ float write_each(const OutputFiles& files, const Image& image, const RenderState
     return ev;
 }
 
-std::optional<LegendedPicture> write_error_image(const std::filesystem::path& path,
-                                                 const Film& film,
-                                                 const std::vector<ErrorCheck>& checks,
-                                                 Report& report)
+std::optional<LegendedPicture> write_or_warn(const std::filesystem::path& path,
+                                             const RenderState& state, Report& report)
 {
-    if (checks.empty()) {
+    const std::optional<LegendedPicture> out = write_error_image(path, state);
+    if (out)
+        report.wrote(path);
+    else
         report.warn(path.string() + ": not written; an error image needs two passes or more");
-        return std::nullopt;
-    }
-    const std::vector<double> errors = relative_errors(film);
-    const LegendedPicture written =
-        write_with_legend(path, error_picture(film.width, film.height, errors), legend_of_errors());
-    report.wrote(path);
-    return written;
+    return out;
 }
 
 void parse_error_image(const std::string& text, std::filesystem::path& error_image)
@@ -119,13 +94,6 @@ OptionField layer_names_field(std::vector<const LayerRow*>& rows)
                         "LIST");
 }
 
-/// Whether a layer shows an error that is not known yet.
-bool lacks_error(const LayerRow* row, const RenderState& state)
-{
-    const auto* const of = std::get_if<OfFilm>(&row->read);
-    return of != nullptr && of->needs_error && state.checks.empty();
-}
-
 } // namespace
 
 std::vector<OptionRow> output_rows(OutputFiles& files, bool required)
@@ -143,7 +111,8 @@ std::vector<OptionRow> output_rows(OutputFiles& files, bool required)
              .field = parsed_field(
                  [&](const std::string& text) { parse_error_image(text, files.error_image); }, {},
                  "FILE"),
-             .help = "Write an image of the relative error of each pixel in false colour, .png"},
+             .help = "Write an image of the relative error of each pixel in false colour, .png. "
+                     "Rewritten after passes"},
             {.name = "stats",
              .section = kFilesSection,
              .field = file_field(files.statistics),
@@ -175,7 +144,7 @@ std::vector<OptionRow> layer_option_rows(OutputFiles& files, LayerChoice& layers
          .field = parsed_field(
              [&](const std::string& text) { parse_layer_file(text, files.layers); }, {}, "FILE"),
          .help = "Write render passes, such as depth and normals, as one multi-layer .exr that "
-                 "Blender reads"},
+                 "Blender reads. Rewritten after passes"},
         {.name = "layer-names",
          .section = kImageSection,
          .field = layer_names_field(layers.rows),
@@ -214,7 +183,7 @@ WrittenFiles write_images(const OutputFiles& files, const Image& image, const Re
     WrittenFiles out;
     out.exposure_ev = write_each(files, image, state, report);
     if (!files.error_image.empty())
-        out.error_image = write_error_image(files.error_image, state.film, state.checks, report);
+        out.error_image = write_or_warn(files.error_image, state, report);
     out.seconds = writing.seconds();
     out.warnings = report.warnings();
     return out;
@@ -226,22 +195,12 @@ void write_requested_layers(const RenderArguments& arguments, const RenderedFram
     const std::filesystem::path& path = arguments.files.layers;
     if (path.empty())
         return;
-    std::vector<const LayerRow*> rows = chosen_layers(arguments.layers);
-    const auto unknown = std::stable_partition(rows.begin(), rows.end(), [&](const LayerRow* row) {
-        return !lacks_error(row, frame.state);
-    });
-    if (unknown != rows.end())
-        report.warn(path.string() + ": written without " + listed(std::span(unknown, rows.end())) +
+    const WrittenLayers layers =
+        write_layers_of(path, arguments.layers, frame.layers, frame.result.image, frame.state);
+    if (!layers.unknown.empty())
+        report.warn(path.string() + ": written without " + listed(layers.unknown) +
                     ", for which two passes or more are needed");
-    rows.erase(unknown, rows.end());
-    std::vector<LayerImage> layers = frame.layers;
-    for (const LayerRow* row : rows)
-        if (std::holds_alternative<OfFilm>(row->read))
-            layers.push_back(film_layer(*row, frame.result.image, frame.state.film));
-    const Image& image = frame.result.image;
-    write_layers(path, arguments.layers.view_layer,
-                 {image.width, image.height, frame.state.film.place}, layers);
-    report.wrote(path, counted(layers.size(), "layer"));
+    report.wrote(path, counted(layers.written, "layer"));
 }
 
 void write_statistics(const OutputFiles& files, const std::string& json, Report& report)

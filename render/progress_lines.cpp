@@ -30,6 +30,17 @@ const char* name_of(StopReason reason)
     return "";
 }
 
+/// All images of a render that has ended.
+std::vector<std::filesystem::path> all_images(const OutputFiles& files, const RenderState& state)
+{
+    std::vector<std::filesystem::path> out = files.images;
+    if (!files.error_image.empty() && !state.checks.empty())
+        out.push_back(files.error_image);
+    if (!files.layers.empty())
+        out.push_back(files.layers);
+    return out;
+}
+
 json names_of(const std::vector<std::filesystem::path>& files)
 {
     json names = json::array();
@@ -75,7 +86,7 @@ void ProgressLines::end(const RunResult& result, const RenderState& state)
            {"reason", name_of(result.reason)},
            {"passes", count(state.film.passes)},
            {"error", last_error(state)},
-           {"images", names_of(arguments_.files.images)}});
+           {"images", names_of(all_images(arguments_.files, state))}});
 }
 
 void ProgressLines::print(json line)

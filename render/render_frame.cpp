@@ -71,7 +71,7 @@ RunControl make_control(const FramePlace* place, const FrameControl& frame, Live
     };
     control.stop = &frame.stop;
     control.pass = [&images, lines = frame.lines](const RenderState& now) {
-        const std::vector<std::filesystem::path> rewritten = images.rewrite(now.film);
+        const std::vector<std::filesystem::path> rewritten = images.rewrite(now);
         if (lines != nullptr)
             lines->pass(now, rewritten);
     };
@@ -112,6 +112,15 @@ bool shows_nothing(const Image& image)
     return std::ranges::all_of(image.pixels, [](const Rgb& pixel) { return is_black(pixel); });
 }
 
+/// The layers of surfaces; none if no file of layers is requested.
+std::vector<LayerImage> requested_surfaces(const RenderScene& scene,
+                                           const RenderArguments& arguments)
+{
+    if (arguments.files.layers.empty())
+        return {};
+    return surface_layers(scene, arguments.render, chosen_layers(arguments.layers));
+}
+
 /// The photons that frames share; null: none, or none may be shared.
 PhotonCache* find_cache(const PreparedFrame& frame, PreviousFrame* previous)
 {
@@ -134,16 +143,19 @@ RenderedFrame render_passes(PreparedFrame& frame, SceneSource& source, PreviousF
     const FramePlace* const place = previous != nullptr ? &previous->place : nullptr;
     report.begin((place != nullptr ? place->text() + ", " : "rendering ") +
                  describe_pixels(passes) + describe_stops(frame.arguments.stops));
-    LiveImages images(frame.arguments.files);
+    const auto surfaces = [&]() -> const std::vector<LayerImage>& {
+        if (out.layers.empty())
+            out.layers = requested_surfaces(scene, frame.arguments);
+        return out.layers;
+    };
+    LiveImages images(frame.arguments, surfaces);
     out.result = run_and_save(frame.arguments, passes, make_control(place, control, images, report),
                               out.state);
     if (!out.state.checks.empty())
         out.fireflies = find_fireflies(out.state.film, out.state.checks.back().error);
     if (shows_nothing(out.result.image))
         out.seen = describe_seen(scene, frame.arguments.render);
-    if (!frame.arguments.files.layers.empty())
-        out.layers =
-            surface_layers(scene, frame.arguments.render, chosen_layers(frame.arguments.layers));
+    surfaces();
     if (place != nullptr)
         report.end_quietly();
     else

@@ -36,6 +36,7 @@ class HipmapEngine(ViewportEngine, bpy.types.RenderEngine):
 
     job = None
     told = ""
+    shown = None  # the Rects of the last file of layers
 
     def update(self, data=None, depsgraph=None):
         """Exports the scene: the only place where Blender's data may be read."""
@@ -63,6 +64,7 @@ class HipmapEngine(ViewportEngine, bpy.types.RenderEngine):
         if self.job is None:
             return
         layer = depsgraph.view_layer.name
+        self.shown = None
         for one in self.job.passes_asked:
             self.add_pass(one.name, len(one.channels), one.channels, layer=layer)
         remove_leftovers(self.job)
@@ -73,6 +75,7 @@ class HipmapEngine(ViewportEngine, bpy.types.RenderEngine):
             self._fail(str(error))
         except Cancelled:
             pass
+        self.shown = None
 
     def _fail(self, line):
         self.report({"ERROR"}, line)
@@ -145,11 +148,12 @@ class HipmapEngine(ViewportEngine, bpy.types.RenderEngine):
         self._tell_state(", ".join(parts))
         if event.get("done") is not None:
             self.update_progress(event["done"])
-        if event.get("images"):
+        images = event.get("images", ())
+        if self.job.made("scene.pfm") in images:
             self._show_image(layer)
+        if self.job.made("layers.exr") in images:
+            self._show_layers(layer)
         if event["event"] == "end":
-            if self.job.passes_asked:
-                self._show_layers(layer)
             write_notes(self.job, passes=event["passes"])
             self.report({"INFO"}, f"{', '.join(parts)}, {event['seconds']:.1f} s")
 
@@ -162,7 +166,8 @@ class HipmapEngine(ViewportEngine, bpy.types.RenderEngine):
         pixels, width, height = read_pfm(self.job.made("scene.pfm"))
         result = self.begin_result(0, 0, width, height, layer=layer)
         try:
-            rects = Rects(result.layers[0].passes, width * height)
+            rects = self.shown.again(result.layers[0].passes) if self.shown else \
+                Rects(result.layers[0].passes, width * height)
             rects.of("Combined")[:] = pixels.ravel()
             rects.write()
         finally:  # a result that is left open crashes Blender
@@ -178,6 +183,7 @@ class HipmapEngine(ViewportEngine, bpy.types.RenderEngine):
             rects.read()
             renumber(rects, self.job.numbers)
             rects.write()
+            self.shown = rects
         finally:
             self.end_result(result)
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Render passes of a view layer: the layers that `render --layers` writes."""
 
+import copy
 from dataclasses import dataclass
 
 import bpy
@@ -67,6 +68,12 @@ class Rects:
         for one in passes:
             self._starts[one.name] = at, at + one.channels * pixels
             at += one.channels * pixels
+
+    def again(self, passes):
+        """Returns these values for the passes of another result of the same size."""
+        out = copy.copy(self)
+        out._passes = passes
+        return out
 
     def of(self, name):
         """Returns the values of a pass, a view that may be written."""

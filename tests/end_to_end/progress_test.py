@@ -47,6 +47,14 @@ class Progress(ToolsTestCase):
         for line in lines:
             self.assertGreaterEqual(line["seconds"], 0)
 
+    def test_lines_name_the_error_image_and_the_layers(self):
+        files = [self.path(name) for name in ("a.pfm", "error.png", "layers.exr")]
+        lines = self.lines("-o", files[0], "--error-image", files[1], "--layers", files[2],
+                           "--layer-names", "depth", "--passes", 2)
+        first = next(line for line in lines if line["event"] == "pass")
+        self.assertEqual(first["images"], [files[0], files[2]])  # one pass knows no error
+        self.assertEqual(lines[-1]["images"], files)
+
     def test_the_image_is_the_same_as_without(self):
         self.lines("-o", self.path("a.pfm"), "--passes", 2)
         self.succeed("render", *self.command("-o", self.path("b.pfm"), "--passes", 2)[1:])
@@ -77,15 +85,22 @@ class Progress(ToolsTestCase):
         self.assertEqual((last["event"], last["reason"]), ("end", "signal"))
 
     def test_a_killed_render_leaves_whole_pictures(self):
-        images = self.path("a.png"), self.path("a.exr")
-        with subprocess.Popen(self.command("-o", images[0], "-o", images[1], "--passes", 100000),
+        image, exr, errors, layers = map(self.path, ("a.png", "a.exr", "error.png", "layers.exr"))
+        with subprocess.Popen(self.command("-o", image, "-o", exr, "--error-image", errors,
+                                           "--layers", layers, "--passes", 100000),
                               stderr=subprocess.DEVNULL) as render:
-            while not all(map(os.path.exists, images)) and render.poll() is None:
+            # The error image is there from the second pass on, the others from the first on.
+            while not self.has_noise(layers) and render.poll() is None:
                 time.sleep(0.01)
             render.kill()
         self.assertEqual(render.returncode, -signal.SIGKILL)
-        self.assertGreater(sum(read_png(images[0]).mean()), 0)
-        self.assertEqual(ExrFile(images[1]).width, 16)
+        for png in (image, errors):
+            self.assertGreater(sum(read_png(png).mean()), 0)
+        self.assertEqual(ExrFile(exr).width, 16)
+        self.assertEqual(len(ExrFile(layers).channels["ViewLayer.Depth.Z"]), 256)
+
+    def has_noise(self, layers):
+        return os.path.exists(layers) and "ViewLayer.Noise.R" in ExrFile(layers).channels
 
     def test_a_reader_that_goes_away_ends_the_render(self):
         with subprocess.Popen(self.command("--progress", "json", "-o", self.path("a.pfm"),
