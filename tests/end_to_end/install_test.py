@@ -109,8 +109,11 @@ class Install(unittest.TestCase):
         self.assertEqual(run("dpkg-deb", "-x", package, unpacked).returncode, 0)
         self.assertEqual(self.files_below(os.path.join(unpacked, "usr")),
                          self.files_below(self.prefix))
-        said = run(os.path.join(unpacked, "usr/bin/hipmap-render"), "--version").stdout
-        self.assertIn(os.path.basename(package).split("_")[1], said)
+        render = os.path.join(unpacked, "usr/bin/hipmap-render")
+        self.assertIn(os.path.basename(package).split("_")[1], run(render, "--version").stdout)
+        if shutil.which("nm"):
+            self.assertIn("no symbols", run("nm", render).stderr)
+            self.assertNotIn("no symbols", run("nm", self.program("hipmap-render")).stderr)
 
     def files_below(self, top):
         return sorted(os.path.relpath(os.path.join(folder, name), top)
