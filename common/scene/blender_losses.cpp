@@ -3,6 +3,8 @@
 #include "common/scene/named_lights.h"
 #include "common/scene/scene_names.h"
 
+#include <algorithm>
+#include <cctype>
 #include <set>
 
 namespace hipmap {
@@ -61,6 +63,36 @@ std::vector<std::string> white_materials(const json& root)
     return out;
 }
 
+/// Objects with a mesh whose names are usual for what is hidden in renders.
+std::vector<std::string> hidden_by_name(const json& root, const std::vector<PlacedNode>& nodes)
+{
+    std::vector<std::string> out;
+    for (const PlacedNode& at : nodes) {
+        const json& node = root["nodes"][at.node];
+        if (!node.contains("mesh"))
+            continue;
+        const std::string name = node.value("name", std::string());
+        std::string lower = name;
+        std::ranges::transform(lower, lower.begin(),
+                               [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+        for (const char* word : {"cutter", "bool", "helper", "hidden", "collision", "collider"})
+            if (lower.find(word) != std::string::npos) {
+                out.push_back(clean_name(name));
+                break;
+            }
+    }
+    return out;
+}
+
+void note_hidden_objects(const std::vector<std::string>& names, SceneAudit& audit)
+{
+    const std::string by_name =
+        names.empty() ? "" : "; by its name, " + list_names(names) + " may have been hidden";
+    audit.assumed.push_back("hidden objects are rendered if they are in the file (export with "
+                            "Include > Renderable Objects, or --exclude NAME)" +
+                            by_name);
+}
+
 void note_sizes(const RawScene& scene, SceneAudit& audit)
 {
     std::vector<std::string> lights, cameras;
@@ -98,8 +130,7 @@ void note_blender_losses(const GltfDocument& document, const std::vector<PlacedN
                                 "; if Blender shows another colour, its nodes (such as Noise or "
                                 "Mix) were lost: bake them to an image texture");
     note_sizes(scene, audit);
-    audit.assumed.push_back("hidden objects are rendered if they are in the file (export with "
-                            "Include > Renderable Objects, or --exclude NAME)");
+    note_hidden_objects(hidden_by_name(document.json, nodes), audit);
 }
 
 } // namespace hipmap

@@ -2,6 +2,7 @@
 
 #include "common/file/output_file.h"
 #include "common/scene/obj_texture.h"
+#include "common/scene/phong_exponent.h"
 #include "common/scene/scene_file.h"
 #include "common/scene/scene_names.h"
 
@@ -28,13 +29,6 @@ Rgb colour(const tinyobj::real_t (&c)[3])
 Rgb clamped(const Rgb& c)
 {
     return glm::clamp(c, Rgb(0.0f), Rgb(1.0f));
-}
-
-/// glTF's roughness of a Phong exponent: the microfacet width sqrt(2 / (Ns + 2)) (Walter et al.
-/// 2007) is the square of it.
-float roughness_of_exponent(double exponent)
-{
-    return static_cast<float>(std::pow(2.0 / (std::max(0.0, exponent) + 2.0), 0.25));
 }
 
 bool is_mirror(const tinyobj::material_t& mtl)
@@ -123,27 +117,36 @@ std::vector<std::string> possible_names(const std::string& line)
     return names;
 }
 
-std::vector<tinyobj::material_t> parse_mtl(const std::filesystem::path& path)
+/// A material, and whether Blender wrote its file.
+struct MtlMaterial {
+    tinyobj::material_t mtl;
+    bool by_blender = false;
+};
+
+std::vector<MtlMaterial> parse_mtl(const std::filesystem::path& path)
 {
     const std::vector<std::byte> bytes = read_file(path);
-    std::istringstream stream(
-        std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+    const std::string text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    std::istringstream stream(text);
     std::map<std::string, int> ids;
     std::vector<tinyobj::material_t> materials;
     std::string warning, error;
     tinyobj::LoadMtl(&ids, &materials, &stream, &warning, &error);
-    return materials;
+    std::vector<MtlMaterial> out;
+    for (tinyobj::material_t& mtl : materials)
+        out.push_back({std::move(mtl), text.starts_with("# Blender")});
+    return out;
 }
 
-std::vector<tinyobj::material_t> load_library(const std::string& line, RawScene& scene)
+std::vector<MtlMaterial> load_library(const std::string& line, RawScene& scene)
 {
-    std::vector<tinyobj::material_t> materials;
+    std::vector<MtlMaterial> materials;
     std::string problem;
     bool found = false;
     for (const std::string& name : possible_names(line)) {
         try {
-            for (tinyobj::material_t& mtl : parse_mtl(file_beside(scene.path, "mtllib", name)))
-                materials.push_back(std::move(mtl));
+            for (MtlMaterial& read : parse_mtl(file_beside(scene.path, "mtllib", name)))
+                materials.push_back(std::move(read));
             found = true;
         } catch (const InputError& error) {
             problem = problem.empty() ? error.what() : problem;
@@ -182,16 +185,16 @@ std::map<std::string, MaterialId> read_obj_materials(const ObjText& text, RawSce
     std::vector<tinyobj::material_t> all;
     ObjTextureReader textures(scene);
     for (const std::string& line : text.material_libs) {
-        for (tinyobj::material_t& mtl : load_library(line, scene)) {
+        for (auto& [mtl, by_blender] : load_library(line, scene)) {
             const auto id = static_cast<MaterialId>(scene.materials.size());
             if (mtl.name.empty() || !ids.emplace(mtl.name, id).second)
                 continue; // of equal names the first counts
             scene.materials.push_back(convert(mtl));
-            textures.read(mtl, scene.materials.back());
+            textures.read(mtl, by_blender, scene.materials.back());
             all.push_back(std::move(mtl));
         }
     }
-    textures.note_unread();
+    textures.note_textures();
     note_materials(all, scene.audit);
     return ids;
 }

@@ -1,10 +1,13 @@
 #include "common/scene/obj_texture.h"
 
 #include "common/file/output_file.h"
+#include "common/scene/height_map.h"
+#include "common/scene/phong_exponent.h"
 #include "common/scene/scene_file.h"
 #include "common/scene/scene_names.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace hipmap {
 
@@ -74,11 +77,13 @@ int opacity_channel(const TextureImage& image)
 
 } // namespace
 
-void ObjTextureReader::read(const tinyobj::material_t& mtl, Material& out)
+void ObjTextureReader::read(const tinyobj::material_t& mtl, bool by_blender, Material& out)
 {
     read_colours(mtl, out);
     read_opacity(mtl, out);
     read_physical(mtl, out);
+    read_exponents(mtl, by_blender, out);
+    read_normals(mtl, out);
     collect_unread(mtl);
 }
 
@@ -144,29 +149,99 @@ void ObjTextureReader::read_physical(const tinyobj::material_t& mtl, Material& o
             out.metallic = metal && !(mtl.metallic > 0) ? 1 : out.metallic;
         }
     }
+}
+
+/// A texture of roughness for one of Phong exponents, which multiply Ns.
+void ObjTextureReader::read_exponents(const tinyobj::material_t& mtl, bool by_blender,
+                                      Material& out)
+{
+    const std::string& name = mtl.specular_highlight_texname;
+    if (name.empty())
+        return;
+    const bool has_lobe = out.specular > 0 && out.transmission == 0 && out.metallic == 0;
+    if (!has_lobe || mtl.roughness > 0 ||
+        find_texture(out.textures, TextureUse::metallic_roughness) != nullptr) {
+        unread_["map_Ns"].push_back(mtl.name);
+        return;
+    }
+    const auto image = image_of(name);
+    if (!image)
+        return;
+    TextureImage rough = scene_.images[*image];
+    for (std::size_t i = 0; i < rough.rgba.size(); i += 4) {
+        const float value = static_cast<float>(rough.rgba[i]) / 255;
+        const float roughness =
+            by_blender ? value : roughness_of_exponent(value * std::max(0.0, mtl.shininess));
+        rough.rgba[i + 1] = static_cast<std::uint8_t>(std::lround(255 * roughness));
+        rough.rgba[i] = rough.rgba[i + 2] = rough.rgba[i + 3] = 255;
+    }
+    if (const auto made = add_image(std::move(rough))) {
+        add_slot(slot_of(TextureUse::metallic_roughness, *made, mtl.specular_highlight_texopt),
+                 out);
+        out.roughness = 1;
+    }
+}
+
+void ObjTextureReader::read_normals(const tinyobj::material_t& mtl, Material& out)
+{
     if (const auto image = image_of(mtl.normal_texname))
         add_slot(slot_of(TextureUse::normal, *image, mtl.normal_texopt), out);
+    else
+        read_bump(mtl, out);
+}
+
+/// Blender and others name normal maps map_Bump too.
+void ObjTextureReader::read_bump(const tinyobj::material_t& mtl, Material& out)
+{
+    const auto image = image_of(mtl.bump_texname);
+    if (!image)
+        return;
+    const tinyobj::texture_option_t& option = mtl.bump_texopt;
+    const auto strength = static_cast<float>(option.bump_multiplier);
+    if (!std::isfinite(strength)) {
+        unread_["map_Bump"].push_back(mtl.name);
+        return;
+    }
+    if (holds_normals(scene_.images[*image])) {
+        TextureSlot slot = slot_of(TextureUse::normal, *image, option);
+        slot.strength = strength;
+        add_slot(slot, out);
+        normals_.push_back(mtl.name);
+        return;
+    }
+    const auto [at, is_new] = bumps_.try_emplace({mtl.bump_texname, strength, option.clamp});
+    if (is_new)
+        at->second = add_image(normals_of_heights(scene_.images[*image], strength,
+                                                  option.clamp ? Wrap::clamp : Wrap::repeat));
+    if (at->second) {
+        add_slot(slot_of(TextureUse::normal, *at->second, option), out);
+        heights_.push_back(mtl.name);
+    }
 }
 
 void ObjTextureReader::collect_unread(const tinyobj::material_t& mtl)
 {
-    const std::pair<const char*, const std::string*> kinds[] = {
-        {"map_Ns", &mtl.specular_highlight_texname},
-        {"map_Bump", &mtl.bump_texname},
-        {"disp", &mtl.displacement_texname},
-        {"refl", &mtl.reflection_texname},
-        {"map_Ps", &mtl.sheen_texname}};
+    const std::pair<const char*, const std::string*> kinds[] = {{"disp", &mtl.displacement_texname},
+                                                                {"refl", &mtl.reflection_texname},
+                                                                {"map_Ps", &mtl.sheen_texname}};
     for (const auto& [key, name] : kinds)
         if (!name->empty())
             unread_[key].push_back(mtl.name);
 }
 
-void ObjTextureReader::note_unread() const
+void ObjTextureReader::note_textures() const
 {
+    SceneAudit& audit = scene_.audit;
     for (const auto& [key, materials] : unread_)
-        scene_.audit.warnings.push_back(
-            "not read yet: " + key + " of materials (" + list_names(materials) + ")" +
-            (key == "map_Bump" ? "; convert it to a normal map (norm)" : ""));
+        audit.warnings.push_back("not read yet: " + key + " of materials (" +
+                                 list_names(materials) + ")");
+    if (!heights_.empty())
+        audit.assumed.push_back("map_Bump of materials (" + list_names(heights_) +
+                                ") is heights: white is " + short_number(100 * kHeightOfWhite) +
+                                " % of the image's width above black, times -bm");
+    if (!normals_.empty())
+        audit.assumed.push_back("map_Bump of materials (" + list_names(normals_) +
+                                ") is a normal map, as its colours are");
 }
 
 std::optional<std::uint32_t> ObjTextureReader::image_of(const std::string& name)

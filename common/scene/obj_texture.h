@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace hipmap {
@@ -19,16 +20,20 @@ class ObjTextureReader {
     /// Adds the textures that a material names to `out`, whose factors they multiply, and their
     /// images to the scene; docs/scene.md has the table.  A texture that is missing, outside the
     /// scene's folder, damaged, too large or in another format than PNG and JPEG is warned of and
-    /// left out.
-    void read(const tinyobj::material_t& mtl, Material& out);
+    /// left out.  by_blender: Blender wrote the file, whose map_Ns holds roughness.
+    void read(const tinyobj::material_t& mtl, bool by_blender, Material& out);
 
-    /// Warns, once for all materials, of textures that are named but not used.
-    void note_unread() const;
+    /// Warns, once for all materials, of textures that are named but not used, and notes how bump
+    /// maps were taken.
+    void note_textures() const;
 
   private:
     void read_colours(const tinyobj::material_t& mtl, Material& out);
     void read_opacity(const tinyobj::material_t& mtl, Material& out);
     void read_physical(const tinyobj::material_t& mtl, Material& out);
+    void read_exponents(const tinyobj::material_t& mtl, bool by_blender, Material& out);
+    void read_normals(const tinyobj::material_t& mtl, Material& out);
+    void read_bump(const tinyobj::material_t& mtl, Material& out);
     void collect_unread(const tinyobj::material_t& mtl);
     /// Returns the index of the image; nothing, with a warning, if it cannot be used.
     std::optional<std::uint32_t> image_of(const std::string& name);
@@ -37,7 +42,10 @@ class ObjTextureReader {
 
     RawScene& scene_;
     std::map<std::string, std::optional<std::uint32_t>> images_; ///< by name in the file
-    std::map<std::string, std::vector<std::string>> unread_;     ///< materials by key
+    /// Normal maps of height maps by name, strength and whether they end at the edge.
+    std::map<std::tuple<std::string, float, bool>, std::optional<std::uint32_t>> bumps_;
+    std::map<std::string, std::vector<std::string>> unread_; ///< materials by key
+    std::vector<std::string> heights_, normals_;             ///< materials by their map_Bump
     TextureStore store_;
 };
 

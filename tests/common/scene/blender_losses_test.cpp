@@ -49,11 +49,20 @@ TEST_CASE("Blender's losses: sizes of lights and depth of field", "[scene][audit
     CHECK(says(audit.assumed, "lights without size: 'Lamp'"));
     CHECK(says(audit.assumed, "no depth of field: camera 'Eye'"));
     CHECK(says(audit.assumed, "hidden objects are rendered"));
+    CHECK_FALSE(says(audit.assumed, "may have been hidden"));
     GltfFile sized = exported();
     sized.root["nodes"][1]["extras"]["hipmap"] = {{"radius", 0.1}};
     sized.root["nodes"][2]["extras"]["hipmap"] = {{"aperture_radius", 0.1}, {"focus_distance", 2}};
     CHECK_FALSE(says(load(sized).audit.assumed, "without size"));
     CHECK_FALSE(says(load(sized).audit.assumed, "no depth of field"));
+}
+
+TEST_CASE("Blender's losses: objects that are hidden by their names", "[scene][audit]")
+{
+    GltfFile file = exported();
+    file.root["nodes"][0]["name"] = "Window Cutter.001";
+    file.root["nodes"][3]["name"] = "Boolean"; // an empty
+    CHECK(says(load(file).audit.assumed, "by its name, 'Window Cutter.001' may have been hidden"));
 }
 
 TEST_CASE("Blender's losses: a colour that may have come from nodes", "[scene][audit]")

@@ -4,6 +4,9 @@
 #include <catch2/catch.hpp>
 #include <stb/stb_image_write.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace hipmap::tiny {
 
 namespace {
@@ -24,12 +27,14 @@ std::string png_of(const std::vector<unsigned char>& rgba)
 }
 
 /// A square with texture coordinates and its material, beside textures of two and of one pixel.
-LoadedScene load_textured(const std::string& mtl)
+/// head: first line of the material's file.
+LoadedScene load_textured(const std::string& mtl, const std::string& head = "")
 {
     static const TemporaryFolder folder;
     write_text(folder / "two.png", png_of({255, 0, 0, 255, 0, 255, 0, 255}));
     write_text(folder / "grey.png", png_of({51, 51, 51, 255}));
-    write_text(folder / "scene.mtl", "newmtl m\n" + mtl);
+    write_text(folder / "normals.png", png_of({204, 128, 229, 255}));
+    write_text(folder / "scene.mtl", head + "newmtl m\n" + mtl);
     write_text(folder / "scene.obj", "mtllib scene.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
                                      "vt 0 0\nvt 1 0\nvt 1 0.75\nvt 0 1\nusemtl m\n"
                                      "f 1/1 2/2 3/3 4/4\n");
@@ -101,8 +106,43 @@ TEST_CASE("MTL textures: a path of another machine means the file of that name",
     const LoadedScene lost = load_textured("Kd 1 1 1\nmap_Kd ../../gone.png\n");
     CHECK(lost.scene.images.empty());
     CHECK(lost.audit.warnings.at(0).find("'../../gone.png' cannot be read") != std::string::npos);
-    const LoadedScene bump = load_textured("Kd 1 1 1\nmap_Bump grey.png\n");
-    CHECK(bump.audit.warnings.at(0).find("map_Bump of materials ('m')") != std::string::npos);
+    const LoadedScene unread = load_textured("Kd 1 1 1\ndisp grey.png\n");
+    CHECK(unread.audit.warnings.at(0).find("disp of materials ('m')") != std::string::npos);
+}
+
+TEST_CASE("MTL textures: exponents become roughness, of Blender they are roughness", "[scene][obj]")
+{
+    const std::string shiny = "Kd 1 1 1\nKs 0.5 0.5 0.5\nNs 100\nmap_Ns grey.png\n";
+    const LoadedScene loaded = load_textured(shiny);
+    const double rough = std::pow(2 / (51.0 / 255 * 100 + 2), 0.25);
+    CHECK(image_of(loaded, TextureUse::metallic_roughness).rgba ==
+          std::vector<std::uint8_t>{255, static_cast<std::uint8_t>(std::lround(255 * rough)), 255,
+                                    255});
+    CHECK(loaded.scene.materials[0].roughness == 1);
+    CHECK(loaded.audit.warnings.empty());
+    const LoadedScene blender = load_textured(shiny, "# Blender 3.4.1 MTL File: 'None'\n");
+    CHECK(image_of(blender, TextureUse::metallic_roughness).rgba.at(1) == 51);
+    const LoadedScene matte = load_textured("Kd 1 1 1\nKs 0 0 0\nmap_Ns grey.png\n");
+    CHECK(matte.audit.warnings.at(0).find("map_Ns of materials ('m')") != std::string::npos);
+}
+
+TEST_CASE("MTL textures: a bump map is a height map or a normal map, as its colours say",
+          "[scene][obj]")
+{
+    const LoadedScene flat = load_textured("Kd 1 1 1\nmap_Bump -bm 0.5 grey.png\n");
+    CHECK(image_of(flat, TextureUse::normal).rgba == std::vector<std::uint8_t>{128, 128, 255, 255});
+    const std::string note = "map_Bump of materials ('m') is heights: white is 1 % of";
+    CHECK(std::ranges::any_of(flat.audit.assumed, [&](const std::string& sentence) {
+        return sentence.starts_with(note);
+    }));
+    const LoadedScene tilted = load_textured("Kd 1 1 1\nmap_Bump -bm 0.5 normals.png\n");
+    const TextureSlot* const slot =
+        find_texture(tilted.scene.materials.at(0).textures, TextureUse::normal);
+    REQUIRE(slot != nullptr);
+    CHECK(slot->strength == 0.5f);
+    CHECK(tilted.scene.images.at(slot->image).name == "normals.png");
+    const LoadedScene both = load_textured("Kd 1 1 1\nmap_Bump grey.png\nnorm normals.png\n");
+    CHECK(image_of(both, TextureUse::normal).name == "normals.png");
 }
 
 } // namespace hipmap::tiny
