@@ -7,6 +7,12 @@ _MOST_LINES = 20
 _WIDTH_OF_LETTER = 7  # pixels, at a user interface of normal size
 _MARGIN = 60
 
+_NOT_RENDERED = {"CURVES": "hair curves are not rendered", "POINTCLOUD": "points are not rendered",
+                 "GPENCIL": "grease pencil is not rendered",
+                 "GREASEPENCIL": "grease pencil is not rendered"}
+_TREATED_ALIKE = {"is_holdout": "a holdout", "is_shadow_catcher": "a shadow catcher"}
+_RAYS = ("camera", "diffuse", "glossy", "transmission", "volume_scatter", "shadow")
+
 
 def label(node):
     """Returns the name of a node as an artist knows it: 'Noise Texture'."""
@@ -16,6 +22,27 @@ def label(node):
 def without_repeats(lines):
     """Returns the lines in order, each once."""
     return list(dict.fromkeys(lines))
+
+
+def type_losses(item):
+    """Yields a line if hipmap renders no objects of this type."""
+    if item.type in _NOT_RENDERED:
+        yield f"object '{item.name}': {_NOT_RENDERED[item.type]}"
+
+
+def mesh_losses(item):
+    """Yields what hipmap does not render of an object with a mesh, one line each."""
+    if any(modifier.type == "FLUID" and modifier.fluid_type == "DOMAIN" and
+           modifier.domain_settings.domain_type == "GAS" for modifier in item.modifiers):
+        yield f"object '{item.name}': its smoke is not rendered: its volume fills the whole domain"
+    for system in item.particle_systems:
+        if system.settings.render_type == "PATH":
+            yield f"object '{item.name}': its hair '{system.name}' is not rendered"
+    for name, what in _TREATED_ALIKE.items():
+        if getattr(item, name, False):
+            yield f"object '{item.name}': it is rendered like any other, although it is {what}"
+    if not all(getattr(item, "visible_" + kind, True) for kind in _RAYS):
+        yield f"object '{item.name}': its ray visibility is not rendered: all rays see it"
 
 
 _told = {}  # by the name of a scene: what its last render lost

@@ -12,7 +12,7 @@ from .cameras import camera_extras, camera_losses, gltf_camera, shift_extras
 from .geometry import MeshArrays, in_gltf_axes
 from .glb_file import GlbBuilder
 from .lights import is_portal, light_extras, light_losses, punctual_light
-from .losses import without_repeats
+from .losses import mesh_losses, type_losses, without_repeats
 from .materials import MaterialWriter
 from .motion import MotionWriter, Shutter, collect_motion, instance_key, motion_losses
 from .properties import find_program
@@ -22,12 +22,6 @@ from .world import bake_at_once, world_extras, world_losses
 # From 3.0 on the mesh of a curve or a text is an instance of its own.
 _WITH_MESH = ({"MESH", "META"} if bpy.app.version >= (3, 0, 0) else
               {"MESH", "CURVE", "SURFACE", "FONT", "META"})
-_NOT_RENDERED = {"CURVES": "hair curves are not rendered", "POINTCLOUD": "points are not rendered",
-                 "GPENCIL": "grease pencil is not rendered",
-                 "GREASEPENCIL": "grease pencil is not rendered"}
-
-_TREATED_ALIKE = {"is_holdout": "a holdout", "is_shadow_catcher": "a shadow catcher"}
-_RAYS = ("camera", "diffuse", "glossy", "transmission", "volume_scatter", "shadow")
 
 
 class SceneError(RuntimeError):
@@ -85,14 +79,14 @@ class SceneWriter:
             self._add_mesh(item, instance)
         elif item.type == "VOLUME":
             self._add_volume(item, instance)
-        elif item.type in _NOT_RENDERED:
-            self.losses.append(f"object '{item.name}': {_NOT_RENDERED[item.type]}")
+        else:
+            self.losses += type_losses(item)
 
     def _add_mesh(self, item, instance):
         key = _mesh_key(item)
         if key not in self.meshes:
             self.meshes[key] = self._write_mesh(item)
-            self._name_losses(item)
+            self.losses += mesh_losses(item)
         mesh = self.meshes[key]
         if mesh is None:
             return
@@ -157,23 +151,6 @@ class SceneWriter:
             attributes["COLOR_0"] = self.glb.add_array(part.colours)
         return {"attributes": attributes, "indices": self.glb.add_array(part.indices),
                 "material": material.index}, part
-
-    def _name_losses(self, item):
-        if any(modifier.type == "FLUID" and modifier.fluid_type == "DOMAIN" and
-               modifier.domain_settings.domain_type == "GAS" for modifier in item.modifiers):
-            self.losses.append(f"object '{item.name}': its smoke is not rendered: its volume fills "
-                               "the whole domain")
-        for system in item.particle_systems:
-            if system.settings.render_type == "PATH":
-                self.losses.append(f"object '{item.name}': its hair '{system.name}' is not "
-                                   "rendered")
-        for name, what in _TREATED_ALIKE.items():
-            if getattr(item, name, False):
-                self.losses.append(f"object '{item.name}': it is rendered like any other, although "
-                                   f"it is {what}")
-        if not all(getattr(item, "visible_" + kind, True) for kind in _RAYS):
-            self.losses.append(f"object '{item.name}': its ray visibility is not rendered: all "
-                               "rays see it")
 
     def _add_light(self, item, instance):
         light = item.data

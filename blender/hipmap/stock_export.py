@@ -10,7 +10,7 @@ from .cameras import camera_extras, camera_losses, shift_extras
 from .frame import picture_of
 from .glb_file import read_glb, write_glb
 from .lights import is_portal, light_extras, light_losses, punctual_light
-from .losses import without_repeats
+from .losses import mesh_losses, type_losses, without_repeats
 from .world import world_extras, world_losses
 
 _BOXES = {"export_format": "GLB", "export_cameras": True, "export_lights": True,
@@ -79,11 +79,18 @@ def _put_first(gltf, camera):
 
 
 def losses_of(scene):
-    """Returns what hipmap does not render of a scene's lights, camera and world, one line each."""
+    """Returns what hipmap does not render of a scene's objects, camera and world, one line each."""
     lines = []
     for item in scene.objects:
-        if item.type == "LIGHT" and not item.hide_render:
+        if item.hide_render:
+            continue
+        lines += type_losses(item)
+        if item.type == "LIGHT":
             lines += light_losses(item.data)
+        elif item.type == "MESH":
+            lines += mesh_losses(item)
+        elif item.type == "VOLUME":
+            lines.append(f"object '{item.name}': volume objects are not exported; F12 renders them")
     if scene.camera is not None:
         lines += camera_losses(scene.camera)
     return without_repeats(lines + list(world_losses(scene.world)))

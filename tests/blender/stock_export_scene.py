@@ -34,7 +34,7 @@ def main():
     scene = build.empty_scene()
     build.set_size(64, 32)
     add_lights()
-    build.add_mesh("plane", "Floor", build.matte(), size=20)
+    floor = build.add_mesh("plane", "Floor", build.matte(), size=20)
     build.add_camera((9, 0, 9), (0.7, 0, 1.57)).name = "Not this one"
     camera = build.add_camera((0, -6, 5), (0.9, 0, 0))
     camera.data.dof.use_dof = True
@@ -42,6 +42,10 @@ def main():
     camera.data.dof.aperture_fstop = 1.4
     camera.data.dof.aperture_blades = 6
     build.sky_world()
+    floor.modifiers.new("Grass", "PARTICLE_SYSTEM")
+    hair = floor.particle_systems[0]
+    hair.name = "Grass"
+    hair.settings.type, hair.settings.render_type, hair.settings.count = "HAIR", "PATH", 0
     bpy.ops.wm.save_as_mainfile(filepath=blend)
     scene.render.engine = "CYCLES"
     scene.cycles.samples = 64

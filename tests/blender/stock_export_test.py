@@ -80,6 +80,7 @@ class StockExport(BlenderTestCase):
     def test_what_is_lost_is_named(self):
         self.assertIn("camera 'Camera': its aperture is round: its blades are not rendered",
                       self.said)
+        self.assertIn("object 'Floor': its hair 'Grass' is not rendered", self.said)
 
     def test_the_light_is_cycles_light(self):
         self.tool("render", self.path("a.glb"), self.path("a.hpm"), "-o", self.path("a.pfm"),
