@@ -9,13 +9,16 @@
 
 namespace hipmap {
 
-/// Mean luminance of images by ten seeds, each of so many samples a pixel.
-inline RunningMean means_of(const tiny::ReadyScene& ready, ImageOptions options, int samples)
+/// Mean luminance of ten passes that do not depend on each other, each of so many samples a pixel.
+/// One pilot chooses the radii of all: it takes longer than the pass of a small image.
+inline RunningMean means_of(const tiny::ReadyScene& ready, RenderOptions options, int samples)
 {
-    RunningMean out;
     options.samples = samples;
-    for (options.seed = 0; options.seed < 10; ++options.seed)
-        out.add(mean_luminance(render_image(*ready.render, options, {}).image));
+    RenderStatistics ignored;
+    const PassSource source = make_pass_source(*ready.render, options, ignored);
+    RunningMean out;
+    for (std::uint64_t pass = 0; pass < 10; ++pass)
+        out.add(mean_luminance(source.render(pass, {}).images.radiance));
     return out;
 }
 
