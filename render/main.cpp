@@ -52,15 +52,17 @@ void write_results(const PreparedFrame& frame, const RenderedFrame& rendered,
 /// One line of a frame among others, and the total after the last.
 void print_place(const RenderedFrame& rendered, FramePlace& place, Report& report)
 {
-    std::string line =
-        place.text() + ": " + counted(count(rendered.state.film.passes), "pass", "passes");
+    const std::uint64_t passes = count(rendered.state.film.passes);
+    std::string line = place.text() + ": " + counted(passes, "pass", "passes");
+    if (rendered.resumed > 0)
+        line += " (" + std::to_string(rendered.resumed) + " of them resumed)";
     if (!rendered.state.checks.empty()) {
         const double error = rendered.state.checks.back().error.error;
         line += ", error " + percent(error);
         place.low = place.done == 0 ? error : std::min(place.low, error);
         place.high = std::max(place.high, error);
     }
-    ++place.done;
+    place.end_frame(passes > rendered.resumed);
     const std::optional<double> left = place.seconds_left(0);
     if (place.done < place.all && left)
         line += "; all frames " + brief_time(*left) + " left";

@@ -21,15 +21,31 @@ std::string world_of(const Scene& scene, const Partition& partition, const Envir
 
 std::optional<double> FramePlace::seconds_left(double share) const
 {
-    const double frames = done + share;
+    const double frames = done - ready + share;
     if (!(frames > 0))
         return std::nullopt;
-    return watch.seconds() * (all - frames) / frames;
+    return (watch.seconds() - ready_seconds) * (all - done - share) / frames;
+}
+
+void FramePlace::end_frame(bool took_passes)
+{
+    const double now = watch.seconds();
+    if (!took_passes) {
+        ++ready;
+        ready_seconds += now - begun;
+    }
+    begun = now;
+    ++done;
 }
 
 std::string FramePlace::text() const
 {
     return "frame " + std::to_string(done + 1) + " of " + std::to_string(all);
+}
+
+const FramePlace* place_of(const PreviousFrame* previous)
+{
+    return previous != nullptr && previous->place.all > 1 ? &previous->place : nullptr;
 }
 
 PhotonCache& cache_for(PreviousFrame& previous, const Scene& scene, const Partition& partition,

@@ -21,13 +21,17 @@ struct RenderedFrame {
     double seconds_rays = 0;        ///< building the ray tracing structure
     std::vector<LayerImage> layers; ///< of surfaces, those that were requested
     std::optional<Fireflies> fireflies;
-    std::string seen; ///< of a black image: what the camera looks at
+    std::string seen;          ///< of a black image: what the camera looks at
+    std::uint64_t resumed = 0; ///< passes that a state or the previous frame had
 };
 
 /// Where a frame stands among all frames of a run.
 struct FramePlace {
     int done = 0;               ///< frames before it
-    int all = 0;                ///< frames of the run
+    int all = 1;                ///< frames of the run
+    int ready = 0;              ///< those of them that took no passes
+    double ready_seconds = 0;   ///< that these took
+    double begun = 0;           ///< s, when the frame under way began
     const Stopwatch watch{};    ///< since the first began
     std::set<std::string> told; ///< sentences of the audit that frames have printed
     double low = 0, high = 0;   ///< least and largest estimated error so far
@@ -35,6 +39,8 @@ struct FramePlace {
     /// Returns the time that all frames have left, `share` of the one under way being done; none:
     /// unknown.
     std::optional<double> seconds_left(double share) const;
+    /// Ends the frame under way.  took_passes: false if all its passes were there before.
+    void end_frame(bool took_passes);
     /// Returns "frame 3 of 24".
     std::string text() const;
 };
@@ -48,6 +54,9 @@ struct PreviousFrame {
     std::string world; ///< all that its photons depend on
     PhotonCache photons;
 };
+
+/// Returns the place of a frame among others; null: it is the only one of the run.
+const FramePlace* place_of(const PreviousFrame* previous);
 
 /// Returns the cache of photons for a frame of this scene; empties it if anything except the camera
 /// has changed.  The cache fills in the first frame, and in a frame where only the camera has moved

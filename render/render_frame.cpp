@@ -14,15 +14,27 @@ namespace hipmap {
 
 namespace {
 
-RenderState begin_or_resume(const PreparedFrame& frame, const PassSource& source, Report& report)
+RenderState begin_or_resume(const PreparedFrame& frame, const PassSource& source)
 {
     RenderState state = begin_state(source, frame.settings);
-    if (!frame.found)
-        return state;
-    merge_state(state, *frame.found, frame.arguments.files.state);
-    report.line("resuming with " + counted(count(state.film.passes), "pass", "passes") + " from " +
-                frame.arguments.files.state.string());
+    if (frame.found)
+        merge_state(state, *frame.found, frame.arguments.files.state);
     return state;
+}
+
+/// place: among frames, whose lines say it; null: there is a single one.
+void print_resuming(const PreparedFrame& frame, const RenderState& state, const FramePlace* place,
+                    Report& report)
+{
+    if (!frame.found)
+        return;
+    const std::string text = "resuming with " +
+                             counted(count(state.film.passes), "pass", "passes") + " from " +
+                             frame.arguments.files.state.string();
+    if (place != nullptr)
+        report.detail(text);
+    else
+        report.line(text);
 }
 
 std::string describe_pixels(const PassSource& source)
@@ -112,6 +124,15 @@ bool shows_nothing(const Image& image)
     return std::ranges::all_of(image.pixels, [](const Rgb& pixel) { return is_black(pixel); });
 }
 
+/// Finds fireflies, and what a black image looks at.
+void look_at_image(const RenderScene& scene, const RenderOptions& options, RenderedFrame& frame)
+{
+    if (!frame.state.checks.empty())
+        frame.fireflies = find_fireflies(frame.state.film, frame.state.checks.back().error);
+    if (shows_nothing(frame.result.image))
+        frame.seen = describe_seen(scene, options);
+}
+
 /// The layers of surfaces; none if no file of layers is requested.
 std::vector<LayerImage> requested_surfaces(const RenderScene& scene,
                                            const RenderArguments& arguments)
@@ -139,8 +160,10 @@ RenderedFrame render_passes(PreparedFrame& frame, SceneSource& source, PreviousF
     const RenderScene scene(frame.loaded.scene, frame.partition, std::move(frame.sky));
     out.seconds_rays = building.seconds();
     const PassSource passes = make_source(frame, scene, source, out.statistics, cache);
-    out.state = begin_or_resume(frame, passes, report);
-    const FramePlace* const place = previous != nullptr ? &previous->place : nullptr;
+    out.state = begin_or_resume(frame, passes);
+    out.resumed = count(out.state.film.passes);
+    const FramePlace* const place = place_of(previous);
+    print_resuming(frame, out.state, place, report);
     report.begin((place != nullptr ? place->text() + ", " : "rendering ") +
                  describe_pixels(passes) + describe_stops(frame.arguments.stops));
     const auto surfaces = [&]() -> const std::vector<LayerImage>& {
@@ -151,11 +174,8 @@ RenderedFrame render_passes(PreparedFrame& frame, SceneSource& source, PreviousF
     LiveImages images(frame.arguments, surfaces);
     out.result = run_and_save(frame.arguments, passes, make_control(place, control, images, report),
                               out.state);
-    if (!out.state.checks.empty())
-        out.fireflies = find_fireflies(out.state.film, out.state.checks.back().error);
-    if (shows_nothing(out.result.image))
-        out.seen = describe_seen(scene, frame.arguments.render);
     surfaces();
+    look_at_image(scene, frame.arguments.render, out);
     if (place != nullptr)
         report.end_quietly();
     else
@@ -178,6 +198,7 @@ RenderedFrame render_frame(PreparedFrame& frame, SceneSource& source, PreviousFr
         if (!frame.arguments.files.state.empty())
             write_state(frame.arguments.files.state, previous->rendered->state);
         RenderedFrame out = *previous->rendered;
+        out.resumed = count(out.state.film.passes);
         out.seconds_rays = 0;
         return out;
     }

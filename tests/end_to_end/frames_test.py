@@ -3,7 +3,9 @@
     frames_test.py FOLDER_OF_TOOLS SCENE
 """
 
+import json
 import os
+import subprocess
 import sys
 
 import tools
@@ -109,6 +111,30 @@ class Frames(ToolsTestCase):
         self.render("off.pfm", *blurred, "--effects", "-motion-blur")
         self.assertEqual(self.content("off.0003.pfm"), self.content("sharp.0003.pfm"))
         self.assertIn("motion-blur: on; 'Ball' moves", self.render("a.pfm", *blurred, "--explain"))
+
+    def test_killed_frames_resume_with_a_state_each(self):
+        self.preprocess("--frames", "6:7")
+        frames = ("--frames", "6:7", "--state", self.path("kept.state"))
+        self.render("whole.pfm", *frames[:2], passes=3)
+        command = [os.path.join(Tools.folder, "render"), Tools.scene, self.path("scene.hpm"), "-o",
+                   self.path("row.pfm"), *SMALL, "--passes", "100000", "--progress", "json",
+                   *frames]
+        self.render("row.pfm", *frames, passes=1)
+        with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL) as killed:
+            while json.loads(killed.stdout.readline())["passes"] < 2:
+                pass
+            killed.kill()
+        said = self.render("row.pfm", *frames, passes=3)
+        self.assertRegex(said, r"frame 1 of 2: \d+ passes \(\d+ of them resumed\), error")
+        self.assertIn("frame 2 of 2: 3 passes (1 of them resumed), error", said)
+        self.assertEqual(self.content("row.0007.pfm"), self.content("whole.0007.pfm"))
+        if "frame 1 of 2: 3 passes" in said:  # the killed run kept no more
+            self.assertEqual(self.content("row.0006.pfm"), self.content("whole.0006.pfm"))
+        before = self.content("row.0006.pfm")
+        said = self.render("row.pfm", *frames, passes=3)
+        self.assertIn("frame 2 of 2: 3 passes (3 of them resumed)", said)
+        self.assertNotIn("left", said)  # nothing is known of frames that take passes
+        self.assertEqual(self.content("row.0006.pfm"), before)
 
     def test_a_state_goes_on_with_the_same_shutter_only(self):
         self.preprocess("--frames", "3")

@@ -200,12 +200,31 @@ class Scripts(unittest.TestCase):
         for line in log[-3:-1]:
             self.assertIn("--frames 08:12", line)
         self.assertTrue(log[-2].endswith("--exposure 1.25 --shutter 0.5 --error 5%"), log[-2])
+        self.check_that_frames_resume(scene, log[-2].split())
         self.assertIn("-start_number 8 -i out/frames/ball.%04d.png", log[-1])
         self.assertIn("frames 08:12", output)
         code, _, errors, log = self.run_script("pipeline.sh", scene, "out", "1-12")
         self.assertEqual((code, errors.count("\n")), (2, 1))
         self.assertFalse([line for line in log if line.startswith(("pre", "render"))], log)
         self.assertIn("1-12", errors)
+
+    def check_that_frames_resume(self, scene, command):
+        """command: of render in a run that was stopped in frame 11."""
+        for frame, reason in ((8, "passes"), (9, "error"), (11, "signal")):
+            path = os.path.join(self.folder, f"out/frames/ball.{frame:04}.json")
+            with open(path, "w", encoding="utf-8") as file:
+                json.dump({"command": command, "ended_by": reason}, file)
+        _, _, errors, log = self.run_script("pipeline.sh", scene, "out", "08:12", "--", "--error",
+                                            "5%")
+        self.assertIn("frames 8 to 9 are done", errors)
+        for line in log[-3:-1]:
+            self.assertIn("--frames 10:12", line)
+        self.assertIn("-start_number 8 ", log[-1])
+        _, _, _, log = self.run_script("pipeline.sh", scene, "out", "08:12", "--", "--error", "4%")
+        self.assertIn("--frames 08:12", log[-2])
+        os.utime(scene)
+        _, _, _, log = self.run_script("pipeline.sh", scene, "out", "08:12", "--", "--error", "5%")
+        self.assertIn("--frames 08:12", log[-2])
 
     def test_ci_ends_with_the_summary_and_the_result_of_ctest(self):
         summary = "50% tests passed, 1 tests failed out of 2"
