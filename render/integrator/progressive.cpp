@@ -282,28 +282,25 @@ double render_pilot(const MappedScene& mapped, const RenderOptions& options, Pro
     return (mean_of(first) + mean_of(second)) / 2;
 }
 
-/// Finds what the passes share, from pilots.
+/// Finds what the passes share, from pilots.  Guides serve one camera: with them the passes keep no
+/// maps for other images, so that a frame is the same whatever was rendered before it.
 void prepare(const MappedScene& mapped, const RenderOptions& options, Progressive& shared)
 {
     ProgressivePass pilot{mapped, options, kPilotPass};
-    if (shared.cache != nullptr && shared.cache->radii) {
-        shared.first = shared.cache->radii;
-        return;
-    }
-    ProgressiveRadii first = find_first_radii(pilot);
-    // Images by several cameras share their photons.
-    if (shared.cache == nullptr && options.emission == Emission::guided) {
+    const bool known = shared.cache != nullptr && shared.cache->radii;
+    ProgressiveRadii first = known ? *shared.cache->radii : find_first_radii(pilot);
+    if (shared.cache != nullptr)
+        shared.cache->radii = std::make_shared<const ProgressiveRadii>(first);
+    if (options.emission == Emission::guided)
         shared.guides = find_guides(pilot, first);
+    if (shared.guides) {
+        shared.cache = nullptr;
         pilot.guides = shared.guides.get();
-        if (shared.guides)
-            first = find_first_radii(pilot);
+        first = find_first_radii(pilot);
     }
-    if (shared.cache == nullptr && options.gather == GatherDirections::guided &&
-        options.light.indirect)
+    if (options.gather == GatherDirections::guided && options.light.indirect)
         first.guide = find_directions(pilot, first);
     shared.first = std::make_shared<const ProgressiveRadii>(std::move(first));
-    if (shared.cache != nullptr)
-        shared.cache->radii = shared.first;
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "render/integrator/environment_seeds.h"
 #include "render/integrator/integrators.h"
+#include "render/integrator/photon_cache.h"
 #include "tests/support/statistics.h"
 #include "tests/support/tiny_rooms.h"
 
@@ -128,19 +129,27 @@ TEST_CASE("photon guides: seeds are starts of paths that reach the importons", "
     }
 }
 
-TEST_CASE("photon guides: a pass has the same bits by however many threads", "[integrator]")
+TEST_CASE(
+    "photon guides: a pass has the same bits by any number of threads, with a cache or without",
+    "[integrator]")
 {
     const auto ready = tiny::ready(box_on_a_plain());
     const RenderOptions options = small_options(Emission::guided);
-    const auto third_pass = [&](std::size_t threads) {
+    const auto third_pass = [&](std::size_t threads, PhotonCache* cache = nullptr) {
         const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
         RenderStatistics ignored;
-        return make_pass_source(*ready->render, options, ignored).render(3, {}).images;
+        return make_pass_source(*ready->render, options, ignored, cache).render(3, {}).images;
     };
     const PassImages one = third_pass(1);
     CHECK(mean_of(one.radiance) > 0.1);
     for (const std::size_t threads : {2, 7})
         CHECK(one.radiance.pixels == third_pass(threads).radiance.pixels);
+    // Guides are of one camera: photons that they aim are not kept for another one.
+    PhotonCache cache;
+    cache.most = std::size_t{1} << 30;
+    for (int frame = 0; frame < 2; ++frame)
+        CHECK(one.radiance.pixels == third_pass(2, &cache).radiance.pixels);
+    CHECK(cache.passes.empty());
 }
 
 TEST_CASE("photon guides: where all photons matter alike there is none", "[integrator]")
