@@ -1,141 +1,15 @@
-#include "common/scene/print_audit.h"
-#include "common/scene/scene_names.h"
-#include "render/describe_error.h"
+#include "common/report.h"
 #include "render/merge.h"
-#include "render/outputs.h"
-#include "render/print_results.h"
-#include "render/render_frame.h"
-#include "render/run_plan.h"
+#include "render/run_frames.h"
+#include "render/serve.h"
 #include "render/settings.h"
-#include "render/statistics.h"
 
-#include <algorithm>
-#include <csignal>
 #include <iostream>
 
-namespace hipmap {
-
 namespace {
 
-std::atomic<bool> g_stop{false};
-
-extern "C" void ask_to_stop(int)
-{
-    g_stop = true;
-}
-
-void print_preparation(const PreparedFrame& frame, PreviousFrame* previous, Report& report)
-{
-    if (frame.arguments.frames.asked())
-        report.detail("frame " + std::to_string(frame.arguments.frames.first));
-    print_audit(report, frame.loaded.audit, previous != nullptr ? &previous->place.told : nullptr);
-    report.detail("effects: " + list_effects(frame.effects) + " (--explain gives reasons)");
-}
-
-/// previous: null where there is a single frame, whose error and files are printed.
-void write_results(const PreparedFrame& frame, const RenderedFrame& rendered,
-                   const PreviousFrame* previous, Report& report)
-{
-    const RenderArguments& arguments = frame.arguments;
-    print_statistics(arguments, rendered.statistics, rendered.state.film, report);
-    if (previous == nullptr || report.verbose())
-        print_error(arguments, rendered, report);
-    const WrittenFiles written =
-        write_images(arguments.files, rendered.result.image, rendered.state, report);
-    write_requested_layers(arguments, rendered, report);
-    write_statistics(arguments.files, statistics_json(frame, rendered, written), report);
-    if (previous != nullptr && !report.verbose())
-        report.take_files();
-    report.list_files();
-}
-
-/// One line of a frame among others, and the total after the last.
-void print_place(const RenderedFrame& rendered, FramePlace& place, Report& report)
-{
-    const std::uint64_t passes = count(rendered.state.film.passes);
-    std::string line = place.text() + ": " + counted(passes, "pass", "passes");
-    if (rendered.resumed > 0)
-        line += " (" + std::to_string(rendered.resumed) + " of them resumed)";
-    if (!rendered.state.checks.empty()) {
-        const double error = rendered.state.checks.back().error.error;
-        line += ", error " + percent(error);
-        place.low = place.done == 0 ? error : std::min(place.low, error);
-        place.high = std::max(place.high, error);
-    }
-    place.end_frame(passes > rendered.resumed);
-    const std::optional<double> left = place.seconds_left(0);
-    if (place.done < place.all && left)
-        line += "; all frames " + brief_time(*left) + " left";
-    report.line(line);
-    if (place.done == place.all)
-        report.line(
-            "all " + std::to_string(place.all) + " frames: " + brief_time(place.watch.seconds()) +
-            (place.high > 0 ? ", errors " + percent(place.low) + " to " + percent(place.high)
-                            : ""));
-}
-
-/// previous: the previous frame, and this one afterwards; null: there is a single frame.
-int render(const RenderArguments& request, SceneSource& source, PreviousFrame* previous)
-{
-    Report report(request.verbose);
-    const ThreadLimit threads(request.threads);
-    PreparedFrame frame = prepare_frame(request, source);
-    if (request.explain) {
-        print_audit(report, frame.loaded.audit);
-        explain(frame.effects, report);
-        return kExitDone;
-    }
-    print_preparation(frame, previous, report);
-    std::signal(SIGINT, ask_to_stop);
-    std::signal(SIGTERM, ask_to_stop);
-    std::optional<ProgressLines> lines;
-    if (request.progress == ProgressFormat::json)
-        lines.emplace(std::cout, frame.arguments);
-    const FrameControl control = {g_stop, lines ? &*lines : nullptr};
-    const RenderedFrame rendered = render_frame(frame, source, previous, control, report);
-    write_results(frame, rendered, previous, report);
-    if (lines)
-        lines->end(rendered.result, rendered.state);
-    if (rendered.result.reason == StopReason::caller) {
-        const std::uint64_t passes = count(rendered.state.film.passes);
-        report.line("stopped by a signal " +
-                    (passes == 0 ? "in the first pass; the image holds what it had rendered"
-                                 : "after " + counted(passes, "pass", "passes") +
-                                       "; the image holds " + (passes == 1 ? "it" : "them")));
-        return kExitStopped;
-    }
-    if (previous != nullptr)
-        print_place(rendered, previous->place, report);
-    return kExitDone;
-}
-
-int render_frames(const RenderArguments& arguments)
-{
-    for_each_frame_of(arguments, [](const RenderArguments& one) {
-        check_outputs(one.files);
-        return kExitDone;
-    });
-    const std::vector<std::filesystem::path>& images = arguments.files.images;
-    if (arguments.frames.last > arguments.frames.first && !arguments.files.exposure_ev &&
-        std::any_of(images.begin(), images.end(), is_exposed))
-        Report().line("assumed: each frame gets its own exposure, so brightness may jump; "
-                      "--exposure EV fixes it");
-    SceneSource source(arguments.scene, arguments.scene_options);
-    PreviousFrame previous;
-    previous.place.all = arguments.frames.last - arguments.frames.first + 1;
-    const bool further = arguments.frames.last > arguments.frames.first;
-    return for_each_frame_of(arguments, [&](const RenderArguments& one) {
-        return render(one, source, further ? &previous : nullptr);
-    });
-}
-
-} // namespace
-
-} // namespace hipmap
-
-namespace {
-
-int render_main(int argc, char** argv)
+/// kept: as in render_frames.
+int render_main(int argc, char** argv, hipmap::PreviousFrame* kept)
 {
     hipmap::RenderArguments arguments;
     CLI::App app("Renders a scene with photon maps split along its partition.  `render merge` "
@@ -147,7 +21,7 @@ int render_main(int argc, char** argv)
         return *code;
     hipmap::complete_arguments(arguments);
     arguments.command = hipmap::command_of("render", argc, argv);
-    return hipmap::render_frames(arguments);
+    return hipmap::render_frames(arguments, kept);
 }
 
 /// argv begins with "merge".
@@ -163,13 +37,37 @@ int merge_main(int argc, char** argv, const std::string& tool)
     return hipmap::merge_states(arguments);
 }
 
+/// argv begins with "serve".
+int serve_main(int argc, char** argv, std::string tool)
+{
+    CLI::App app("Renders command lines of render that come on standard input, a JSON array of "
+                 "words a line.  Photon maps and images are reused while the words stay the same "
+                 "and only the camera of the scene changes; see docs/progress.md.",
+                 tool + " serve");
+    if (const std::optional<int> code = hipmap::parse_arguments(app, argc, argv))
+        return *code;
+    return hipmap::serve(std::cin, std::cout,
+                         [&](std::vector<std::string> words, hipmap::PreviousFrame& kept) {
+                             std::vector<char*> arguments = {tool.data()};
+                             for (std::string& word : words)
+                                 arguments.push_back(word.data());
+                             const auto number = static_cast<int>(arguments.size());
+                             arguments.push_back(nullptr);
+                             return render_main(number, arguments.data(), &kept);
+                         });
+}
+
 } // namespace
 
 int main(int argc, char** argv)
 {
-    const bool merge = argc > 1 && std::string_view(argv[1]) == "merge";
+    const std::string_view first = argc > 1 ? argv[1] : "";
     return hipmap::run_tool([&] {
-        return merge ? merge_main(argc - 1, argv + 1, hipmap::started_as(argv[0]))
-                     : render_main(argc, argv);
+        const std::string tool = hipmap::started_as(argv[0]);
+        if (first == "merge")
+            return merge_main(argc - 1, argv + 1, tool);
+        if (first == "serve")
+            return serve_main(argc - 1, argv + 1, tool);
+        return render_main(argc, argv, nullptr);
     });
 }

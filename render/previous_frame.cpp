@@ -43,7 +43,7 @@ std::string FramePlace::text() const
     return "frame " + std::to_string(done + 1) + " of " + std::to_string(all);
 }
 
-const FramePlace* place_of(const PreviousFrame* previous)
+FramePlace* place_of(PreviousFrame* previous)
 {
     return previous != nullptr && previous->place.all > 1 ? &previous->place : nullptr;
 }

@@ -56,7 +56,7 @@ struct PreviousFrame {
 };
 
 /// Returns the place of a frame among others; null: it is the only one of the run.
-const FramePlace* place_of(const PreviousFrame* previous);
+FramePlace* place_of(PreviousFrame* previous);
 
 /// Returns the cache of photons for a frame of this scene; empties it if anything except the camera
 /// has changed.  The cache fills in the first frame, and in a frame where only the camera has moved

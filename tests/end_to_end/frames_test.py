@@ -5,6 +5,7 @@
 
 import json
 import os
+import struct
 import subprocess
 import sys
 
@@ -56,13 +57,17 @@ class Frames(ToolsTestCase):
         self.render("one.pfm", "--frames", "26")
         self.assertEqual(self.content("one.0026.pfm"), self.content("row.0026.pfm"))
 
-    def test_photons_serve_as_long_as_only_the_camera_moves(self):
+    def write_flight(self):
+        """A scene in which only the camera moves."""
         sys.path.append(os.path.dirname(os.path.dirname(os.path.abspath(Tools.scene))))
         import effects
         glb = effects.stage()
         glb.animate("Camera", translation=("LINEAR", (0, 1), [(0, 0.95, 3), (0.5, 0.95, 3)]))
-        scene, partition = self.path("flight.glb"), self.path("flight.hpm")
-        glb.write(scene)
+        glb.write(self.path("flight.glb"))
+        return self.path("flight.glb"), self.path("flight.hpm")
+
+    def test_photons_serve_as_long_as_only_the_camera_moves(self):
+        scene, partition = self.write_flight()
         self.succeed("preprocess", scene, "-o", partition, "--frames", "3:5")
 
         def fly(image, *options):
@@ -79,6 +84,44 @@ class Frames(ToolsTestCase):
                              self.content(f"anew.{frame:04}.pfm"))
         self.assertEqual(self.content("row.0005.pfm"), self.content("one.0005.pfm"))
         self.assertNotEqual(self.content("row.0004.pfm"), self.content("row.0005.pfm"))
+
+    def test_a_server_reuses_photons_while_requests_differ_in_the_camera(self):
+        scene, partition = self.write_flight()
+        with open(scene, "rb") as file:
+            first = file.read()
+        x, y, z = (struct.pack("<f", value) for value in (0.0, 0.95, 3.0))
+        self.assertEqual(first.count(x + y + z), 1)  # the first key; all requests show one frame
+        self.succeed("preprocess", scene, "-o", partition, "--frames", "0")
+        words = [scene, partition, "-o", self.path("served.pfm"), *SMALL, "--passes", "2",
+                 "--frames", "0", "--verbose"]
+        with subprocess.Popen([os.path.join(Tools.folder, "render"), "serve"],
+                              stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                              stderr=subprocess.PIPE, text=True) as server:
+            images = []
+            for moved in (0.0, 0.25):
+                with open(scene, "wb") as file:
+                    file.write(first.replace(x + y + z, struct.pack("<f", moved) + y + z))
+                for options in ([], ["--seed", "1"] if moved else []):
+                    server.stdin.write(json.dumps([*words, *options]) + "\n")
+                    server.stdin.flush()
+                    self.assertEqual(json.loads(server.stdout.readline()),
+                                     {"event": "done", "code": 0})
+                    images.append(self.content("served.0000.pfm"))
+            said, errors = server.communicate('["--wrong"]\nno words\n')
+        self.assertEqual(json.loads(said), {"event": "done", "code": 2})
+        self.assertEqual(server.returncode, 2)
+        self.assertIn("error: standard input: not a command line", errors)
+        reports = errors.split("done\n")
+        self.assertIn("frame unchanged: reusing the previous image", reports[1])
+        self.assertIn("reused the photon maps of 2 passes", reports[2])
+        self.assertNotIn("reus", reports[3])  # of other options
+        self.assertEqual(images[0], images[1])
+        self.render_alone(words, "alone.pfm")
+        self.assertEqual(self.content("alone.0000.pfm"), images[2])
+        self.assertNotEqual(images[0], images[2])
+
+    def render_alone(self, words, image):
+        self.succeed("render", *words[:3], self.path(image), *words[4:])
 
     def test_frames_print_a_line_each_the_audit_once_and_a_total(self):
         self.succeed("preprocess", Tools.scene, "-o", self.path("scene.hpm"), "--frames", "6:8",
