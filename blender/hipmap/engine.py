@@ -6,19 +6,23 @@ import time
 
 import bpy
 
-from .job import (has_partition, make_job, preprocess_command, remove_leftovers, render_command,
-                  write_notes)
+from .job import (forget_passes, has_partition, make_job, note_passes, preprocess_command,
+                  remove_leftovers, render_command, write_notes)
 from .losses import keep_losses
 from .passes import Rects, register_passes, renumber
 from .quote import is_asked, keep_costs
 from .run import Cancelled, Child, ToolError, read_pfm, warnings_of
 from .scene_export import SceneError
+from .server import end_server, request
 from .viewport import ViewportEngine
 from .world import WorldError
 
 _SECONDS_BETWEEN_LOOKS = 0.05
 _STOPPED_BY_SIGNAL = 3
 _BAD_INPUT = 2
+
+
+_errors = []  # of the frames of the animation under way
 
 
 def _percent(error):
@@ -35,12 +39,14 @@ class HipmapEngine(ViewportEngine, bpy.types.RenderEngine):
     bl_use_shading_nodes_custom = False
 
     job = None
+    frame = 0
     told = ""
     shown = None  # the Rects of the last file of layers
 
     def update(self, data=None, depsgraph=None):
         """Exports the scene: the only place where Blender's data may be read."""
         self.job = None
+        self.frame = depsgraph.scene.frame_current
         bakes = depsgraph.scene.hipmap.bake
         self._tell_state("baking nodes and exporting the scene" if bakes else
                          "exporting the scene")
@@ -81,9 +87,9 @@ class HipmapEngine(ViewportEngine, bpy.types.RenderEngine):
         self.report({"ERROR"}, line)
         self.error_set(line)
 
-    def _watch(self, command, on_event):
-        """Runs a program to its end.  Returns it, and its exit code.  Throws Cancelled."""
-        child = Child(command)
+    def _watch(self, child, on_event):
+        """Waits for the end of a Child or a Request.  Returns it, and its exit code.  Throws
+        Cancelled."""
         while child.running():
             if self.test_break():
                 child.stop()
@@ -105,7 +111,7 @@ class HipmapEngine(ViewportEngine, bpy.types.RenderEngine):
             return
         self._tell_state("finding faces that share photons")
         write_notes(job, partition="")
-        child, code = self._watch(preprocess_command(job), lambda event: None)
+        child, code = self._watch(Child(preprocess_command(job)), lambda event: None)
         if code != 0:
             raise ToolError(child.last_error())
         write_notes(job, partition=job.partition_key, moves=job.moves)
@@ -113,25 +119,25 @@ class HipmapEngine(ViewportEngine, bpy.types.RenderEngine):
     def _render_passes(self, layer):
         job = self.job
         if not job.proceed:
-            self._forget_passes()
+            forget_passes(job)
         self._tell_state("starting")
-        child, code = self._watch(render_command(job), lambda event: self._show(event, layer))
-        if code == _BAD_INPUT and os.path.basename(job.made("scene.state")) in child.last_error():
+        child, code = self._watch(self._start_render(), lambda event: self._show(event, layer))
+        if code == _BAD_INPUT and os.path.basename(job.made(job.state)) in child.last_error():
             self.report({"INFO"}, "the scene or its settings have changed: rendering from the "
                                   "first pass")
-            self._forget_passes()
-            child, code = self._watch(render_command(job), lambda event: self._show(event, layer))
+            forget_passes(job)
+            child, code = self._watch(self._start_render(),
+                                      lambda event: self._show(event, layer))
         if code not in (0, _STOPPED_BY_SIGNAL):
             raise ToolError(child.last_error())
         self._tell(child.messages)
         if is_asked():
             keep_costs(self.job.scene, child.messages)
 
-    def _forget_passes(self):
-        write_notes(self.job, passes=0)
-        for path in {self.job.path("scene.state"), self.job.made("scene.state")}:
-            if os.path.exists(path):
-                os.remove(path)
+    def _start_render(self):
+        """Frames of an animation share a program, and the photon maps while only the camera moves."""
+        command = render_command(self.job)
+        return request(command) if self.is_animation else Child(command)
 
     def _tell(self, messages):
         for line in warnings_of(messages):
@@ -154,8 +160,16 @@ class HipmapEngine(ViewportEngine, bpy.types.RenderEngine):
         if self.job.made("layers.exr") in images:
             self._show_layers(layer)
         if event["event"] == "end":
-            write_notes(self.job, passes=event["passes"])
-            self.report({"INFO"}, f"{', '.join(parts)}, {event['seconds']:.1f} s")
+            note_passes(self.job, event["passes"])
+            self._report_end(f"{', '.join(parts)}, {event['seconds']:.1f} s", event["error"])
+
+    def _report_end(self, text, error):
+        if self.is_animation:
+            text = f"frame {self.frame}: {text}"
+            _errors.extend([error] if error is not None else [])
+            if len(_errors) > 1:
+                text += f"; errors so far {_percent(min(_errors))} to {_percent(max(_errors))}"
+        self.report({"INFO"}, text)
 
     def _tell_state(self, text):
         if text != self.told:
@@ -188,11 +202,25 @@ class HipmapEngine(ViewportEngine, bpy.types.RenderEngine):
             self.end_result(result)
 
 
+@bpy.app.handlers.persistent
+def _end_animation(*_arguments):
+    end_server()
+    _errors.clear()
+
+
+_ENDS = (bpy.app.handlers.render_complete, bpy.app.handlers.render_cancel)
+
+
 def register():
     """Adds the engine to Blender's list."""
     bpy.utils.register_class(HipmapEngine)
+    for handlers in _ENDS:
+        handlers.append(_end_animation)
 
 
 def unregister():
     """Removes the engine."""
+    _end_animation()
+    for handlers in _ENDS:
+        handlers.remove(_end_animation)
     bpy.utils.unregister_class(HipmapEngine)

@@ -30,6 +30,7 @@ class Job:
     keep_passes: bool
     proceed: bool
     passes: int  # to add; 0: another rule ends the render
+    state: str = "scene.state"  # name of the file of its passes
     moves: bool = False  # whether the file has motion, which is rendered as one frame
     losses: list = field(default_factory=list)
     scene: str = ""  # names
@@ -79,6 +80,13 @@ def _stop_options(settings, quote):
     return options
 
 
+def _state_name(scene, engine):
+    """Frames of an animation keep their passes each if they are to be continued."""
+    if engine.is_animation and scene.hipmap.proceed:
+        return f"scene_{scene.frame_current:04}.state"
+    return "scene.state"
+
+
 def make_job(context, depsgraph, engine, quote=False):
     """Exports the evaluated scene, and returns the Job of rendering it.  engine: the RenderEngine.
     quote: renders a few passes, adds them to those that are kept, and lists costs.  To be called
@@ -100,7 +108,7 @@ def make_job(context, depsgraph, engine, quote=False):
                exported.geometry + " ".join(partition_options), settings.keep_passes,
                settings.keep_passes and (settings.proceed or quote),
                settings.passes if settings.stop_at == "PASSES" and not quote else 0,
-               exported.moves, exported.losses,
+               _state_name(scene, engine), exported.moves, exported.losses,
                scene.name, depsgraph.view_layer.name, passes_asked, numbers)
 
 
@@ -125,6 +133,28 @@ def write_notes(job, **values):
     notes = {**read_notes(job.folder), **values}
     with open(job.path("notes.json"), "w", encoding="utf-8") as file:
         json.dump(notes, file)
+
+
+def note_passes(job, passes):
+    """Notes how many passes the job's state has."""
+    write_notes(job, passes={**_noted_passes(job), job.state: passes})
+
+
+def _noted_passes(job):
+    """Passes by the names of states."""
+    noted = read_notes(job.folder).get("passes")
+    return noted if isinstance(noted, dict) else {}
+
+
+def forget_passes(job):
+    """Removes the job's passes; also those of all frames, unless renders are to be continued."""
+    note_passes(job, 0)
+    paths = {job.path(job.state), job.made(job.state)}
+    if not job.proceed:
+        paths.update(job.path(name) for name in os.listdir(job.folder)
+                     if name.startswith("scene_") and name.endswith(".state"))
+    for path in filter(os.path.exists, paths):
+        os.remove(path)
 
 
 def has_partition(job):
@@ -152,10 +182,10 @@ def _thread_options(job):
 
 def render_command(job):
     """The command line that renders."""
-    has_passes = job.proceed and os.path.isfile(job.made("scene.state"))
-    before = read_notes(job.folder).get("passes", 0) if has_passes else 0
+    has_passes = job.proceed and os.path.isfile(job.made(job.state))
+    before = _noted_passes(job).get(job.state, 0) if has_passes else 0
     ending = ["--passes", str(before + job.passes)] if job.passes else []
-    keeping = ["--state", job.path("scene.state")] if job.keep_passes else []
+    keeping = ["--state", job.path(job.state)] if job.keep_passes else []
     return [job.render, job.path("scene.glb"), job.path("scene.hpm"), "-o", job.path("scene.pfm"),
             "--progress", "json", *keeping, *_layer_options(job), *job.options, *ending,
             *render_frame_options(job.moves)]

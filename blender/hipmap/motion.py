@@ -133,14 +133,16 @@ class MotionWriter:
             item.to_mesh_clear()
 
     def write(self, glb):
-        """Adds the animation to a GlbBuilder.  Returns what tells it from another one; None:
-        nothing moves, and the file stays as it is."""
+        """Adds the animation to a GlbBuilder.  Returns what tells the motion of its meshes from
+        another one; None: nothing moves, and the file stays as it is."""
         self._times = None
         self._animation = {"channels": [], "samplers": []}
         weights = {number: self._write_shape(glb, shape) for number, shape in self._shapes.items()}
         told = []
         for track in self._tracks.values():
-            told.append(self._write_track(glb, track))
+            keys = self._write_track(glb, track)
+            if track.mesh is not None:  # cameras and lights have no faces
+                told.append(keys)
             sampler = weights.get(track.mesh)
             if sampler is not None:
                 self._add_channel(track.index, "weights", sampler)

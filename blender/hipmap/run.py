@@ -73,10 +73,10 @@ end_with_parent = _ask_for_end_with_parent if _LIBC else None
 class Child:
     """A program under way.  Its lines are read by threads, so that nothing here ever waits."""
 
-    def __init__(self, command):
+    def __init__(self, command, stdin=subprocess.DEVNULL):
         try:
             self._process = subprocess.Popen(
-                command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                command, stdin=stdin, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                 text=True, errors="replace", preexec_fn=end_with_parent)
         except OSError as error:
             raise ToolError(f"{command[0]}: {error.strerror}") from error

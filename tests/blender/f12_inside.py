@@ -15,6 +15,7 @@ import bpy
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import install_addon
 import preview_headless
+from child_processes import children
 from install_addon import render, set_up
 
 ARCHIVE, SCENES, OUT = sys.argv[sys.argv.index("--") + 1:]
@@ -176,6 +177,36 @@ def frames():
         install_addon.dump(out(f"frame_{frame:04}.exr"), out(f"frame_{frame}.f32"))
 
 
+def flight():
+    """An animation in which only the camera moves."""
+    scene = open_scene("glass", "flight")  # without guides, which serve one camera
+    camera = bpy.data.objects["Camera"]
+    for frame, x in ((1, 0), (2, 0.5)):
+        camera.location.x += x
+        camera.keyframe_insert("location", frame=frame)
+    scene.frame_end = 2
+    scene.render.filepath = out("flight_")
+    engine, requests = sys.modules["hipmap.engine"], []
+    request = engine.request
+
+    def request_verbosely(command):
+        requests.append(request([*command, "--verbose"]))
+        return requests[-1]
+
+    engine.request = request_verbosely
+    bpy.ops.render.render(animation=True)
+    scene.hipmap.proceed = True
+    for passes in (1, 1):  # each frame is continued alone
+        scene.hipmap.passes = passes
+        bpy.ops.render.render(animation=True)
+    engine.request = request
+    facts["flight"] = ["reused the photon maps" in " ".join(one.messages) for one in requests]
+    facts["children_after_flight"] = len(children(os.getpid()))
+    facts["states_of_flight"] = sorted(name for name in os.listdir(os.path.join(
+        out("flight"), "Scene_ViewLayer")) if name.endswith(".state"))
+    install_addon.dump(out("flight_0002.exr"), out("flight_2.f32"))
+
+
 def failures():
     """What goes wrong is one line, and Blender goes on."""
     scene = open_scene("modifiers", "failures")
@@ -250,6 +281,7 @@ border()
 sizes()
 layers()
 frames()
+flight()
 menu_and_button()
 preview()
 maps()

@@ -184,6 +184,15 @@ class F12(BlenderTestCase):
         self.assertNotEqual(two, three)
         self.assertEqual(three, self.by_command_line("frames", "--passes", 2))
 
+    def test_frames_share_photon_maps_while_only_the_camera_moves(self):
+        self.assertEqual(self.facts["flight"], 3 * [False, True])
+        self.assertEqual(self.facts["states_of_flight"],
+                         ["scene.state", "scene_0001.state", "scene_0002.state"])
+        self.assertEqual(self.facts["children_after_flight"], 0)
+        self.assertEqual(self.content("flight_2.f32"),
+                         self.by_command_line("flight", "--passes", 2))
+        self.assertRegex(self.said, r"frame 2: 2 passes, error .* %, .* s; errors so far .* to ")
+
     def test_the_menu_exports(self):
         self.assertEqual(self.facts["export"], ["FINISHED"])
         self.assertIn("area light 'Square', 'Rectangle', 'Disk' and 'Ellipse'",
