@@ -18,11 +18,12 @@ constexpr std::size_t kMostImportons = 1 << 15;
 constexpr int kRays = 4;
 
 /// Adds the seeds of a ray from an importon that leaves the scene, drawn by the cosine or by a
-/// light (balance heuristic).  weight: of irradiance at the importon.
-void add_seeds(const RenderScene& scene, const Ray& ray, const glm::vec3& normal, double weight,
+/// light (balance heuristic).
+void add_seeds(const RenderScene& scene, const Ray& ray, const Photon& importon,
                RandomSequence& random, std::vector<EmissionSeed>& out)
 {
-    const double cosine = glm::dot(normal, ray.direction);
+    const double weight = double{importon.power.x + importon.power.y + importon.power.z};
+    const double cosine = glm::dot(importon.direction, ray.direction);
     Ray light = ray;
     light.direction = -ray.direction;
     for (const std::uint32_t environment : scene.lights.environments) {
@@ -46,7 +47,6 @@ void add_seeds(const RenderScene& scene, const Ray& ray, const glm::vec3& normal
 void trace_back(const RenderScene& scene, const Photon& importon, RandomSequence& random,
                 std::vector<EmissionSeed>& out)
 {
-    const double weight = double{importon.power.x + importon.power.y + importon.power.z};
     const glm::vec3& normal = importon.direction;
     const SurfacePoint from = {
         .face = importon.face, .position = importon.position, .geometric_normal = normal};
@@ -55,7 +55,7 @@ void trace_back(const RenderScene& scene, const Photon& importon, RandomSequence
         ray.direction = direction;
         ray.origin = offset_origin(from, direction);
         if (!scene.rays.nearest(ray))
-            add_seeds(scene, ray, normal, weight, random, out);
+            add_seeds(scene, ray, importon, random, out);
     };
     for (int i = 0; i < kRays; ++i) {
         look(Frame(normal).to_world(sample_cosine_hemisphere(random.next2())));

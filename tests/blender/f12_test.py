@@ -145,7 +145,7 @@ class F12(BlenderTestCase):
         rows = self.facts["costs"]
         print(rows)
         self.assertGreater(len(rows), 1)
-        self.assertEqual(rows[0][1], "8 passes")
+        self.assertEqual(rows[0][1], "4 passes")
         self.assertIn("0.5 %", [error for error, _, _ in rows])
         errors = [float(error.split()[0]) for error, _, _ in rows]
         self.assertEqual(errors, sorted(errors, reverse=True))
