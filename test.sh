@@ -64,6 +64,10 @@ fuzz() {
             2> /dev/null
         "$build/bin/render" "$root/tests/fuzz/corpus/gltf/quad.gltf" "$build/quad.hpm" --size 2x2 \
             --passes 9 -o "$build/quad.pfm" --state "$corpus/quad.state" 2> /dev/null
+        "$build/bin/render" "$root/tests/fuzz/corpus/gltf/quad.gltf" "$build/quad.hpm" --size 3x3 \
+            --tile 4/3x3 --passes 2 --state "$corpus/tile.state" 2> /dev/null
+        "$build/bin/render" merge "$corpus/tile.state" -o "$build/quad.pfm" \
+            --state "$corpus/parts.state" 2> /dev/null
         seeds=
     fi
     echo "fuzzing the $target reader for $fuzz_seconds s"

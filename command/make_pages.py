@@ -132,7 +132,8 @@ def main(folder, out, version):
                    [*command.OPTIONS, *render["options"], *preprocess["options"]]),
         "hipmap-render": (
             ["hipmap-render SCENE FILE.hpm -o IMAGE [-o IMAGE ...] [OPTION...]",
-             "hipmap-render merge STATE... -o IMAGE [OPTION...]"],
+             "hipmap-render merge STATE... -o IMAGE [OPTION...]",
+             "hipmap-render describe STATE..."],
             render["description"], option_sections(render["options"], "") + merging,
             render["options"]),
         "hipmap-preprocess": (["hipmap-preprocess SCENE -o FILE.hpm [OPTION...]"],

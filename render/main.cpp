@@ -12,9 +12,11 @@ namespace {
 int render_main(int argc, char** argv, hipmap::PreviousFrame* kept)
 {
     hipmap::RenderArguments arguments;
-    CLI::App app("Renders a scene with photon maps split along its partition.  `render merge` "
-                 "combines the states that several runs kept by --state; see render merge --help.",
-                 hipmap::started_as(argv[0]));
+    CLI::App app(
+        "Renders a scene with photon maps split along its partition.  `render merge` "
+        "combines the states that several runs kept by --state, and `render describe` says "
+        "what a state holds; see render merge --help.",
+        hipmap::started_as(argv[0]));
     app.set_version_flag("--version", "render " HIPMAP_VERSION);
     hipmap::add_arguments(app, arguments);
     if (const std::optional<int> code = hipmap::parse_arguments(app, argc, argv))
@@ -35,6 +37,19 @@ int merge_main(int argc, char** argv, const std::string& tool)
         return *code;
     arguments.command = hipmap::command_of("render", argc + 1, argv - 1);
     return hipmap::merge_states(arguments);
+}
+
+/// argv begins with "describe".
+int describe_main(int argc, char** argv, const std::string& tool)
+{
+    hipmap::DescribeArguments arguments;
+    CLI::App app(
+        "Prints what states of renders hold: image, pixels, passes and error, a line each.",
+        tool + " describe");
+    hipmap::add_arguments(app, arguments);
+    if (const std::optional<int> code = hipmap::parse_arguments(app, argc, argv))
+        return *code;
+    return hipmap::describe_states(arguments);
 }
 
 /// argv begins with "serve".
@@ -66,6 +81,8 @@ int main(int argc, char** argv)
         const std::string tool = hipmap::started_as(argv[0]);
         if (first == "merge")
             return merge_main(argc - 1, argv + 1, tool);
+        if (first == "describe")
+            return describe_main(argc - 1, argv + 1, tool);
         if (first == "serve")
             return serve_main(argc - 1, argv + 1, tool);
         return render_main(argc, argv, nullptr);

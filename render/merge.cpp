@@ -3,23 +3,45 @@
 #include "common/input_error.h"
 #include "common/scene/scene_names.h"
 #include "render/describe_error.h"
+#include "render/describe_state.h"
+#include "render/merge_files.h"
 #include "render/outputs.h"
 #include "render/statistics.h"
+
+#include <iostream>
 
 namespace hipmap {
 
 namespace {
 
-/// All passes of the states, at least one, with a look at the error that they have together.
-RenderState read_states(const std::vector<std::filesystem::path>& paths)
+/// Lines on what is missing before the rest is only counted.
+constexpr std::size_t kMostLines = 8;
+
+void print_missing(const RenderState& state, const std::vector<FilmPart>& missing, Report& report)
 {
-    RenderState state = read_state(paths[0]);
-    for (std::size_t i = 1; i < paths.size(); ++i)
-        merge_state(state, read_state(paths[i]), paths[i]);
-    if (count(state.film.passes) == 0)
-        throw InputError(paths[0].string() + ": has no passes yet; render some first");
-    look_at_error(state);
-    return state;
+    for (std::size_t i = 0; i < std::min(missing.size(), kMostLines); ++i)
+        report.warn(describe_missing(missing[i], state));
+    if (missing.size() > kMostLines)
+        report.warn("missing: " + counted(missing.size() - kMostLines, "more part") +
+                    " of the image; --stats lists all");
+}
+
+/// Returns the pixels that carry much of the error.
+std::optional<Fireflies> print_merged(const RenderState& state, Report& report)
+{
+    if (state.checks.empty())
+        return std::nullopt;
+    const double known = known_share(state.film);
+    report.line(describe_error(state.checks.back()) +
+                (known < 1
+                     ? "; of the " + percent(known) + " of the pixels that hold two passes or more"
+                     : ""));
+    const auto fireflies = find_fireflies(state.film, state.checks.back().error);
+    if (fireflies)
+        report.line(describe_fireflies(*fireflies));
+    if (state.film.parts.empty())
+        report.line(describe_cost(state, 0));
+    return fireflies;
 }
 
 } // namespace
@@ -30,24 +52,30 @@ int merge_states(const MergeArguments& arguments)
     OutputFiles files = arguments.files;
     complete_files(files);
     check_outputs(files);
-    const RenderState state = read_states(arguments.states);
+    const MergedFiles merged = merge_files(arguments.states);
+    const RenderState& state = merged.state;
     report.line(counted(count(state.film.passes), "pass", "passes") + " from " +
-                counted(arguments.states.size(), "state"));
-    std::optional<Fireflies> fireflies;
-    if (!state.checks.empty()) {
-        report.line(describe_error(state.checks.back()));
-        fireflies = find_fireflies(state.film, state.checks.back().error);
-        if (fireflies)
-            report.line(describe_fireflies(*fireflies));
-        report.line(describe_cost(state, 0));
-    }
+                counted(merged.files.size(), "state"));
+    for (const std::string& problem : merged.left_out)
+        report.warn(problem + "; left out");
+    const std::vector<FilmPart> missing = missing_from(state, arguments.passes);
+    print_missing(state, missing, report);
+    const std::optional<Fireflies> fireflies = print_merged(state, report);
     if (!files.state.empty()) {
         write_state(files.state, state);
         report.wrote(files.state);
     }
     const WrittenFiles written = write_images(files, film_image(state.film), state, report);
-    write_statistics(files, merged_statistics_json(arguments, state, fireflies, written), report);
+    write_statistics(files, merged_statistics_json(arguments, merged, missing, fireflies, written),
+                     report);
     report.list_files();
+    return kExitDone;
+}
+
+int describe_states(const DescribeArguments& arguments)
+{
+    for (const std::filesystem::path& path : arguments.states)
+        std::cout << path.string() + ": " + describe_state(read_state(path)) + "\n" << std::flush;
     return kExitDone;
 }
 

@@ -42,10 +42,10 @@ void complete_arguments(RenderArguments& arguments)
     complete_files(arguments.files);
     for (const std::filesystem::path& image : arguments.files.images)
         image_format(image); // refuses an unknown suffix
-    if (arguments.files.images.empty() && arguments.files.layers.empty() && !arguments.quote &&
-        !arguments.explain)
-        throw InputError("--output is missing; give an image with -o, or use --layers, --quote or "
-                         "--explain");
+    if (arguments.files.images.empty() && arguments.files.layers.empty() &&
+        arguments.files.state.empty() && !arguments.quote && !arguments.explain)
+        throw InputError("--output is missing; give an image with -o, or use --state, --layers, "
+                         "--quote or --explain");
     if (!may_end(arguments.stops))
         arguments.stops.passes = kDefaultPasses;
     if (arguments.quote)

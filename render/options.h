@@ -8,6 +8,7 @@
 #include "render/effects/effect_plan.h"
 #include "render/integrator/run_passes.h"
 #include "render/layers/layer_file.h"
+#include "render/tile.h"
 
 #include <array>
 #include <filesystem>
@@ -73,6 +74,8 @@ struct RenderArguments {
     std::optional<std::uint64_t> photons; ///< of a pass; none: as many as it has samples
     PictureSize size{512, 0};
     std::optional<Crop> crop; ///< none: the whole image
+    std::optional<Tile> tile; ///< none: all of that
+    PixelRect tiled;          ///< the pixels that have tiles, once the frame is known; empty: none
     unsigned threads = 0;     ///< 0: all cores
     ProgressFormat progress = ProgressFormat::text;
     bool verbose = false;
@@ -84,8 +87,14 @@ RenderArguments arguments_of_frame(const RenderArguments& all, int frame);
 /// The options of a `render merge` run.
 struct MergeArguments {
     std::vector<std::string> command; ///< as typed, of the name of the tool and its arguments
+    std::vector<std::filesystem::path> states; ///< files and folders
+    std::optional<std::uint64_t> passes;       ///< that the image should have; none: as it has
+    OutputFiles files;                         ///< at least one image
+};
+
+/// The arguments of a `render describe` run.
+struct DescribeArguments {
     std::vector<std::filesystem::path> states;
-    OutputFiles files; ///< at least one image
 };
 
 /// Makes the view of 8-bit images; throws InputError if there is none of that name.

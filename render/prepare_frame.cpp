@@ -56,18 +56,40 @@ void complete_by_scene(RenderArguments& arguments, const Scene& scene)
     if (!arguments.render.crop.empty())
         arguments.crop = crop_of(arguments.render.crop);
     arguments.render.photons = *arguments.photons;
+    if (arguments.tile) {
+        const PixelRect all = rendered_pixels(arguments.render);
+        arguments.render.crop = pixels_of(*arguments.tile, all);
+        arguments.tiled = arguments.render.crop == all ? PixelRect() : all;
+        if (arguments.tiled.empty() && !arguments.crop)
+            arguments.render.crop = {};
+    }
+}
+
+/// Throws OtherState unless a state has the pixels that are rendered, and the same passes of each.
+void check_pixels(const std::filesystem::path& path, const RenderState& found,
+                  const RenderArguments& arguments)
+{
+    const char* const cure = "render the same --tile, or use another file";
+    if (pixels_of(found.film) != rendered_pixels(arguments.render) ||
+        image_of(found) != (arguments.tiled.empty() ? pixels_of(found.film) : arguments.tiled))
+        throw OtherState(path.string() + ": holds another tile of the image", cure);
+    if (!found.film.parts.empty())
+        throw OtherState(path.string() + ": holds different passes of different tiles",
+                         "render the tasks that are missing and merge their states with it");
 }
 
 /// Returns the state in the file, if there is one.  That of another render is refused, or renamed
 /// and noted in the audit where that was asked for.
-std::optional<RenderState> find_state(const OutputFiles& files,
+std::optional<RenderState> find_state(const RenderArguments& arguments,
                                       const std::vector<Setting>& settings, SceneAudit& audit)
 {
+    const OutputFiles& files = arguments.files;
     if (!std::filesystem::exists(files.state))
         return std::nullopt;
     try {
         RenderState found = read_state(files.state);
         check_settings(files.state, found.settings, settings);
+        check_pixels(files.state, found, arguments);
         return found;
     } catch (const OtherState& other) {
         if (!files.replace_state)
@@ -120,7 +142,7 @@ PreparedFrame prepare_frame(const RenderArguments& request, SceneSource& source)
     out.settings = settings_of(arguments, scene, out.partition, out.sky);
     if (out.effects.has(Effect::motion_blur))
         out.settings.push_back(out.motion.setting);
-    out.found = find_state(arguments.files, out.settings, out.loaded.audit);
+    out.found = find_state(arguments, out.settings, out.loaded.audit);
     out.seconds = reading.seconds();
     return out;
 }

@@ -14,9 +14,22 @@ namespace hipmap {
 
 namespace {
 
+/// What a person calls the image: "room.glb, frame 3"; '?' for what is not printable ASCII.
+std::string label_of(const RenderArguments& arguments)
+{
+    std::string out = arguments.scene.filename().string();
+    std::ranges::replace_if(
+        out, [](char c) { return c < ' ' || c > '~'; }, '?');
+    if (arguments.frames.asked())
+        out += ", frame " + std::to_string(arguments.frames.first);
+    return out;
+}
+
 RenderState begin_or_resume(const PreparedFrame& frame, const PassSource& source)
 {
     RenderState state = begin_state(source, frame.settings);
+    state.image = frame.arguments.tiled;
+    state.label = label_of(frame.arguments);
     if (frame.found)
         merge_state(state, *frame.found, frame.arguments.files.state);
     return state;
@@ -195,9 +208,10 @@ RenderedFrame render_frame(PreparedFrame& frame, SceneSource& source, PreviousFr
         return render_passes(frame, source, previous, control, report);
     if (previous->rendered && previous->settings == frame.settings && !frame.found) {
         report.detail("frame unchanged: reusing the previous image");
-        if (!frame.arguments.files.state.empty())
-            write_state(frame.arguments.files.state, previous->rendered->state);
         RenderedFrame out = *previous->rendered;
+        out.state.label = label_of(frame.arguments);
+        if (!frame.arguments.files.state.empty())
+            write_state(frame.arguments.files.state, out.state);
         out.resumed = count(out.state.film.passes);
         out.seconds_rays = 0;
         return out;

@@ -201,6 +201,16 @@ std::vector<OptionRow> method_rows(RenderArguments& arguments)
              .changes = Changes::passes}};
 }
 
+OptionRow tile_row(std::optional<Tile>& tile)
+{
+    return {.name = "tile",
+            .section = kImageSection,
+            .field = tile_field(tile),
+            .help = "Render only this tile of the image, counted from 0 at the top left, row by "
+                    "row: one of many tasks, whose states render merge puts together, bit for bit",
+            .unset = "all of the image"};
+}
+
 std::vector<OptionRow> image_rows(RenderArguments& arguments)
 {
     RenderOptions& render = arguments.render;
@@ -218,6 +228,7 @@ std::vector<OptionRow> image_rows(RenderArguments& arguments)
                      "image, bit for bit",
              .unset = "the whole image",
              .changes = Changes::passes},
+            tile_row(arguments.tile),
             {.name = "samples",
              .section = kImageSection,
              .field = number_field(render.samples, {1, kMostSamples}),
@@ -373,6 +384,11 @@ std::vector<OptionRow> option_rows(MergeArguments& arguments)
                     .section = kFilesSection,
                     .field = file_field(arguments.files.state),
                     .help = "Write all passes as one state"});
+    rows.push_back({.name = "passes",
+                    .section = kEndSection,
+                    .field = number_field(arguments.passes, {1, kMostPassesAsked}),
+                    .help = "Passes that the image should have, from 0; those missing are listed",
+                    .unset = "all between the first and the last that some pixel has"});
     return rows;
 }
 
@@ -387,8 +403,15 @@ void add_arguments(CLI::App& app, RenderArguments& arguments)
 
 void add_arguments(CLI::App& app, MergeArguments& arguments)
 {
-    app.add_option("STATE", arguments.states, "States of renders of one image")->required();
+    app.add_option("STATE", arguments.states,
+                   "States of renders of one image, or folders of files FILE.state")
+        ->required();
     add_options(app, option_rows(arguments));
+}
+
+void add_arguments(CLI::App& app, DescribeArguments& arguments)
+{
+    app.add_option("STATE", arguments.states, "States to describe")->required();
 }
 
 std::vector<Setting> values_of(const RenderArguments& arguments)

@@ -17,9 +17,11 @@ std::vector<OptionRow> option_rows(RenderArguments& arguments);
 /// Returns every option of `render merge`, bound to `arguments`.
 std::vector<OptionRow> option_rows(MergeArguments& arguments);
 
-/// Adds the command lines of `render` and `render merge`: the files to read, and the options.
+/// Adds the command lines of `render`, `render merge` and `render describe`: the files to read, and
+/// the options.
 void add_arguments(CLI::App& app, RenderArguments& arguments);
 void add_arguments(CLI::App& app, MergeArguments& arguments);
+void add_arguments(CLI::App& app, DescribeArguments& arguments);
 
 /// Returns the value of every option except file names, in the order of the table.
 std::vector<Setting> values_of(const RenderArguments& arguments);

@@ -200,6 +200,20 @@ Json photons_json(const RenderStatistics& render, const RenderOptions& options)
     return json;
 }
 
+Json missing_json(const std::vector<FilmPart>& missing)
+{
+    Json out = Json::array();
+    for (const FilmPart& part : missing) {
+        const PixelRect& pixels = part.pixels;
+        Json passes = Json::array();
+        for (const PassRange& range : part.passes.ranges)
+            passes.push_back({range.first, range.end});
+        out.push_back(
+            {{"pixels", {pixels.x0, pixels.y0, pixels.x1, pixels.y1}}, {"passes", passes}});
+    }
+    return out;
+}
+
 const char* ended_by(StopReason reason)
 {
     static const char* const kNames[] = {"passes", "time", "error", "signal"};
@@ -261,15 +275,20 @@ std::string statistics_json(const PreparedFrame& frame, const RenderedFrame& ren
     return text_of(json);
 }
 
-std::string merged_statistics_json(const MergeArguments& arguments, const RenderState& state,
+std::string merged_statistics_json(const MergeArguments& arguments, const MergedFiles& merged,
+                                   const std::vector<FilmPart>& missing,
                                    const std::optional<Fireflies>& fireflies,
                                    const WrittenFiles& written)
 {
+    const RenderState& state = merged.state;
     Json json;
     json["command"] = arguments.command;
     json["version"] = HIPMAP_VERSION;
-    for (const std::filesystem::path& file : arguments.states)
+    json["label"] = state.label;
+    for (const std::filesystem::path& file : merged.files)
         json["states"].push_back(file.string());
+    json["left_out"] = merged.left_out;
+    json["missing"] = missing_json(missing);
     json["settings"] = settings_json(state.settings);
     json["image"] = image_json(state.film.width, state.film.height, arguments.files.images,
                                written.exposure_ev);

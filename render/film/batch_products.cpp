@@ -1,5 +1,7 @@
 #include "render/film/batch_products.h"
 
+#include "render/film/batch_statistics.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -24,12 +26,54 @@ Batches filled_batches(const PassSet& passes, std::uint64_t batches)
     return out;
 }
 
-double mean_of_channels(const Image& image)
+/// Of the pixels that hold passes.
+double mean_of_channels(const Film& film, const Image& image)
 {
-    double sum = 0;
+    double sum = 0, pixels = 0;
     for (const Rgb& pixel : image.pixels)
         sum += double{pixel.x} + double{pixel.y} + double{pixel.z};
-    return image.pixels.empty() ? 0 : sum / (3 * static_cast<double>(image.pixels.size()));
+    for (const FilmPart& part : parts_of(film))
+        pixels += static_cast<double>(part.pixels.width()) * part.pixels.height();
+    return pixels == 0 ? 0 : sum / (3 * pixels);
+}
+
+/// Returns the factor that makes the deviations of a pixel, which holds fewer passes than the film,
+/// as large as if (4) of docs/error.md divided them by the pixel's own passes and batches.
+double scale_of_deviations(const ChannelStatistics& pixel, const Batches& film)
+{
+    const double batches = static_cast<double>(film.batch.size());
+    if (pixel.batches < 2 || (pixel.batches == batches && pixel.passes == film.all))
+        return 1;
+    return std::sqrt((batches - 1) * film.all / ((pixel.batches - 1) * pixel.passes));
+}
+
+void scale_deviations(ChannelStatistics& pixel, double scale)
+{
+    for (double& deviation : pixel.deviation)
+        deviation *= scale;
+    pixel.noise *= scale * scale;
+    pixel.most_noise *= scale * scale;
+}
+
+/// Returns the factors that do the same for the differences of radii, by the pairs of passes of
+/// docs/error.md (8).
+std::array<double, kNarrowBatches> scales_of_differences(const ChannelStatistics& pixel,
+                                                         const Batches& film)
+{
+    double all = 0, squares = 0;
+    for (const double passes : pixel.narrow) {
+        all += passes;
+        squares += passes * passes;
+    }
+    std::array<double, kNarrowBatches> out;
+    out.fill(1);
+    const double pairs = all * all - squares;
+    if (all == film.all)
+        return out;
+    for (std::size_t i = 0; i < film.batch.size(); ++i)
+        out[i] =
+            pairs > 0 ? pixel.narrow[i] / film.passes[i] * std::sqrt(pairs_of(film) / pairs) : 0;
+    return out;
 }
 
 /// docs/error.md (5)
@@ -85,12 +129,12 @@ double fourth_cumulant(const std::array<double, kBatches>& values, double n)
 } // namespace
 
 ChannelReader::ChannelReader(const Film& film)
-    : film_(film), wide_(filled_batches(film.passes, kBatches)), mean_(film_image(film)),
-      unit_(std::ldexp(1.0, -film.scale))
+    : film_(film), kept_(film), wide_(filled_batches(film.passes, kBatches)),
+      mean_(film_image(film)), unit_(std::ldexp(1.0, -film.scale))
 {
     if (film.bias == BiasKnowledge::from_radii || !film.cut.empty())
         narrow_ = filled_batches(film.passes, kNarrowBatches);
-    const double dark = kDarkShare * mean_of_channels(mean_);
+    const double dark = kDarkShare * mean_of_channels(film, mean_);
     dark_ = dark * dark;
 }
 
@@ -106,8 +150,7 @@ ChannelStatistics ChannelReader::read(std::size_t pixel, std::size_t channel) co
     ChannelStatistics out;
     double total = 0;
     for (std::size_t i = 0; i < wide_.batch.size(); ++i) {
-        const auto passes = static_cast<std::uint64_t>(wide_.passes[i]);
-        kept[i] = static_cast<double>(kept_passes(film_, passes, pixel, wide_.batch[i]));
+        kept[i] = static_cast<double>(kept_.of_batch(pixel, wide_.batch[i]));
         sums[i] = sum(film_.radiance, wide_.batch[i], pixel, channel);
         total += sums[i];
         out.passes += kept[i];
@@ -126,6 +169,7 @@ ChannelStatistics ChannelReader::read(std::size_t pixel, std::size_t channel) co
         out.variance = squares / ((out.batches - 1) * out.passes);
     out.weight = relative_weight(out.mean, out.variance, dark_);
     out.unbiased = out.mean;
+    add_by_narrow_batch(kept, out.narrow);
     if (film_.bias == BiasKnowledge::from_radii)
         read_narrow(pixel, channel, out);
     if (!film_.cut.empty())
@@ -137,21 +181,34 @@ ChannelStatistics ChannelReader::read(std::size_t pixel, std::size_t channel) co
         if (kept[i] > 0)
             out.most_noise += weight_without(out, squares, i, sums[i], kept[i]) * out.deviation[i] *
                               out.deviation[i];
+    scale_deviations(out, scale_of_deviations(out, wide_));
     return out;
+}
+
+/// kept: passes by wide batch.
+void ChannelReader::add_by_narrow_batch(const std::array<double, kBatches>& kept,
+                                        std::array<double, kNarrowBatches>& into) const
+{
+    for (std::size_t i = 0; i < wide_.batch.size(); ++i)
+        for (std::size_t j = 0; j < narrow_.batch.size(); ++j)
+            if (wide_.batch[i] % kNarrowBatches == narrow_.batch[j])
+                into[j] += kept[i];
 }
 
 /// What the mean would be without the bias that is plain to see; where it is not, the mean.
 double ChannelReader::without_bias(const ChannelStatistics& biased) const
 {
     constexpr double kPlain = 1; // standard errors
-    const auto size = static_cast<double>(narrow_.batch.size());
+    const auto size = static_cast<double>(
+        std::ranges::count_if(biased.narrow, [](double passes) { return passes > 0; }));
     if (size < 2)
         return biased.mean;
     double sum = 0, squares = 0;
     for (const double difference : biased.first)
         sum += difference;
     for (std::size_t i = 0; i < narrow_.batch.size(); ++i)
-        squares += (biased.first[i] - sum / size) * (biased.first[i] - sum / size);
+        if (biased.narrow[i] > 0)
+            squares += (biased.first[i] - sum / size) * (biased.first[i] - sum / size);
     const double sure = sum / size - kPlain * std::sqrt(squares / (size * (size - 1)));
     if (!(sure > 0) || !(biased.mean > 0))
         return biased.mean;
@@ -187,14 +244,13 @@ void ChannelReader::read_narrow(std::size_t pixel, std::size_t channel,
                                 ChannelStatistics& out) const
 {
     for (std::size_t i = 0; i < narrow_.batch.size(); ++i) {
-        double wide = 0, kept = 0;
+        const double kept = out.narrow[i];
+        double wide = 0;
         for (std::size_t j = 0; j < wide_.batch.size(); ++j) {
             const std::uint64_t batch = wide_.batch[j];
             if (batch % kNarrowBatches != narrow_.batch[i])
                 continue;
             wide += sum(film_.radiance, batch, pixel, channel);
-            kept += static_cast<double>(
-                kept_passes(film_, static_cast<std::uint64_t>(wide_.passes[j]), pixel, batch));
         }
         if (kept == 0)
             continue;
@@ -211,11 +267,34 @@ void ChannelReader::read_cut(std::size_t pixel, std::size_t channel, ChannelStat
     double all = 0;
     for (std::size_t i = 0; i < narrow_.batch.size(); ++i) {
         const double taken = sum(film_.cut, narrow_.batch[i], pixel, channel);
-        out.cut[i] = taken / narrow_.passes[i];
+        out.cut[i] = out.narrow[i] > 0 ? taken / out.narrow[i] : 0;
         all += taken;
     }
-    out.unbiased += all / narrow_.all;
+    out.unbiased += all / out.passes;
 }
+
+namespace {
+
+void add_channel(BatchProducts& out, const ChannelStatistics& found, bool clamped)
+{
+    out.noise += found.noise;
+    out.most_noise += found.most_noise;
+    add_products(out.deviations, found.weight, found.deviation, found.deviation);
+    const std::array<double, kNarrowBatches> scales = scales_of_differences(found, out.narrow);
+    std::array<double, kNarrowBatches> first = found.first, second = found.second, cut = found.cut;
+    for (std::size_t i = 0; i < kNarrowBatches; ++i) {
+        first[i] *= scales[i];
+        second[i] *= scales[i];
+        cut[i] *= scales[i];
+    }
+    add_products(out.first, found.bias_weight, first, first);
+    add_products(out.both, found.bias_weight, first, second);
+    add_products(out.second, found.bias_weight, second, second);
+    if (clamped)
+        add_products(out.cut, found.bias_weight, cut, cut);
+}
+
+} // namespace
 
 BatchProducts batch_products(const Film& film)
 {
@@ -223,23 +302,16 @@ BatchProducts batch_products(const Film& film)
     BatchProducts out;
     out.wide = reader.wide();
     out.narrow = reader.narrow();
-    out.channels = 3 * static_cast<double>(film.pixel_count());
     out.deviations = Products(out.wide.batch.size());
     out.first = out.both = out.second = out.cut = Products(out.narrow.batch.size());
     for (std::size_t pixel = 0; pixel < film.pixel_count(); ++pixel) {
         std::array<double, kBatches> of_pixel{};
         for (std::size_t channel = 0; channel < 3; ++channel) {
             const ChannelStatistics found = reader.read(pixel, channel);
+            out.channels += film.parts.empty() || found.batches > 1 ? 1 : 0;
             for (std::size_t i = 0; i < kBatches; ++i)
                 of_pixel[i] += std::sqrt(found.steady / 3) * found.deviation[i];
-            out.noise += found.noise;
-            out.most_noise += found.most_noise;
-            add_products(out.deviations, found.weight, found.deviation, found.deviation);
-            add_products(out.first, found.bias_weight, found.first, found.first);
-            add_products(out.both, found.bias_weight, found.first, found.second);
-            add_products(out.second, found.bias_weight, found.second, found.second);
-            if (!film.cut.empty())
-                add_products(out.cut, found.bias_weight, found.cut, found.cut);
+            add_channel(out, found, !film.cut.empty());
         }
         out.fourth += fourth_cumulant(of_pixel, static_cast<double>(out.wide.batch.size()));
     }

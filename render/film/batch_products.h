@@ -48,14 +48,15 @@ struct ChannelStatistics {
     std::array<double, kBatches> deviation{};
     /// By narrow batch: mean of radiance minus that of `narrow`; `narrow` minus `narrower`.
     std::array<double, kNarrowBatches> first{}, second{};
-    std::array<double, kNarrowBatches> cut{}; ///< by narrow batch: mean of what clamping took
+    std::array<double, kNarrowBatches> cut{};    ///< by narrow batch: mean of what clamping took
+    std::array<double, kNarrowBatches> narrow{}; ///< passes of narrow batches that kept a sample
 };
 
 /// Weighted sums over channels and pixels from which the error of an image is estimated.
 struct BatchProducts {
     Batches wide;                 ///< of the image
     Batches narrow;               ///< of the images by narrower radii
-    double channels = 0;          ///< 3 * pixels
+    double channels = 0;          ///< 3 * pixels; only of those in two batches if a film has parts
     double noise = 0;             ///< sum of ChannelStatistics::noise
     double most_noise = 0;        ///< sum of ChannelStatistics::most_noise
     double fourth = 0;            ///< sum over pixels of fourth cumulants, docs/error.md (7)
@@ -82,10 +83,13 @@ class ChannelReader {
                                 std::size_t channel) const;
     double weight_without(const ChannelStatistics& all, double squares, std::size_t i, double sum,
                           double kept) const;
+    void add_by_narrow_batch(const std::array<double, kBatches>& kept,
+                             std::array<double, kNarrowBatches>& into) const;
     void read_narrow(std::size_t pixel, std::size_t channel, ChannelStatistics& out) const;
     void read_cut(std::size_t pixel, std::size_t channel, ChannelStatistics& out) const;
 
     const Film& film_;
+    KeptPasses kept_;
     Batches wide_, narrow_;
     Image mean_;
     double unit_;

@@ -16,13 +16,24 @@ double square_of(double x)
 }
 
 /// c of docs/error.md (3)
-double dark_square(const Image& image)
+double dark_square(const Film& film, const Image& image)
 {
-    double sum = 0;
+    double sum = 0, pixels = 0;
     for (const Rgb& pixel : image.pixels)
         for (int c = 0; c < 3; ++c)
             sum += pixel[c];
-    return square_of(0.1 * sum / (3 * static_cast<double>(image.pixels.size())));
+    for (const FilmPart& part : parts_of(film))
+        pixels += static_cast<double>(part.pixels.width()) * part.pixels.height();
+    return pixels == 0 ? 0 : square_of(0.1 * sum / (3 * pixels));
+}
+
+/// Whether the error of a pixel can be known.
+bool in_two_batches(const KeptPasses& kept, std::size_t pixel)
+{
+    int batches = 0;
+    for (std::uint64_t batch = 0; batch < kBatches; ++batch)
+        batches += kept.of_batch(pixel, batch) > 0 ? 1 : 0;
+    return batches > 1;
 }
 
 } // namespace
@@ -31,14 +42,15 @@ std::vector<double> relative_errors(const Film& film)
 {
     const Image image = film_image(film);
     const Image error = error_layers(film).error;
-    const double dark = dark_square(image);
+    const double dark = dark_square(film, image);
+    const KeptPasses kept(film);
     std::vector<double> out(image.pixels.size());
     for (std::size_t i = 0; i < out.size(); ++i) {
         double sum = 0;
         for (int c = 0; c < 3; ++c)
             if (error.pixels[i][c] > 0)
                 sum += square_of(error.pixels[i][c]) / (square_of(image.pixels[i][c]) + dark);
-        out[i] = std::sqrt(sum / 3);
+        out[i] = film.parts.empty() || in_two_batches(kept, i) ? std::sqrt(sum / 3) : 1;
     }
     return out;
 }

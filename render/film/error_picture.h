@@ -6,7 +6,8 @@
 namespace hipmap {
 
 /// Estimates the relative error of each pixel of film_image(film), docs/error.md (13); 1: 100 %.
-/// Noisy, and never below zero.  Returns [pixels].
+/// Noisy, and never below zero; 1 for a pixel that less than two batches hold, of a film with
+/// parts.  Returns [pixels].
 std::vector<double> relative_errors(const Film& film);
 
 /// Draws errors in false colour, on a logarithmic scale from 0.1 % to 100 %; display values.

@@ -1,6 +1,6 @@
 #include "render/film/film.h"
 
-#include <array>
+#include <algorithm>
 #include <cassert>
 
 namespace hipmap {
@@ -38,11 +38,52 @@ void add_image(const Image& image, const std::vector<std::uint8_t>& kept, double
     }
 }
 
-void add_sums(std::vector<std::int64_t>& into, const std::vector<std::int64_t>& from)
+/// Adds the sums of `from`, whose first pixel is at x, y of `into`.  batches: of the sums.
+void add_sums(const Film& into, std::vector<std::int64_t>& sums, const Film& from,
+              const std::vector<std::int64_t>& added, const ImagePlace& at)
 {
-    assert(into.size() == from.size());
-    for (std::size_t i = 0; i < into.size(); ++i)
-        into[i] += from[i];
+    const std::size_t batches = added.size() / (3 * from.pixel_count());
+    assert(sums.size() == batches * 3 * into.pixel_count());
+    const std::size_t row = 3 * static_cast<std::size_t>(from.width);
+    for (std::size_t batch = 0; batch < batches; ++batch)
+        for (int y = 0; y < from.height; ++y) {
+            const std::size_t first =
+                batch * into.pixel_count() + static_cast<std::size_t>(at.y + y) * into.width + at.x;
+            const auto line =
+                added.begin() + static_cast<std::ptrdiff_t>(
+                                    (batch * from.height + static_cast<std::size_t>(y)) * row);
+            std::transform(line, line + static_cast<std::ptrdiff_t>(row),
+                           sums.begin() + static_cast<std::ptrdiff_t>(3 * first),
+                           sums.begin() + static_cast<std::ptrdiff_t>(3 * first), std::plus<>());
+        }
+}
+
+void add_lost(Film& into, const Film& from, const ImagePlace& at)
+{
+    for (const auto& [key, passes] : from.lost) {
+        const std::uint64_t pixel = key / kBatches;
+        const std::uint64_t x = pixel % from.width + at.x, y = pixel / from.width + at.y;
+        into.lost[(y * into.width + x) * kBatches + key % kBatches] += passes;
+    }
+}
+
+/// Sets what the pixels hold.
+void set_parts(Film& film, std::vector<FilmPart> parts)
+{
+    film.passes = {};
+    for (const FilmPart& part : parts)
+        film.passes = united(film.passes, part.passes);
+    const bool same =
+        parts.size() == 1 && parts[0].pixels == PixelRect{0, 0, film.width, film.height};
+    film.parts = same ? std::vector<FilmPart>() : std::move(parts);
+}
+
+std::array<std::uint64_t, kBatches> by_batch(const PassSet& passes)
+{
+    std::array<std::uint64_t, kBatches> out{};
+    for (std::uint64_t batch = 0; batch < kBatches; ++batch)
+        out[batch] = count(passes, kBatches, batch);
+    return out;
 }
 
 } // namespace
@@ -74,6 +115,7 @@ void add_pass(Film& film, std::uint64_t pass, const PassImages& images)
 {
     const std::size_t pixels = film.pixel_count();
     assert(images.radiance.pixels.size() == pixels && images.kept.size() == pixels);
+    assert(film.parts.empty() && !common_pass(film.passes, {{{pass, pass + 1}}}));
     const double units = std::ldexp(1.0, film.scale);
     const std::uint64_t batch = pass % kBatches;
     add_image(images.radiance, images.kept, units, &film.radiance[batch * 3 * pixels],
@@ -96,42 +138,85 @@ void add_pass(Film& film, std::uint64_t pass, const PassImages& images)
     assert(count(film.passes) <= kMostPasses);
 }
 
+PixelRect pixels_of(const Film& film)
+{
+    const ImagePlace& at = film.place;
+    return {at.x, at.y, at.x + film.width, at.y + film.height};
+}
+
+std::vector<FilmPart> parts_of(const Film& film)
+{
+    if (!film.parts.empty() || film.passes.ranges.empty())
+        return film.parts;
+    return {{{0, 0, film.width, film.height}, film.passes}};
+}
+
+std::vector<FilmPart> moved(std::vector<FilmPart> parts, int x, int y)
+{
+    for (FilmPart& part : parts) {
+        const PixelRect& pixels = part.pixels;
+        part.pixels = {pixels.x0 + x, pixels.y0 + y, pixels.x1 + x, pixels.y1 + y};
+    }
+    return parts;
+}
+
 void merge_film(Film& into, const Film& from)
 {
-    assert(into.width == from.width && into.height == from.height && into.scale == from.scale &&
-           into.bias == from.bias);
-    into.passes = united(into.passes, from.passes);
+    assert(into.scale == from.scale && into.bias == from.bias);
+    const ImagePlace at = {from.place.x - into.place.x, from.place.y - into.place.y, 0, 0};
+    assert(at.x >= 0 && at.y >= 0 && at.x + from.width <= into.width &&
+           at.y + from.height <= into.height);
+    std::vector<FilmPart> parts = parts_of(into), more = moved(parts_of(from), at.x, at.y);
+    assert(!common_pass(parts, more));
+    parts.insert(parts.end(), more.begin(), more.end());
+    set_parts(into, joined_parts(parts));
     assert(count(into.passes) <= kMostPasses);
-    add_sums(into.radiance, from.radiance);
-    add_sums(into.narrow, from.narrow);
-    add_sums(into.narrower, from.narrower);
-    add_sums(into.cut, from.cut);
-    for (const auto& [key, passes] : from.lost)
-        into.lost[key] += passes;
+    add_sums(into, into.radiance, from, from.radiance, at);
+    add_sums(into, into.narrow, from, from.narrow, at);
+    add_sums(into, into.narrower, from, from.narrower, at);
+    add_sums(into, into.cut, from, from.cut, at);
+    add_lost(into, from, at);
     into.saturated += from.saturated;
 }
 
-std::uint64_t kept_passes(const Film& film, std::uint64_t passes, std::size_t pixel,
-                          std::uint64_t batch)
+KeptPasses::KeptPasses(const Film& film) : film_(film)
 {
-    if (film.lost.empty())
-        return passes;
-    const auto found = film.lost.find(pixel * kBatches + batch);
-    return found == film.lost.end() ? passes : passes - found->second;
+    held_.push_back({});
+    if (film.parts.empty()) {
+        held_.push_back(by_batch(film.passes));
+        return;
+    }
+    part_of_.assign(film.pixel_count(), 0);
+    for (const FilmPart& part : film.parts) {
+        assert(held_.size() <= kMostFilmParts);
+        for (int y = part.pixels.y0; y < part.pixels.y1; ++y) {
+            const auto row = part_of_.begin() + static_cast<std::ptrdiff_t>(y) * film.width;
+            std::fill(row + part.pixels.x0, row + part.pixels.x1,
+                      static_cast<std::uint16_t>(held_.size()));
+        }
+        held_.push_back(by_batch(part.passes));
+    }
+}
+
+std::uint64_t KeptPasses::of_batch(std::size_t pixel, std::uint64_t batch) const
+{
+    const std::uint64_t held = (part_of_.empty() ? held_.back() : held_[part_of_[pixel]])[batch];
+    if (film_.lost.empty())
+        return held;
+    const auto found = film_.lost.find(pixel * kBatches + batch);
+    return found == film_.lost.end() ? held : held - found->second;
 }
 
 Image film_image(const Film& film)
 {
     Image out(film.width, film.height);
     const double unit = std::ldexp(1.0, -film.scale);
-    std::array<std::uint64_t, kBatches> passes{};
-    for (std::uint64_t batch = 0; batch < kBatches; ++batch)
-        passes[batch] = count(film.passes, kBatches, batch);
+    const KeptPasses kept_passes(film);
     for (std::size_t i = 0; i < out.pixels.size(); ++i) {
         std::uint64_t kept = 0;
         std::array<std::int64_t, 3> sum{};
         for (std::uint64_t batch = 0; batch < kBatches; ++batch) {
-            kept += kept_passes(film, passes[batch], i, batch);
+            kept += kept_passes.of_batch(i, batch);
             for (std::size_t c = 0; c < 3; ++c)
                 sum[c] += film.radiance[(batch * out.pixels.size() + i) * 3 + c];
         }

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "common/image/pixel_rect.h"
+#include "render/film/film_parts.h"
 #include "render/film/pass_images.h"
-#include "render/film/pass_set.h"
 
+#include <array>
 #include <map>
 
 namespace hipmap {
@@ -35,7 +35,10 @@ struct Film {
     int scale = 0;    ///< values are counted in units of 2^-scale W/(m2 sr), docs/error.md (2)
     std::uint64_t allocation = 0; ///< checksum of its sample allocation, docs/error.md (14)
     BiasKnowledge bias = BiasKnowledge::unknown;
-    PassSet passes;
+    PassSet passes; ///< that some pixel holds
+    /// What the pixels hold, as joined_parts returns it; a pixel of no part holds nothing.  Empty:
+    /// each pixel holds all of `passes`.
+    std::vector<FilmPart> parts;
 
     std::vector<std::int64_t> radiance; ///< [kBatches][pixels][3]
     std::vector<std::int64_t> narrow;   ///< [kNarrowBatches][pixels][3]; empty unless from_radii
@@ -55,17 +58,37 @@ struct Film {
 /// counts as one.  clamped: passes say what clamping took.
 Film make_film(int width, int height, double mean, BiasKnowledge bias, bool clamped = false);
 
-/// Adds a pass, which must not be in the film yet; images of the film's size.
+/// Adds a pass, which must not be in the film yet; images of the film's size.  The film has no
+/// parts.
 void add_pass(Film& film, std::uint64_t pass, const PassImages& images);
 
-/// Adds the passes of another film of the same size, scale, sample allocation and bias knowledge;
-/// the passes must be disjoint.
+/// Returns the pixels of a film in the whole image.
+PixelRect pixels_of(const Film& film);
+
+/// Returns what the pixels of a film hold, in pixels of the film; none for a film without passes.
+std::vector<FilmPart> parts_of(const Film& film);
+
+/// Returns `parts` moved by x and y pixels.
+std::vector<FilmPart> moved(std::vector<FilmPart> parts, int x, int y);
+
+/// Adds the passes of another film of the same whole image, scale, sample allocation and bias
+/// knowledge, whose pixels are among those of `into`; no pixel may have a pass in both.
 void merge_film(Film& into, const Film& from);
 
-/// Returns the passes of a batch that kept a sample of the pixel.  passes: of the batch, in the
-/// film.
-std::uint64_t kept_passes(const Film& film, std::uint64_t passes, std::size_t pixel,
-                          std::uint64_t batch);
+/// Counts the passes that kept a sample of a pixel.  Borrows the film.  Thread-safe.
+class KeptPasses {
+  public:
+    explicit KeptPasses(const Film& film);
+    std::uint64_t of_batch(std::size_t pixel, std::uint64_t batch) const;
+
+  private:
+    const Film& film_;
+    std::vector<std::array<std::uint64_t, kBatches>> held_; ///< by part; first: of no part
+    std::vector<std::uint16_t> part_of_; ///< [pixels] into held_; empty: all the last
+};
+
+/// The most parts of a film.
+inline constexpr std::size_t kMostFilmParts = 4096;
 
 /// Returns the largest value that a channel of one pass can have in a film, in its units.
 std::int64_t largest_value();

@@ -53,7 +53,7 @@ double clamp_square(const Film& film, const BatchProducts& products)
 std::optional<ImageError> estimate_error(const Film& film)
 {
     const BatchProducts products = batch_products(film);
-    if (products.wide.batch.size() < 2)
+    if (products.wide.batch.size() < 2 || products.channels == 0)
         return std::nullopt;
     const Spread spread = spread_of(products.deviations, products.channels);
     const NoiseSquare noise = noise_square(products, spread);
@@ -95,21 +95,21 @@ ErrorLayers error_layers(const Film& film)
     const bool biased = film.bias == BiasKnowledge::from_radii;
     if (biased)
         out.bias = Image(film.width, film.height);
-    const Batches& batches = reader.narrow();
     for (std::size_t i = 0; i < film.pixel_count(); ++i)
         for (std::size_t channel = 0; channel < 3; ++channel) {
             const ChannelStatistics found = reader.read(i, channel);
             const int c = static_cast<int>(channel);
-            double mean = 0, same = 0;
-            for (std::size_t j = 0; j < batches.batch.size(); ++j) {
-                const double passes = batches.passes[j];
+            double mean = 0, same = 0, squares = 0;
+            for (std::size_t j = 0; j < kNarrowBatches && found.passes > 0; ++j) {
+                const double passes = found.narrow[j];
                 const double bias = found.first[j] + kSmoothRest * found.second[j];
-                mean += passes * bias / batches.all;
+                mean += passes * bias / found.passes;
                 same += square_of(passes * bias);
+                squares += square_of(passes);
             }
-            double bias2 = 0;
-            if (batches.batch.size() > 1)
-                bias2 = (square_of(mean * batches.all) - same) / pairs_of(batches);
+            const double pairs = square_of(found.passes) - squares;
+            const double bias2 =
+                biased && pairs > 0 ? (square_of(mean * found.passes) - same) / pairs : 0;
             out.noise.pixels[i][c] = static_cast<float>(std::sqrt(found.variance));
             if (biased)
                 out.bias.pixels[i][c] = static_cast<float>(mean);

@@ -51,17 +51,33 @@ std::optional<std::uint64_t> common_pass(const PassSet& a, const PassSet& b)
 
 PassSet united(const PassSet& a, const PassSet& b)
 {
-    assert(!common_pass(a, b));
     std::vector<PassRange> all = a.ranges;
     all.insert(all.end(), b.ranges.begin(), b.ranges.end());
     std::sort(all.begin(), all.end(),
               [](const PassRange& x, const PassRange& y) { return x.first < y.first; });
     PassSet out;
     for (const PassRange& range : all) {
-        if (!out.ranges.empty() && out.ranges.back().end == range.first)
-            out.ranges.back().end = range.end;
+        if (!out.ranges.empty() && out.ranges.back().end >= range.first)
+            out.ranges.back().end = std::max(out.ranges.back().end, range.end);
         else
             out.ranges.push_back(range);
+    }
+    return out;
+}
+
+PassSet without(const PassSet& a, const PassSet& b)
+{
+    PassSet out;
+    for (PassRange left : a.ranges) {
+        for (const PassRange& taken : b.ranges) {
+            if (taken.end <= left.first || taken.first >= left.end)
+                continue;
+            if (taken.first > left.first)
+                out.ranges.push_back({left.first, taken.first});
+            left.first = std::min(taken.end, left.end);
+        }
+        if (left.first < left.end)
+            out.ranges.push_back(left);
     }
     return out;
 }

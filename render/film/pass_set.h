@@ -33,7 +33,10 @@ std::uint64_t next_missing(const PassSet& set, std::uint64_t first);
 /// Returns a pass that is in both sets; none if they are disjoint.
 std::optional<std::uint64_t> common_pass(const PassSet& a, const PassSet& b);
 
-/// Returns all passes of both sets, which must be disjoint.
+/// Returns all passes of both sets.
 PassSet united(const PassSet& a, const PassSet& b);
+
+/// Returns the passes of `a` that are not in `b`.
+PassSet without(const PassSet& a, const PassSet& b);
 
 } // namespace hipmap

@@ -14,6 +14,21 @@ constexpr int kMostSide = 65536;
 /// The largest exponent of the scale of a film, that of any float.
 constexpr int kMostScale = 200;
 
+void put_rect(StateWriter& out, const PixelRect& pixels)
+{
+    for (const int edge : {pixels.x0, pixels.y0, pixels.x1, pixels.y1})
+        out.put(edge);
+}
+
+void put_parts(StateWriter& out, const std::vector<FilmPart>& parts)
+{
+    out.put(static_cast<std::uint64_t>(parts.size()));
+    for (const FilmPart& part : parts) {
+        put_rect(out, part.pixels);
+        out.put_array(part.passes.ranges);
+    }
+}
+
 void put_film(StateWriter& out, const Film& film)
 {
     out.put(film.width);
@@ -26,6 +41,7 @@ void put_film(StateWriter& out, const Film& film)
     out.put(film.allocation);
     out.put(static_cast<std::uint32_t>(film.bias));
     out.put_array(film.passes.ranges);
+    put_parts(out, film.parts);
     out.put_sums(film.radiance);
     out.put_sums(film.narrow);
     out.put_sums(film.narrower);
@@ -100,6 +116,48 @@ ImagePlace get_place(StateReader& in, int width, int height)
     return place;
 }
 
+PixelRect get_rect(StateReader& in)
+{
+    PixelRect out;
+    for (int* edge : {&out.x0, &out.y0, &out.x1, &out.y1}) {
+        *edge = in.get<int>();
+        in.require(*edge >= 0 && *edge <= kMostSide, "rectangle of pixels");
+    }
+    return out;
+}
+
+/// Reads the parts of a film whose size and passes are known.
+std::vector<FilmPart> get_parts(StateReader& in, const Film& film)
+{
+    const auto size = in.get<std::uint64_t>();
+    in.require(size <= kMostFilmParts, "number of parts");
+    std::vector<FilmPart> out;
+    PassSet all;
+    std::uint64_t left = kMostPasses; // ranges, of all parts
+    for (std::uint64_t i = 0; i < size; ++i) {
+        const PixelRect pixels = get_rect(in);
+        out.push_back({pixels, {in.get_array<PassRange>(left)}});
+        in.require(is_valid(out.back().passes), "passes of a part");
+        left -= out.back().passes.ranges.size();
+        all = united(all, out.back().passes);
+    }
+    const bool whole = size == 1 && out[0].pixels == PixelRect{0, 0, film.width, film.height};
+    in.require(size == 0 ||
+                   (are_valid(out, film.width, film.height) && all == film.passes && !whole),
+               "part of the image");
+    return out;
+}
+
+/// Reads the image that a film has tiles of.
+PixelRect get_image(StateReader& in, const Film& film)
+{
+    const PixelRect image = get_rect(in), pixels = pixels_of(film);
+    const bool inside = common_pixels(image, pixels) == pixels &&
+                        image.x1 <= film.place.whole_width && image.y1 <= film.place.whole_height;
+    in.require(image == PixelRect() || (inside && image != pixels), "image of a tile");
+    return image;
+}
+
 Film get_film(StateReader& in)
 {
     Film film;
@@ -115,6 +173,7 @@ Film get_film(StateReader& in)
     film.bias = get_bias(in);
     film.passes.ranges = in.get_array<PassRange>(kMostPasses);
     in.require(is_valid(film.passes) && count(film.passes) <= kMostPasses, "set of passes");
+    film.parts = get_parts(in, film);
     const std::uint64_t narrow = film.bias == BiasKnowledge::from_radii ? kNarrowBatches : 0;
     film.radiance = get_sums(in, film, kBatches);
     film.narrow = get_sums(in, film, narrow);
@@ -147,11 +206,13 @@ ErrorCheck get_check(StateReader& in)
 RenderState unpack(StateReader& in)
 {
     RenderState state;
+    state.label = get_text(in);
     state.settings = get_settings(in);
     state.photons_per_pass = in.get<std::uint64_t>();
     state.radius_decay = in.get<double>();
     in.require(state.radius_decay > 0 && state.radius_decay < 1, "radius decay");
     state.film = get_film(in);
+    state.image = get_image(in, state.film);
     const auto checks = in.get<std::uint64_t>();
     in.require(checks <= kMostPasses, "number of checks");
     for (std::uint64_t i = 0; i < checks; ++i)
@@ -162,10 +223,20 @@ RenderState unpack(StateReader& in)
     return state;
 }
 
-/// Returns the checks of two films of disjoint passes that are of the first passes of both
-/// together.
+std::string text_of_tile(const RenderState& state)
+{
+    if (state.image.empty())
+        return "";
+    const PixelRect pixels = pixels_of(state.film);
+    return " of the tile at " + std::to_string(pixels.x0) + "," + std::to_string(pixels.y0);
+}
+
+/// Returns the checks of two films of the same pixels and disjoint passes that are of the first
+/// passes of both together.
 std::vector<ErrorCheck> common_checks(const RenderState& a, const RenderState& b)
 {
+    if (pixels_of(a.film) != pixels_of(b.film) || !a.film.parts.empty() || !b.film.parts.empty())
+        return {};
     const auto& of_a = a.film.passes.ranges;
     const auto& of_b = b.film.passes.ranges;
     if (of_a.empty() || of_b.empty())
@@ -191,11 +262,20 @@ void look_at_error(RenderState& state)
 
 void write_state(const std::filesystem::path& path, const RenderState& state)
 {
+    if (state.film.parts.size() > kMostFilmParts)
+        throw InputError(path.string() + ": the tiles of its image hold " +
+                         std::to_string(state.film.parts.size()) +
+                         " different sets of passes, and a "
+                         "state has at most " +
+                         std::to_string(kMostFilmParts) +
+                         "; render the tiles that are missing first");
     StateWriter out(path, kStateVersion);
+    put_text(out, state.label);
     put_settings(out, state.settings);
     out.put(state.photons_per_pass);
     out.put(state.radius_decay);
     put_film(out, state.film);
+    put_rect(out, state.image);
     out.put(static_cast<std::uint64_t>(state.checks.size()));
     for (const ErrorCheck& check : state.checks)
         put_check(out, check);
@@ -226,25 +306,54 @@ void check_settings(const std::filesystem::path& path, const std::vector<Setting
     }
 }
 
+PixelRect image_of(const RenderState& state)
+{
+    return state.image.empty() ? pixels_of(state.film) : state.image;
+}
+
+RenderState begin_merge(const RenderState& tile)
+{
+    const Film& film = tile.film;
+    const PixelRect image = image_of(tile);
+    RenderState out;
+    out.label = tile.label;
+    out.settings = tile.settings;
+    out.photons_per_pass = tile.photons_per_pass;
+    out.radius_decay = tile.radius_decay;
+    out.film = make_film(image.width(), image.height(), 1, film.bias, !film.cut.empty());
+    out.film.scale = film.scale;
+    out.film.allocation = film.allocation;
+    const ImagePlace place = {image.x0, image.y0, film.place.whole_width, film.place.whole_height};
+    if (image.width() != place.whole_width || image.height() != place.whole_height)
+        out.film.place = place;
+    if (tile.image.empty())
+        out.film.place = film.place;
+    return out;
+}
+
 void merge_state(RenderState& into, const RenderState& from, const std::filesystem::path& path)
 {
     check_settings(path, from.settings, into.settings);
     const Film& film = from.film;
-    if (film.width != into.film.width || film.height != into.film.height ||
-        film.place != into.film.place || film.scale != into.film.scale ||
-        film.allocation != into.film.allocation || film.bias != into.film.bias ||
-        film.cut.empty() != into.film.cut.empty())
+    const PixelRect pixels = pixels_of(film), all = pixels_of(into.film);
+    if (image_of(from) != image_of(into) || common_pixels(pixels, all) != pixels ||
+        film.scale != into.film.scale || film.allocation != into.film.allocation ||
+        film.bias != into.film.bias || film.cut.empty() != into.film.cut.empty())
         throw InputError(path.string() + ": its image has another size, place or unit, or another "
                                          "allocation of samples; render it again");
-    if (const auto pass = common_pass(into.film.passes, film.passes))
-        throw InputError(path.string() + ": pass " + std::to_string(*pass) +
+    const auto common = common_pass(moved(parts_of(film), pixels.x0, pixels.y0),
+                                    moved(parts_of(into.film), all.x0, all.y0));
+    if (common)
+        throw InputError(path.string() + ": pass " + std::to_string(common->pass) +
+                         text_of_tile(from) +
                          " is in another state too; render different passes with --first-pass");
-    if (count(into.film.passes) + count(film.passes) > kMostPasses)
+    if (count(united(into.film.passes, film.passes)) > kMostPasses)
         throw InputError(path.string() + ": more than " + std::to_string(kMostPasses) +
                          " passes in all; merge fewer states");
     into.checks = common_checks(into, from);
     merge_film(into.film, film);
     into.seconds += from.seconds;
+    into.label = std::min(into.label, from.label);
 }
 
 } // namespace hipmap

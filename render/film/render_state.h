@@ -10,15 +10,19 @@
 namespace hipmap {
 
 /// The version of the format of states.
-inline constexpr std::uint32_t kStateVersion = 6;
+inline constexpr std::uint32_t kStateVersion = 7;
 
 /// Everything needed to resume a render, or to merge it with others; docs/error.md.
 struct RenderState {
+    /// What a person calls the image: scene file and frame, in printable ASCII.  Nothing depends on
+    /// it.
+    std::string label;
     /// What makes its passes: scene, partition, options.  States that differ in one hold passes of
     /// different images.
     std::vector<Setting> settings;
     std::uint64_t photons_per_pass = 0; ///< light paths; costs count them
     double radius_decay = 2.0 / 3;      ///< alpha of docs/error.md (1), by which costs extrapolate
+    PixelRect image; ///< that tiles make up, of which the film holds some; empty: the film's pixels
     Film film;
     std::vector<ErrorCheck> checks; ///< by passes, each of so many of the film's first
     double seconds = 0;             ///< spent on its passes
@@ -50,9 +54,15 @@ RenderState read_state(const std::filesystem::path& path);
 void check_settings(const std::filesystem::path& path, const std::vector<Setting>& found,
                     const std::vector<Setting>& wanted);
 
-/// Adds the passes of `from`, read from `path`, to those of `into`: the same bits in any order of
-/// merging.  Keeps the checks that are of the merged film's first passes.  Throws InputError,
-/// naming `path`: other settings, or a pass that both have.
+/// Returns the pixels of the image that a state is for, in the whole image.
+PixelRect image_of(const RenderState& state);
+
+/// Makes a state of the same image as `tile`, of all its pixels and without passes.
+RenderState begin_merge(const RenderState& tile);
+
+/// Adds the passes of `from`, read from `path`, to those of `into`, whose film holds its pixels:
+/// the same bits in any order of merging.  Keeps the checks that are of the merged film's first
+/// passes.  Throws InputError, naming `path`: other settings, or a pass that both have of a pixel.
 void merge_state(RenderState& into, const RenderState& from, const std::filesystem::path& path);
 
 } // namespace hipmap

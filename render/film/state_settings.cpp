@@ -21,19 +21,8 @@ struct PutValue {
     void operator()(bool on) const { out.put(static_cast<std::uint8_t>(on)); }
     void operator()(std::uint64_t number) const { out.put(number); }
     void operator()(double number) const { out.put(number); }
-    void operator()(const std::string& text) const
-    {
-        out.put_array(std::vector<char>(text.begin(), text.end()));
-    }
+    void operator()(const std::string& text) const { put_text(out, text); }
 };
-
-std::string get_text(StateReader& in)
-{
-    const std::vector<char> text = in.get_array<char>(kLongestText);
-    in.require(std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c <= '~'; }),
-               "setting");
-    return {text.begin(), text.end()};
-}
 
 SettingValue get_value(StateReader& in)
 {
@@ -61,6 +50,18 @@ SettingValue get_value(StateReader& in)
 }
 
 } // namespace
+
+void put_text(StateWriter& out, const std::string& text)
+{
+    out.put_array(std::vector<char>(text.begin(), text.end()));
+}
+
+std::string get_text(StateReader& in)
+{
+    const std::vector<char> text = in.get_array<char>(kLongestText);
+    in.require(std::ranges::all_of(text, [](char c) { return c >= ' ' && c <= '~'; }), "text");
+    return {text.begin(), text.end()};
+}
 
 void put_settings(StateWriter& out, const std::vector<Setting>& settings)
 {

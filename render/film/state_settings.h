@@ -5,6 +5,12 @@
 
 namespace hipmap {
 
+/// Adds text, of printable ASCII, to a state's bytes.
+void put_text(StateWriter& out, const std::string& text);
+
+/// Reads what put_text wrote.  Throws InputError if it is too long or not printable ASCII.
+std::string get_text(StateReader& in);
+
 /// Adds settings to a state's bytes: names, the kind of each value and the value.
 void put_settings(StateWriter& out, const std::vector<Setting>& settings);
 

@@ -1,4 +1,5 @@
 #include "render/film/film.h"
+#include "tests/render/film/film_tile.h"
 
 #include <catch2/catch.hpp>
 
@@ -61,6 +62,37 @@ TEST_CASE("film: passes give the same bits in any order of adding and merging", 
             CHECK(merged == straight);
         }
         CHECK(film_image(film_of(passes, radii)).pixels == film_image(straight).pixels);
+    }
+}
+
+TEST_CASE("film: tiles put together in any order have the bits of the whole", "[film]")
+{
+    for (const bool radii : {false, true}) {
+        const Film whole = film_of({0, 1, 2, 3, 9, 10}, radii);
+        std::vector<Film> tiles;
+        for (const PixelRect& pixels :
+             {PixelRect{0, 0, 2, 3}, PixelRect{2, 0, 5, 1}, PixelRect{2, 1, 5, 3}}) {
+            tiles.push_back(film_tile(film_of({0, 1, 2}, radii), pixels));
+            tiles.push_back(film_tile(film_of({3, 9, 10}, radii), pixels));
+        }
+        std::mt19937 random(1);
+        for (int round = 0; round < 5; ++round) {
+            std::shuffle(tiles.begin(), tiles.end(), random);
+            Film merged = make_film(kWidth, kHeight, 2.0, whole.bias);
+            for (const Film& tile : tiles)
+                merge_film(merged, tile);
+            CHECK(merged == whole);
+        }
+        Film part = make_film(kWidth, kHeight, 2.0, whole.bias);
+        merge_film(part, tiles[0]);
+        REQUIRE(part.parts.size() == 1);
+        const Image own = film_image(tiles[0]), image = film_image(part);
+        for (int y = 0; y < kHeight; ++y)
+            for (int x = 0; x < kWidth; ++x) {
+                const int u = x - tiles[0].place.x, v = y - tiles[0].place.y;
+                const bool inside = u >= 0 && v >= 0 && u < own.width && v < own.height;
+                CHECK(image.at(x, y) == (inside ? own.at(u, v) : Rgb(0)));
+            }
     }
 }
 

@@ -1,5 +1,6 @@
 #include "render/film/error_cost.h"
 #include "render/film/image_error.h"
+#include "tests/render/film/film_tile.h"
 #include "tests/render/film/synthetic_passes.h"
 #include "tests/support/statistics.h"
 
@@ -155,6 +156,49 @@ TEST_CASE("image error: the noise told is right on average, whatever pixels shar
         CHECK(std::abs(off.mean()) < kMostZ * off.standard_error() + 0.02 * error * error);
         CHECK(off.standard_error() < 0.1 * error * error);
     }
+}
+
+TEST_CASE("image error: it is right where tiles hold more passes than others", "[film]")
+{
+    SyntheticPasses biased = with_bias(2, 0.2, 2);
+    biased.photon_noise = 0.02;
+    for (SyntheticPasses passes : {plain_noise(4, 0.1, 0.2), biased}) {
+        const Image truth = passes.truth();
+        const int side = passes.side;
+        RunningMean off, of_noise;
+        for (passes.seed = 0; passes.seed < 60; ++passes.seed) {
+            Film film = film_of(passes, 0, 0);
+            merge_film(film, film_tile(film_of(passes, 0, 6), {0, 0, side / 2, side}));
+            merge_film(film, film_tile(film_of(passes, 0, 40), {side / 2, 0, side, side}));
+            const double error = true_error(film_image(film), truth);
+            const ImageError told = *estimate_error(film);
+            off.add((told.noise2 + told.bias2) / (error * error) - 1);
+            of_noise.add(told.noise2 / (error * error));
+        }
+        INFO("off by " << off.mean() << " +- " << off.standard_error() << ", noise "
+                       << of_noise.mean());
+        // Weights and the clamp of the order make the bias told a little too large.
+        CHECK(std::abs(off.mean()) <
+              kMostZ * off.standard_error() + (passes.bias > 0 ? 0.1 : 0.02));
+        CHECK(off.standard_error() < 0.05);
+    }
+}
+
+TEST_CASE("image error: pixels that no pass holds do not count", "[film]")
+{
+    const SyntheticPasses passes = plain_noise(4, 0.1, 0.2);
+    const int side = passes.side;
+    const Film whole = film_of(passes, 0, 16);
+    const PixelRect half = {0, 0, side, side / 2};
+    Film film = film_of(passes, 0, 0);
+    CHECK_FALSE(estimate_error(film));
+    merge_film(film, film_tile(whole, half));
+    const ImageError told = *estimate_error(film), own = *estimate_error(film_tile(whole, half));
+    CHECK(told.noise2 == Approx(own.noise2).epsilon(0.01)); // its border has other neighbours
+    CHECK(told.high == Approx(own.high).epsilon(0.01));
+    Film single = film_of(passes, 0, 0);
+    merge_film(single, film_tile(film_of(passes, 3, 4), half));
+    CHECK_FALSE(estimate_error(single));
 }
 
 TEST_CASE("image error: bias of orders 1 and 2 is found from the radii", "[film]")

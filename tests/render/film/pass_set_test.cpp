@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <random>
 #include <set>
 
 using namespace hipmap;
@@ -52,6 +54,24 @@ TEST_CASE("pass set: counts, gaps and overlaps as of the single passes", "[film]
     }
     CHECK(common_pass(set, {{{3, 5}, {6, 7}}}) == 6);
     CHECK_FALSE(common_pass(set, {}));
+}
+
+TEST_CASE("pass set: unions and differences as of the single passes", "[film]")
+{
+    std::mt19937 random(1);
+    for (int round = 0; round < 200; ++round) {
+        std::set<std::uint64_t> a, b, either, only_a;
+        for (std::uint64_t pass = 0; pass < 12; ++pass) {
+            if (random() % 2 == 0)
+                a.insert(pass);
+            if (random() % 3 == 0)
+                b.insert(pass);
+        }
+        std::ranges::set_union(a, b, std::inserter(either, either.end()));
+        std::ranges::set_difference(a, b, std::inserter(only_a, only_a.end()));
+        CHECK(united(set_of(a), set_of(b)) == set_of(either));
+        CHECK(without(set_of(a), set_of(b)) == set_of(only_a));
+    }
 }
 
 TEST_CASE("pass set: ranges that are empty, out of order or that touch are not valid", "[film]")

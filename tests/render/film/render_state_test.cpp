@@ -67,6 +67,32 @@ TEST_CASE("render state: what is read is what was written", "[film]")
     CHECK(folder.file_count() == 1);
 }
 
+TEST_CASE("render state: tiles keep their place, and what is put together of them its parts",
+          "[film]")
+{
+    const TemporaryFolder folder;
+    RenderState tile = state_of(0, 3);
+    tile.label = "room.glb, frame 3";
+    tile.film.place = {6, 2, 12, 8};
+    tile.image = {0, 0, 12, 8};
+    RenderState merged = begin_merge(tile);
+    CHECK(merged.film.place == ImagePlace());
+    merge_state(merged, tile, "a");
+    CHECK(merged.film.parts == std::vector<FilmPart>{{{6, 2, 12, 8}, {{{0, 3}}}}});
+    CHECK_THAT(refusal([&] { merge_state(merged, tile, "b"); }),
+               Catch::Contains("b: pass 0 of the tile at 6,2 is in another"));
+    for (const RenderState& state : {tile, merged}) {
+        write_state(folder / "a.state", state);
+        CHECK(read_state(folder / "a.state") == state);
+    }
+    RenderState other = tile;
+    other.image = {0, 0, 12, 7};
+    CHECK_THAT(refusal([&] { merge_state(merged, other, "b"); }), Catch::Contains("another size"));
+    other = begin_merge(merged); // of what was put together
+    merge_state(other, merged, "c");
+    CHECK(other.film == merged.film);
+}
+
 TEST_CASE("render state: damaged files are refused, whatever the damage", "[film]")
 {
     const TemporaryFolder folder;
@@ -116,6 +142,28 @@ TEST_CASE("render state: values no render writes are refused, though the checksu
         [](RenderState& state) { state.film.lost[2] = 100; },
         [](RenderState& state) { state.film.lost[2] = 0; },
         [](RenderState& state) { state.settings[0].name = "scene\n"; },
+        [](RenderState& state) { state.label = "r\x80m"; },
+        [](RenderState& state) {
+            state.image = {0, 0, 9, 9};
+        },
+        [](RenderState& state) {
+            state.film.place = {1, 1, 9, 9};
+            state.image = {0, 0, 10, 9};
+        },
+        [](RenderState& state) {
+            state.film.place = {1, 1, 9, 9};
+            state.image = {2, 0, 9, 9};
+        },
+        [](RenderState& state) { state.film.parts = parts_of(state.film); },
+        [](RenderState& state) {
+            state.film.parts = {{{0, 0, 7, 6}, {{{0, 9}}}}};
+        },
+        [](RenderState& state) {
+            state.film.parts = {{{0, 0, 3, 6}, {{{0, 8}}}}};
+        },
+        [](RenderState& state) {
+            state.film.parts = {{{0, 0, 3, 6}, {{{0, 9}}}}, {{2, 0, 6, 6}, {{{0, 4}}}}};
+        },
         [](RenderState& state) { state.settings[0].value = "0123\n"; },
         [](RenderState& state) { state.settings[2].value = std::nan(""); },
         [](RenderState& state) { state.radius_decay = 0; },
