@@ -17,7 +17,7 @@ LEAVES = ["common", "common/math", "common/file", "common/image"]
 COMMON = ["common/scene", "common/rays", "common/partition", "common/command_line"]
 PREPROCESS = ["preprocess/mesh", "preprocess/partition", "preprocess/colouring"]
 RENDER = ["render/lobes", "render/media", "render/lights", "render/shading", "render/effects", "render/paths",
-          "render/photons", "render/maps", "render/dissertation", "render/film", "render/integrator", "render/layers"]
+          "render/photons", "render/maps", "render/dissertation", "render/film", "render/integrator", "render/layers", "render/many"]
 
 # Folder -> its headers that others in render may include, where these are not all.
 DOORS = {"render/dissertation": {"render/dissertation/dissertation.h"}}

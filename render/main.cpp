@@ -1,9 +1,11 @@
+#include "common/input_error.h"
 #include "common/report.h"
 #include "render/merge.h"
 #include "render/run_frames.h"
 #include "render/serve.h"
 #include "render/settings.h"
 
+#include <algorithm>
 #include <iostream>
 
 namespace {
@@ -11,6 +13,12 @@ namespace {
 /// kept: as in render_frames.
 int render_main(int argc, char** argv, hipmap::PreviousFrame* kept)
 {
+    // Before anything is printed, so that one process alone prints it.
+    std::optional<hipmap::Ranks> ranks;
+    if (kept == nullptr && std::any_of(argv, argv + argc, [](const char* word) {
+            return word == std::string_view("--mpi");
+        }))
+        ranks.emplace();
     hipmap::RenderArguments arguments;
     CLI::App app(
         "Renders a scene with photon maps split along its partition.  `render merge` "
@@ -19,10 +27,15 @@ int render_main(int argc, char** argv, hipmap::PreviousFrame* kept)
         hipmap::started_as(argv[0]));
     app.set_version_flag("--version", "render " HIPMAP_VERSION);
     hipmap::add_arguments(app, arguments);
+    const bool works = ranks && !ranks->leads();
     if (const std::optional<int> code = hipmap::parse_arguments(app, argc, argv))
-        return *code;
-    hipmap::complete_arguments(arguments);
+        return works ? hipmap::kExitDone : *code;
     arguments.command = hipmap::command_of("render", argc, argv);
+    if (ranks)
+        return hipmap::render_in_ranks(std::move(arguments), *ranks);
+    if (arguments.mpi)
+        throw hipmap::InputError("--mpi: render serve renders in one process; leave it out");
+    hipmap::complete_arguments(arguments);
     return hipmap::render_frames(arguments, kept);
 }
 

@@ -77,6 +77,7 @@ struct RenderArguments {
     std::optional<Tile> tile; ///< none: all of that
     PixelRect tiled;          ///< the pixels that have tiles, once the frame is known; empty: none
     unsigned threads = 0;     ///< 0: all cores
+    bool mpi = false;         ///< one of several processes started by mpirun
     ProgressFormat progress = ProgressFormat::text;
     bool verbose = false;
 };

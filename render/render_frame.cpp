@@ -8,6 +8,7 @@
 #include "render/integrator/moving_source.h"
 #include "render/layers/surface_layers.h"
 #include "render/live_images.h"
+#include "render/many/run_ranks.h"
 #include "render/seen_objects.h"
 
 namespace hipmap {
@@ -103,8 +104,9 @@ RunControl make_control(const FramePlace* place, const FrameControl& frame, Live
     return control;
 }
 
+/// ranks: null: one process.
 RunResult run_and_save(const RenderArguments& arguments, const PassSource& source,
-                       RunControl control, RenderState& state)
+                       RunControl control, RenderState& state, Ranks* ranks)
 {
     std::uint64_t saved = count(state.film.passes);
     control.save = [&](const RenderState& now) {
@@ -114,8 +116,9 @@ RunResult run_and_save(const RenderArguments& arguments, const PassSource& sourc
         write_state(arguments.files.state, now);
         saved = count(now.film.passes);
     };
-    RunResult out = run_passes(source, arguments.stops, control, state);
-    control.save(state);
+    RunResult out = ranks != nullptr ? run_ranks(source, arguments.stops, control, state, *ranks)
+                                     : run_passes(source, arguments.stops, control, state);
+    together(ranks, [&] { control.save(state); });
     return out;
 }
 
@@ -142,7 +145,7 @@ void look_at_image(const RenderScene& scene, const RenderOptions& options, Rende
 {
     if (!frame.state.checks.empty())
         frame.fireflies = find_fireflies(frame.state.film, frame.state.checks.back().error);
-    if (shows_nothing(frame.result.image))
+    if (!frame.result.image.pixels.empty() && shows_nothing(frame.result.image))
         frame.seen = describe_seen(scene, options);
 }
 
@@ -186,7 +189,7 @@ RenderedFrame render_passes(PreparedFrame& frame, SceneSource& source, PreviousF
     };
     LiveImages images(frame.arguments, surfaces);
     out.result = run_and_save(frame.arguments, passes, make_control(place, control, images, report),
-                              out.state);
+                              out.state, control.ranks);
     surfaces();
     look_at_image(scene, frame.arguments.render, out);
     if (place != nullptr)
@@ -199,6 +202,13 @@ RenderedFrame render_passes(PreparedFrame& frame, SceneSource& source, PreviousF
     return out;
 }
 
+/// The lead decides for all ranks: it alone reads states.
+bool is_unchanged(const PreparedFrame& frame, const PreviousFrame& previous, Ranks* ranks)
+{
+    const bool out = previous.rendered && previous.settings == frame.settings && !frame.found;
+    return ranks != nullptr ? ranks->from_lead(out ? 1 : 0) != 0 : out;
+}
+
 } // namespace
 
 RenderedFrame render_frame(PreparedFrame& frame, SceneSource& source, PreviousFrame* previous,
@@ -206,12 +216,14 @@ RenderedFrame render_frame(PreparedFrame& frame, SceneSource& source, PreviousFr
 {
     if (previous == nullptr)
         return render_passes(frame, source, previous, control, report);
-    if (previous->rendered && previous->settings == frame.settings && !frame.found) {
+    if (is_unchanged(frame, *previous, control.ranks)) {
         report.detail("frame unchanged: reusing the previous image");
         RenderedFrame out = *previous->rendered;
         out.state.label = label_of(frame.arguments);
-        if (!frame.arguments.files.state.empty())
-            write_state(frame.arguments.files.state, out.state);
+        together(control.ranks, [&] {
+            if (!frame.arguments.files.state.empty())
+                write_state(frame.arguments.files.state, out.state);
+        });
         out.resumed = count(out.state.film.passes);
         out.seconds_rays = 0;
         return out;

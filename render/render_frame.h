@@ -1,6 +1,7 @@
 #pragma once
 
 #include "common/report.h"
+#include "render/many/ranks.h"
 #include "render/prepare_frame.h"
 #include "render/previous_frame.h"
 #include "render/progress_lines.h"
@@ -11,6 +12,7 @@ namespace hipmap {
 struct FrameControl {
     const std::atomic<bool>& stop;  ///< set from outside to end early
     ProgressLines* lines = nullptr; ///< null: no program reads the progress
+    Ranks* ranks = nullptr;         ///< null: one process renders
 };
 
 /// Renders a frame, or takes the image of the previous one if nothing has changed.  Writes the

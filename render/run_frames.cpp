@@ -75,29 +75,17 @@ void print_place(const RenderedFrame& rendered, FramePlace& place, Report& repor
                             : ""));
 }
 
-/// previous: the previous frame, and this one afterwards; null: there is none.
-int render(const RenderArguments& request, SceneSource& source, PreviousFrame* previous)
+/// What the frames of a run share.
+struct FrameRun {
+    SceneSource& source;
+    PreviousFrame* previous = nullptr; ///< the previous frame, and this one afterwards; null: there
+                                       ///< is none
+    Ranks* ranks = nullptr;            ///< null: one process renders
+};
+
+/// Says how a render ended, and returns its exit code.
+int end_of(const RenderedFrame& rendered, FramePlace* place, Report& report)
 {
-    Report report(request.verbose);
-    const ThreadLimit threads(request.threads);
-    PreparedFrame frame = prepare_frame(request, source);
-    if (request.explain) {
-        print_audit(report, frame.loaded.audit);
-        explain(frame.effects, report);
-        return kExitDone;
-    }
-    FramePlace* const place = place_of(previous);
-    print_preparation(frame, place, report);
-    std::signal(SIGINT, ask_to_stop);
-    std::signal(SIGTERM, ask_to_stop);
-    std::optional<ProgressLines> lines;
-    if (request.progress == ProgressFormat::json)
-        lines.emplace(std::cout, frame.arguments);
-    const FrameControl control = {g_stop, lines ? &*lines : nullptr};
-    const RenderedFrame rendered = render_frame(frame, source, previous, control, report);
-    write_results(frame, rendered, place, report);
-    if (lines)
-        lines->end(rendered.result, rendered.state);
     if (rendered.result.reason == StopReason::caller) {
         const std::uint64_t passes = count(rendered.state.film.passes);
         report.line("stopped by a signal " +
@@ -111,25 +99,89 @@ int render(const RenderArguments& request, SceneSource& source, PreviousFrame* p
     return kExitDone;
 }
 
-} // namespace
-
-int render_frames(const RenderArguments& arguments, PreviousFrame* kept)
+int render(const RenderArguments& request, const FrameRun& run)
 {
-    for_each_frame_of(arguments, [](const RenderArguments& one) {
-        check_outputs(one.files);
+    Report report(request.verbose);
+    const ThreadLimit threads(request.threads);
+    PreparedFrame frame;
+    together(run.ranks, [&] { frame = prepare_frame(request, run.source); });
+    if (request.explain) {
+        print_audit(report, frame.loaded.audit);
+        explain(frame.effects, report);
         return kExitDone;
+    }
+    FramePlace* const place = place_of(run.previous);
+    print_preparation(frame, place, report);
+    std::signal(SIGINT, ask_to_stop);
+    std::signal(SIGTERM, ask_to_stop);
+    std::optional<ProgressLines> lines;
+    if (request.progress == ProgressFormat::json)
+        lines.emplace(std::cout, frame.arguments);
+    const FrameControl control = {g_stop, lines ? &*lines : nullptr, run.ranks};
+    const RenderedFrame rendered = render_frame(frame, run.source, run.previous, control, report);
+    together(run.ranks, [&] {
+        if (run.ranks == nullptr || run.ranks->leads())
+            write_results(frame, rendered, place, report);
+    });
+    if (lines)
+        lines->end(rendered.result, rendered.state);
+    return end_of(rendered, place, report);
+}
+
+/// ranks: null: one process renders.
+int render_all(const RenderArguments& arguments, PreviousFrame* kept, Ranks* ranks)
+{
+    std::optional<SceneSource> source;
+    together(ranks, [&] {
+        for_each_frame_of(arguments, [](const RenderArguments& one) {
+            check_outputs(one.files);
+            return kExitDone;
+        });
+        source.emplace(arguments.scene, arguments.scene_options);
     });
     const std::vector<std::filesystem::path>& images = arguments.files.images;
     if (arguments.frames.last > arguments.frames.first && !arguments.files.exposure_ev &&
         std::any_of(images.begin(), images.end(), is_exposed))
         Report().line("assumed: each frame gets its own exposure, so brightness may jump; "
                       "--exposure EV fixes it");
-    SceneSource source(arguments.scene, arguments.scene_options);
     PreviousFrame previous;
     previous.place.all = arguments.frames.last - arguments.frames.first + 1;
     PreviousFrame* const shared = place_of(&previous) != nullptr ? &previous : kept;
-    return for_each_frame_of(
-        arguments, [&](const RenderArguments& one) { return render(one, source, shared); });
+    return for_each_frame_of(arguments, [&](const RenderArguments& one) {
+        return render(one, {*source, shared, ranks});
+    });
+}
+
+/// The lead alone writes files and tells a program its progress.
+void leave_to_lead(RenderArguments& arguments)
+{
+    arguments.files = {};
+    arguments.progress = ProgressFormat::text;
+}
+
+} // namespace
+
+int render_frames(const RenderArguments& arguments, PreviousFrame* kept)
+{
+    return render_all(arguments, kept, nullptr);
+}
+
+int render_in_ranks(RenderArguments arguments, Ranks& ranks)
+{
+    try {
+        ranks.together([&] { complete_arguments(arguments); });
+        Report(arguments.verbose)
+            .detail(counted(static_cast<std::size_t>(ranks.count()), "process", "processes"));
+        if (!ranks.leads())
+            leave_to_lead(arguments);
+        const int code = render_all(arguments, nullptr, &ranks);
+        return ranks.leads() ? code : kExitDone;
+    } catch (const std::exception& error) {
+        ranks.abort(error.what());
+        if (ranks.leads())
+            throw;
+        return kExitDone;
+    }
 }
 
 } // namespace hipmap

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/many/ranks.h"
 #include "render/options.h"
 #include "render/previous_frame.h"
 
@@ -10,5 +11,10 @@ namespace hipmap {
 /// animation; this run leaves its own there.  null: nothing is kept, which a range of frames does
 /// not need.  Throws InputError for bad input.
 int render_frames(const RenderArguments& arguments, PreviousFrame* kept = nullptr);
+
+/// Renders as render_frames does, as one of the processes that mpirun started.  arguments: as
+/// parsed, not completed.  Returns the exit code on the lead.  Workers return kExitDone whatever
+/// happens, because mpirun ends all processes when one fails, maybe before the lead printed why.
+int render_in_ranks(RenderArguments arguments, Ranks& ranks);
 
 } // namespace hipmap

@@ -332,6 +332,11 @@ std::vector<OptionRow> speed_rows(RenderArguments& arguments)
              .section = kRunSection,
              .field = number_field(arguments.photon_cache_mib, {0, kMostMib}, "MIB"),
              .help = "MiB for photon maps that further frames reuse while only the camera moves"},
+            {.name = "mpi",
+             .section = kRunSection,
+             .field = flag_field(arguments.mpi),
+             .help = "Share the passes with the other processes that mpirun started: mpirun -n N "
+                     "render ... --mpi. The image is the same, bit for bit"},
             {.name = "progress",
              .section = kRunSection,
              .field = choice_field<ProgressFormat>(arguments.progress, kProgressFormats, "FORMAT"),

@@ -1,0 +1,216 @@
+#include "render/many/run_ranks.h"
+
+#include "render/many/pass_queue.h"
+
+#include <cassert>
+#include <thread>
+
+namespace hipmap {
+
+namespace {
+
+/// The answer of the lead whether another round begins, as from_lead carries it.
+constexpr std::uint64_t kAnotherRound = 100;
+
+Film empty_like(const Film& film)
+{
+    Film out = make_film(film.width, film.height, 1, film.bias, !film.cut.empty());
+    out.scale = film.scale;
+    out.place = film.place;
+    out.allocation = film.allocation;
+    return out;
+}
+
+/// All of a film but its sums, as words: saturated, number of ranges, ranges, lost.
+std::vector<std::uint64_t> words_of(const Film& film)
+{
+    std::vector<std::uint64_t> out = {film.saturated, film.passes.ranges.size()};
+    for (const PassRange& range : film.passes.ranges)
+        out.insert(out.end(), {range.first, range.end});
+    for (const auto& [key, passes] : film.lost)
+        out.insert(out.end(), {key, passes});
+    return out;
+}
+
+void add_words(const std::vector<std::uint64_t>& words, Film& film)
+{
+    film.saturated += words[0];
+    const std::size_t lost = 2 + 2 * words[1];
+    for (std::size_t i = 2; i < lost; i += 2)
+        film.passes = united(film.passes, {{{words[i], words[i + 1]}}});
+    for (std::size_t i = lost; i < words.size(); i += 2)
+        film.lost[words[i]] += static_cast<std::uint32_t>(words[i + 1]);
+}
+
+/// Adds up what the ranks rendered in a round; leaves the film of the round of each rank empty.
+void collect(Film& round, Film* into, Ranks& ranks)
+{
+    ranks.wait();
+    const std::vector<std::vector<std::uint64_t>> words = ranks.gather(words_of(round));
+    for (std::vector<std::int64_t> Film::*sums :
+         {&Film::radiance, &Film::narrow, &Film::narrower, &Film::cut})
+        ranks.add_up(round.*sums);
+    if (into != nullptr) {
+        round.saturated = 0;
+        round.passes = {};
+        round.lost = {};
+        for (const std::vector<std::uint64_t>& of_rank : words)
+            add_words(of_rank, round);
+        merge_film(*into, round);
+    }
+    round = empty_like(round);
+}
+
+/// Renders a pass into the film of a round, if it is not stopped; keeps the pixels of one that is.
+void render_into(Film& round, const PassSource& source, std::uint64_t pass,
+                 const PassControl& control, Image* unfinished)
+{
+    const RenderedPass rendered = source.render(pass, control);
+    if (rendered.whole)
+        add_pass(round, pass, rendered.images);
+    else if (unfinished != nullptr)
+        *unfinished = rendered.images.radiance;
+}
+
+/// The lead's part.
+class Lead {
+  public:
+    Lead(const PassSource& source, const StopRules& rules, const RunControl& control,
+         RenderState& state, Ranks& ranks)
+        : source_(source), rules_(rules), control_(control), state_(state), ranks_(ranks),
+          queue_(rules, control.stop, ranks.count()), begun_(passes()), spent_(state.seconds)
+    {
+    }
+
+    std::optional<StopReason> reason_to_stop() const
+    {
+        const std::optional<StopReason> reason = queue_.reason_to_stop(state_.film.passes);
+        const bool met = rules_.error > 0 && !state_.checks.empty() &&
+                         state_.checks.back().passes == passes() && passes() >= kFewestBatches &&
+                         state_.checks.back().error.error <= rules_.error;
+        return met && reason != StopReason::caller ? StopReason::error : reason;
+    }
+
+    void render_round(Film& round)
+    {
+        queue_.begin_round(state_.film.passes);
+        std::thread service([&] {
+            ranks_.serve([&](int rank, bool stopped) { return queue_.next(rank, stopped); });
+        });
+        PassControl pass;
+        pass.stop = control_.stop;
+        pass.progress = [this](double /*part*/) { tell(); };
+        while (const auto number = queue_.next(0, false))
+            render_into(round, source_, *number, pass, &unfinished_);
+        service.join();
+    }
+
+    /// Saves and looks, after the films were added up.
+    void end_round()
+    {
+        state_.seconds = spent_ + queue_.seconds();
+        if (rules_.error > 0)
+            look_at_error(state_);
+        if (control_.pass)
+            control_.pass(state_);
+        if (control_.save && !reason_to_stop())
+            control_.save(state_);
+    }
+
+    Image& unfinished() { return unfinished_; }
+
+  private:
+    std::uint64_t passes() const { return count(state_.film.passes); }
+
+    /// The passes after which the rules end the run; none: not known.
+    std::optional<double> passes_needed() const
+    {
+        std::optional<double> out;
+        if (rules_.passes != kMostPasses)
+            out = static_cast<double>(rules_.passes);
+        if (rules_.error > 0 && !state_.checks.empty()) {
+            const ErrorLaw law = error_law(state_.checks, state_.radius_decay);
+            const double needed = passes_for(law, rules_.error);
+            out = std::min(out.value_or(needed), needed);
+        }
+        return out && std::isfinite(*out) ? out : std::nullopt;
+    }
+
+    void tell() const
+    {
+        if (!control_.progress)
+            return;
+        const auto rendered = static_cast<double>(queue_.rendered());
+        RunProgress progress;
+        progress.passes = begun_ + queue_.rendered();
+        const std::optional<double> needed = passes_needed();
+        if (needed && *needed > static_cast<double>(begun_))
+            progress.done = std::min(rendered / (*needed - static_cast<double>(begun_)), 1.0);
+        if (std::isfinite(rules_.seconds))
+            progress.done = std::max(progress.done.value_or(0), queue_.seconds() / rules_.seconds);
+        if (progress.done && *progress.done > 0)
+            progress.left = queue_.seconds() * (1 / *progress.done - 1);
+        if (!state_.checks.empty())
+            progress.error = state_.checks.back().error;
+        control_.progress(progress);
+    }
+
+    const PassSource& source_;
+    const StopRules& rules_;
+    const RunControl& control_;
+    RenderState& state_;
+    Ranks& ranks_;
+    PassQueue queue_;
+    const std::uint64_t begun_;
+    const double spent_; ///< s, before this run
+    Image unfinished_;
+};
+
+RunResult lead(Lead& run, RenderState& state, const PassSource& source, Ranks& ranks)
+{
+    Film round = empty_like(state.film);
+    std::optional<StopReason> reason;
+    while (!(reason = run.reason_to_stop())) {
+        ranks.from_lead(kAnotherRound);
+        run.render_round(round);
+        collect(round, &state.film, ranks);
+        ranks.together([&] { run.end_round(); });
+    }
+    ranks.from_lead(static_cast<std::uint64_t>(*reason));
+    look_at_error(state);
+    RunResult out{*reason, std::move(run.unfinished())};
+    if (!state.film.passes.ranges.empty())
+        out.image = film_image(state.film);
+    else if (out.image.pixels.empty())
+        out.image = Image(source.width, source.height);
+    return out;
+}
+
+RunResult work(const PassSource& source, const RunControl& control, const Film& film, Ranks& ranks)
+{
+    Film round = empty_like(film);
+    PassControl pass;
+    pass.stop = control.stop;
+    std::uint64_t word = 0;
+    while ((word = ranks.from_lead(0)) == kAnotherRound) {
+        const auto stopped = [&] { return control.stop != nullptr && control.stop->load(); };
+        while (const auto number = ranks.ask(stopped()))
+            render_into(round, source, *number, pass, nullptr);
+        collect(round, nullptr, ranks);
+        ranks.together([] {});
+    }
+    return {static_cast<StopReason>(word), {}};
+}
+
+} // namespace
+
+RunResult run_ranks(const PassSource& source, const StopRules& rules, const RunControl& control,
+                    RenderState& state, Ranks& ranks)
+{
+    if (!ranks.leads())
+        return work(source, control, state.film, ranks);
+    Lead run(source, rules, control, state, ranks);
+    return lead(run, state, source, ranks);
+}
+
+} // namespace hipmap
