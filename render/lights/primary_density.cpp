@@ -8,6 +8,10 @@ namespace hipmap {
 
 namespace {
 
+/// A cell this dense is not halved further.  Powers are stored as parts of the largest in 16 bits
+/// (packed by photon_powers.h), so those of far denser paths would be rounded coarsely.
+constexpr double kMostDensity = 256;
+
 constexpr std::uint32_t kDimensions = 2 * kPrimarySteps;
 constexpr std::size_t kBins = 8; ///< that a cell is looked at in, along each dimension
 constexpr int kMostDepth = 48;
@@ -244,6 +248,8 @@ PrimaryDensity mixed_with_even(const LearntDensity& learnt, double even)
     };
     for (std::size_t i = 0; i < out.nodes.size(); ++i) { // a node comes before its halves
         PrimaryDensity::Node& node = out.nodes[i];
+        if (learnt.node_share[i] > kMostDensity * volume[i])
+            node.lower = 0;
         if (node.lower == 0)
             continue;
         volume[node.lower] = volume[node.lower + 1] = volume[i] / 2;

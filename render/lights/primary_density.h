@@ -55,7 +55,7 @@ struct LearntDensity {
 /// log points).
 LearntDensity learn_density(std::span<const PrimaryWorth> points, double alike);
 
-/// Returns the density of which a share `even` is spread evenly.
+/// Returns the density of which a share `even` is spread evenly.  It stays below 512.
 PrimaryDensity mixed_with_even(const LearntDensity& learnt, double even);
 
 } // namespace hipmap

@@ -76,3 +76,17 @@ TEST_CASE("primary density: draws where worth is, by the density that it says", 
     CHECK(std::abs(worth.z_score(0.01)) < kMostZ);
     CHECK(std::abs(volume.z_score(1)) < kMostZ);
 }
+
+TEST_CASE("primary density: worth in a speck makes no cell too dense for stored powers", "[lights]")
+{
+    std::vector<PrimaryWorth> points(4000);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        points[i] = {even_sample(i), 1, 1};
+        for (glm::vec2& step : points[i].at)
+            step = 0.3f + 0.001f * step;
+    }
+    const PrimaryDensity density = mixed_with_even(learn_density(points, 64), 0.25);
+    const double there = density_at(density, points[0].at);
+    CHECK(there > 100);
+    CHECK(there < 512);
+}
