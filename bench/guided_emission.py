@@ -79,7 +79,8 @@ def page(options, rows):
         f"{options.seconds:g} s on all cores, against {options.reference:g} s of another seed, which "
         "has noise of its own. [light_transport.md](light_transport.md) (41) says how paths are "
         "guided.",
-        *(["`before` is the version without guides, and with the weights of (21) before (42)."]
+        *(["`before` is the version without guides, and with the weights of (21) before (42). In the other "
+            "columns gather rays are guided, (43)."]
           if options.before else []),
         "", "| scene | " + " | ".join(kinds) + f" | {kinds[0]} over guided |",
         "| --- |" + " --- |" * (len(kinds) + 1)]
