@@ -26,7 +26,7 @@ Batches filled_batches(const PassSet& passes, std::uint64_t batches)
     return out;
 }
 
-/// Of the pixels that hold passes.
+/// Returns the mean over the channels of those pixels that hold passes.
 double mean_of_channels(const Film& film, const Image& image)
 {
     double sum = 0, pixels = 0;

@@ -260,6 +260,13 @@ void look_at_error(RenderState& state)
         state.checks.push_back({passes, state.seconds, *error});
 }
 
+bool error_is_met(const RenderState& state, double error)
+{
+    const std::uint64_t passes = count(state.film.passes);
+    return error > 0 && !state.checks.empty() && state.checks.back().passes == passes &&
+           passes >= kFewestBatches && state.checks.back().error.error <= error;
+}
+
 void write_state(const std::filesystem::path& path, const RenderState& state)
 {
     if (state.film.parts.size() > kMostFilmParts)

@@ -32,6 +32,10 @@ struct RenderState {
 /// Records the current error, unless it was already recorded at this number of passes.
 void look_at_error(RenderState& state);
 
+/// Returns whether the error recorded after the last pass is at most `error` and has an interval.
+/// error: 0: none is asked for, and none is met.
+bool error_is_met(const RenderState& state, double error);
+
 /// Writes a state to a temporary name, syncs and renames it: if the program is killed, the old
 /// state or the new one is there.  Throws InputError if the file cannot be written.
 void write_state(const std::filesystem::path& path, const RenderState& state);
@@ -61,8 +65,9 @@ PixelRect image_of(const RenderState& state);
 RenderState begin_merge(const RenderState& tile);
 
 /// Adds the passes of `from`, read from `path`, to those of `into`, whose film holds its pixels:
-/// the same bits in any order of merging.  Keeps the checks that are of the merged film's first
-/// passes.  Throws InputError, naming `path`: other settings, or a pass that both have of a pixel.
+/// the same bits in any order of merging.  Of the checks it keeps those of the first passes of the
+/// merged film.  Throws InputError, naming `path`: other settings, or a pass that both have of a
+/// pixel.
 void merge_state(RenderState& into, const RenderState& from, const std::filesystem::path& path);
 
 } // namespace hipmap

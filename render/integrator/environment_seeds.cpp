@@ -5,8 +5,6 @@
 
 #include <tbb/parallel_for.h>
 
-#include <array>
-
 namespace hipmap {
 
 namespace {

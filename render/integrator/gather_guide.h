@@ -14,7 +14,7 @@ namespace hipmap {
 struct GatherGuide {
     static constexpr std::uint32_t kLeaf = 3; ///< as an axis
 
-    /// Of a tree over the places of a side of a map.  The lower child follows its parent.
+    /// A node of the tree over the points of one side of a map; its lower child comes next.
     struct Node {
         float split = 0;
         std::uint32_t axis = kLeaf; ///< coordinate that is split; kLeaf: none

@@ -35,7 +35,7 @@ class Run {
             return StopReason::caller;
         if (passes() >= rules_.passes)
             return StopReason::passes;
-        if (error_is_met())
+        if (error_is_met(state_, rules_.error))
             return StopReason::error;
         // No pass is begun that would not be over in time.
         if (!times_.whole.empty() && watch_.seconds() + times_.slowest() > rules_.seconds)
@@ -77,13 +77,6 @@ class Run {
 
   private:
     std::uint64_t passes() const { return count(state_.film.passes); }
-
-    bool error_is_met() const
-    {
-        return rules_.error > 0 && !state_.checks.empty() &&
-               state_.checks.back().passes == passes() && passes() >= kFewestBatches &&
-               state_.checks.back().error.error <= rules_.error;
-    }
 
     /// After which the error is met at a check; none: not known yet, docs/error.md (12).
     std::optional<double> passes_to_error() const

@@ -40,9 +40,9 @@ glm::dvec2 place_towards(const EnvironmentMap& map, const glm::vec3& direction)
     return {u * width, v * height};
 }
 
-Pixel pixel_towards(const EnvironmentMap& map, const glm::vec3& direction)
+/// Returns the pixel at a place in the map.
+Pixel pixel_at(const EnvironmentMap& map, const glm::dvec2& at)
 {
-    const glm::dvec2 at = place_towards(map, direction);
     return {std::min(static_cast<int>(at.x), map.radiance.width - 1),
             std::min(static_cast<int>(at.y), map.radiance.height - 1)};
 }
@@ -124,7 +124,7 @@ std::uint64_t checksum(const EnvironmentMap& map)
 
 MapPoint at_direction(const EnvironmentMap& map, const glm::vec3& direction)
 {
-    const Pixel pixel = pixel_towards(map, direction);
+    const Pixel pixel = pixel_at(map, place_towards(map, direction));
     const float* const row =
         map.columns.data() + static_cast<std::ptrdiff_t>(pixel.y) * map.radiance.width;
     return {map.radiance.at(pixel.x, pixel.y),
@@ -149,11 +149,12 @@ glm::vec3 sample_direction(const EnvironmentMap& map, const glm::vec2& u)
 glm::vec2 direction_sample_of(const EnvironmentMap& map, const glm::vec3& direction)
 {
     const int width = map.radiance.width;
-    const Pixel pixel = pixel_towards(map, direction);
+    const glm::dvec2 place = place_towards(map, direction);
+    const Pixel pixel = pixel_at(map, place);
     const float* const row = map.columns.data() + static_cast<std::ptrdiff_t>(pixel.y) * width;
     const double upper = edge_cosine(map, pixel.y);
     const double down = (double{direction.y} - upper) / (edge_cosine(map, pixel.y + 1) - upper);
-    const double across = place_towards(map, direction).x - pixel.x;
+    const double across = place.x - pixel.x;
     return {static_cast<float>(row[pixel.x] - (1 - across) * probability(row, pixel.x)),
             static_cast<float>(map.rows[static_cast<std::size_t>(pixel.y)] -
                                (1 - down) * probability(map.rows.data(), pixel.y))};

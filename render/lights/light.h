@@ -54,8 +54,8 @@ bool can_be_met(const Light& light);
 EmittedPath sample_emission(const Light& light, const PathPlace& path, RandomSequence& random);
 EmittedPath sample_aimed_emission(const Light& light, const PathPlace& path,
                                   const std::vector<TargetSphere>& targets, RandomSequence& random);
-/// Returns the random numbers by which `sample_emission` draws a path along a ray, if the light is
-/// of a kind that knows them.  The last steps are zero where it draws fewer.
+/// Returns the random numbers by which `sample_emission` draws a path along a ray; nothing for
+/// kinds of light without a `primary_of`.  Steps that `sample_emission` does not use are zero.
 std::optional<PrimarySample> primary_of(const Light& light, const Ray& ray);
 glm::dvec3 power(const Light& light);
 std::optional<LightBounds> bounds(const Light& light);

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kQuestion = 1, kAnswer = 2; // tags
 constexpr int kLead = 0;
-/// What a worker is told instead of a number.
+/// Answer to a worker when no pass is left for it.
 constexpr std::uint64_t kNothing = ~std::uint64_t{0};
 /// The numbers that are added up at once: 8 MiB, far below the largest count of MPI.
 constexpr std::size_t kChunk = std::size_t{1} << 20;

@@ -85,9 +85,7 @@ class Lead {
     std::optional<StopReason> reason_to_stop() const
     {
         const std::optional<StopReason> reason = queue_.reason_to_stop(state_.film.passes);
-        const bool met = rules_.error > 0 && !state_.checks.empty() &&
-                         state_.checks.back().passes == passes() && passes() >= kFewestBatches &&
-                         state_.checks.back().error.error <= rules_.error;
+        const bool met = error_is_met(state_, rules_.error);
         return met && reason != StopReason::caller ? StopReason::error : reason;
     }
 

@@ -15,7 +15,8 @@ struct EmissionSeed {
 };
 
 /// Learns the guide of one kind of light path (those not aimed, or the aimed ones) in rounds, each
-/// of which traces paths by the guide learnt from the rounds before.  docs/light_transport.md (41).
+/// of which draws its paths from the guide that all earlier rounds gave.  docs/light_transport.md
+/// (41).
 class GuideLearner {
   public:
     /// by_power: even_guide.  seeds: from which the guide of the first round is made; none: it is

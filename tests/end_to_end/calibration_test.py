@@ -126,9 +126,9 @@ class Command(unittest.TestCase):
         results = json.loads(self.notebook.read_text())
         results["about"]["programs"] = "others"
         self.notebook.write_text(json.dumps(results))
-        steps, (anew,) = self.calibrate(2)
+        steps, (repeated,) = self.calibrate(2)
         self.assertEqual(steps[-1], "[4/4]")
-        self.assertEqual(anew["images"][0]["true"], self.whole["images"][0]["true"])
+        self.assertEqual(repeated["images"][0]["true"], self.whole["images"][0]["true"])
 
 
 class Notebooks(unittest.TestCase):

@@ -54,13 +54,6 @@ class Mpi(ToolsTestCase):
         self.assertEqual(mpirun.returncode, code, said)
         return said
 
-    def same(self, *images):
-        contents = []
-        for image in images:
-            with open(self.path(image), "rb") as file:
-                contents.append(file.read())
-        self.assertEqual(contents.count(contents[0]), len(contents), images)
-
     def test_any_number_of_processes_has_the_bits_of_one(self):
         for rule in (("--passes", 13), ("--error", "15%")) if SOAK else (("--error", "15%"),):
             self.succeed("render", *self.options("one.pfm", *rule))

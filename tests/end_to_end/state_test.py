@@ -38,13 +38,6 @@ class State(ToolsTestCase):
         with open(self.path(name), encoding="utf-8") as file:
             return json.load(file)
 
-    def same(self, *images):
-        contents = []
-        for image in images:
-            with open(self.path(image), "rb") as file:
-                contents.append(file.read())
-        self.assertEqual(contents.count(contents[0]), len(contents), images)
-
     def kill(self, command, seconds):
         """Whether the render had gone on with a state when it was killed, if it was in time."""
         with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as render:

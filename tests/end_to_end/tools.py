@@ -30,6 +30,14 @@ class ToolsTestCase(unittest.TestCase):
     def path(self, name):
         return os.path.join(self.folder, name)
 
+    def same(self, *names):
+        """Files of the folder that are to have the same bytes."""
+        contents = []
+        for name in names:
+            with open(self.path(name), "rb") as file:
+                contents.append(file.read())
+        self.assertEqual(contents.count(contents[0]), len(contents), names)
+
     def succeed(self, tool, *arguments):
         """Runs a tool that is to succeed; returns what it printed on standard error."""
         done = run(tool, *arguments)

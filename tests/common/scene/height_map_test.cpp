@@ -56,7 +56,7 @@ TEST_CASE("height map: beyond its edge it repeats, or stays as it is", "[scene][
     CHECK(std::abs(normal_at(normals_of_heights(step, 1, Wrap::clamp), 0, 0).x) < 0.005f);
 }
 
-TEST_CASE("height map: normal maps are told by their colours", "[scene][texture]")
+TEST_CASE("height map: normal maps are recognised by their colours", "[scene][texture]")
 {
     const auto coloured = [](const glm::vec3& c) {
         return image_of(4, 4, [c](int, int) { return c; });

@@ -11,7 +11,7 @@ using namespace hipmap;
 
 namespace {
 
-/// A room below a lid that leaves a strip open along a wall, through which the sky shines.
+/// A room whose lid leaves a strip open along one wall; the sky shines in through it.
 Scene room_below_a_lid()
 {
     TriangleMesh mesh = tiny::open_box();

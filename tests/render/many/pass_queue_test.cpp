@@ -57,7 +57,7 @@ TEST_CASE("pass queue: rounds end where one process would look at the error", "[
     CHECK(held == PassSet{{{0, 20}}});
 }
 
-TEST_CASE("pass queue: all ranks end when one is told to stop, and in time", "[many]")
+TEST_CASE("pass queue: all ranks end when one must stop, or the time is over", "[many]")
 {
     StopRules rules;
     PassQueue stopped(rules, nullptr, kRanks);
