@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <functional>
 #include <iomanip>
+#include <set>
 #include <span>
 #include <sstream>
 
@@ -104,41 +105,78 @@ std::vector<std::string> describe_defects(const PartitionSummary& summary)
 
 namespace {
 
-/// [maps] the names of what the faces of each map have, in order of id, none twice.
-/// id_of_face: [F].
+/// Maps beyond this are only counted: a file that lists ten million is of no use to anyone.
+constexpr std::size_t kMostMapsListed = 1000;
+
+/// The maps of the largest area, at most kMostMapsListed, by id.
+std::vector<PartitionSummary::Map> maps_to_list(const PartitionSummary& summary)
+{
+    std::vector<PartitionSummary::Map> maps(std::min(summary.maps.size(), kMostMapsListed));
+    std::ranges::partial_sort_copy(summary.maps, maps, [](const auto& a, const auto& b) {
+        return a.area != b.area ? a.area > b.area : a.id < b.id;
+    });
+    std::ranges::sort(maps, {}, &PartitionSummary::Map::id);
+    return maps;
+}
+
+/// [maps] the names of what the faces of each of some maps have, in order of the names' ids, none
+/// twice.  id_of_face: [F].  maps: by id.
 std::vector<std::vector<std::string>>
-names_by_map(const Partition& partition, std::span<const std::uint32_t> id_of_face,
+names_by_map(const Partition& partition, std::span<const PartitionSummary::Map> maps,
+             std::span<const std::uint32_t> id_of_face,
              const std::function<std::string(std::uint32_t)>& name)
 {
-    std::vector<std::pair<MapId, std::uint32_t>> pairs;
-    for (std::size_t face = 0; face < id_of_face.size(); ++face)
-        if (partition.map_of_face[face] != kNone)
-            pairs.emplace_back(partition.map_of_face[face], id_of_face[face]);
-    std::sort(pairs.begin(), pairs.end());
-    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-    std::vector<std::vector<std::string>> out(partition.map_count);
-    for (const auto& [map, id] : pairs)
-        out[map].push_back(name(id));
+    std::vector<std::set<std::uint32_t>> ids(maps.size());
+    for (std::size_t face = 0; face < id_of_face.size(); ++face) {
+        const auto map = std::ranges::lower_bound(maps, partition.map_of_face[face], {},
+                                                  &PartitionSummary::Map::id);
+        if (map != maps.end() && map->id == partition.map_of_face[face])
+            ids[static_cast<std::size_t>(map - maps.begin())].insert(id_of_face[face]);
+    }
+    std::vector<std::vector<std::string>> out(maps.size());
+    for (std::size_t i = 0; i < maps.size(); ++i)
+        for (const std::uint32_t id : ids[i])
+            out[i].push_back(name(id));
     return out;
 }
 
 nlohmann::ordered_json maps_json(const Scene& scene, const Partition& partition,
-                                 const PartitionSummary& summary)
+                                 std::span<const PartitionSummary::Map> maps)
 {
-    const auto objects = names_by_map(partition, scene.mesh.object_of_face, [&](std::uint32_t id) {
-        return scene.mesh.object_names[id];
-    });
-    const auto materials = names_by_map(partition, scene.mesh.material_of_face,
+    const auto objects =
+        names_by_map(partition, maps, scene.mesh.object_of_face,
+                     [&](std::uint32_t id) { return scene.mesh.object_names[id]; });
+    const auto materials = names_by_map(partition, maps, scene.mesh.material_of_face,
                                         [&](std::uint32_t id) { return scene.materials[id].name; });
     const double square_metres = scene.frame.metres_per_unit * scene.frame.metres_per_unit;
     nlohmann::ordered_json out = nlohmann::ordered_json::array();
-    for (const PartitionSummary::Map& map : summary.maps)
-        out.push_back({{"id", map.id},
-                       {"faces", map.faces},
-                       {"area_m2", map.area * square_metres},
-                       {"objects", objects[map.id]},
-                       {"materials", materials[map.id]}});
+    for (std::size_t i = 0; i < maps.size(); ++i)
+        out.push_back({{"id", maps[i].id},
+                       {"faces", maps[i].faces},
+                       {"area_m2", maps[i].area * square_metres},
+                       {"objects", objects[i]},
+                       {"materials", materials[i]}});
     return out;
+}
+
+/// The sums over all maps that are not listed.
+nlohmann::ordered_json unlisted_json(const Scene& scene, const PartitionSummary& summary,
+                                     std::span<const PartitionSummary::Map> listed)
+{
+    std::size_t faces = 0;
+    double area = 0;
+    for (const PartitionSummary::Map& map : summary.maps) {
+        faces += map.faces;
+        area += map.area;
+    }
+    for (const PartitionSummary::Map& map : listed) {
+        faces -= map.faces;
+        area -= map.area;
+    }
+    const double square_metres = scene.frame.metres_per_unit * scene.frame.metres_per_unit;
+    return {{"maps", summary.maps.size() - listed.size()},
+            {"faces", faces},
+            {"area_m2", std::max(area, 0.0) * square_metres}};
 }
 
 } // namespace
@@ -174,7 +212,10 @@ std::string summary_json(const PreprocessArguments& arguments, const Scene& scen
     json["groups"] = summary.groups;
     json["grouped_faces"] = summary.grouped_faces;
     json["shared_maps"] = summary.maps.size();
-    json["maps"] = maps_json(scene, partition, summary);
+    const std::vector<PartitionSummary::Map> listed = maps_to_list(summary);
+    json["maps"] = maps_json(scene, partition, listed);
+    if (listed.size() < summary.maps.size())
+        json["unlisted_maps"] = unlisted_json(scene, summary, listed);
     json["pictures"] = nlohmann::ordered_json::array();
     for (const LegendedPicture& picture : pictures)
         json["pictures"].push_back(picture_json(picture));

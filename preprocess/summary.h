@@ -21,7 +21,8 @@ std::vector<std::string> describe(const PartitionSummary& summary, double angle_
 std::vector<std::string> describe_defects(const PartitionSummary& summary);
 
 /// Returns the summary of a partition as JSON text, docs/partition_file.md.  Lengths in metres,
-/// areas in m2. partition: of the scene.  pictures: the images written of it.  O(n log n) in faces.
+/// areas in m2.  Lists at most a thousand maps, those of the largest area. partition: of the scene.
+/// pictures: the images written of it.  Near linear in faces and maps.
 std::string summary_json(const PreprocessArguments& arguments, const Scene& scene,
                          const Partition& partition, const PartitionSummary& summary,
                          const std::vector<LegendedPicture>& pictures);
