@@ -3,6 +3,7 @@
 // reading it as a file.
 //
 //     partition_scale [TRIANGLES...]      default: 100000 1000000
+//     partition_scale --scene FILE        of a scene file, and how its bytes grow pass by pass
 
 #include "bench/memory_meter.h"
 #include "common/command_line/command_line.h"
@@ -166,21 +167,10 @@ Time measure(const char* name, std::size_t faces, const Work& work)
     return time;
 }
 
-void measure_mesh(const char* name, TriangleMesh&& made, const std::filesystem::path& folder)
+/// Prints what each pass of build_partition takes; returns the time of all and of adjacency.
+std::pair<Time, Time> measure_passes(const Scene& scene)
 {
-    Scene scene;
-    scene.mesh = std::move(made);
-    scene.materials.resize(1);
-    scene.cameras.resize(1);
     const std::size_t faces = scene.mesh.face_count();
-    std::printf("%s, %zu triangles: in all, a triangle, peak a triangle\n", name, faces);
-
-    const std::filesystem::path file = folder / "mesh.glb";
-    write_glb(file, scene.mesh);
-    measure("tinygltf reads it", faces, [&] { read_by_tinygltf(file); });
-    measure("our loader reads it", faces, [&] { load_scene(file, {}); });
-    const Time openmesh = measure("OpenMesh builds it", faces, [&] { build_openmesh(scene.mesh); });
-
     std::size_t peak = 0;
     const std::size_t before = memory_in_use();
     start_memory_peak();
@@ -200,9 +190,38 @@ void measure_mesh(const char* name, TriangleMesh&& made, const std::filesystem::
     build_partition(scene, options);
     const Time whole = since(watch) - start;
     print_row("build_partition in all", whole, peak, faces);
+    return {whole, adjacency};
+}
+
+void measure_mesh(const char* name, TriangleMesh&& made, const std::filesystem::path& folder)
+{
+    Scene scene;
+    scene.mesh = std::move(made);
+    scene.materials.resize(1);
+    scene.cameras.resize(1);
+    const std::size_t faces = scene.mesh.face_count();
+    std::printf("%s, %zu triangles: in all, a triangle, peak a triangle\n", name, faces);
+
+    const std::filesystem::path file = folder / "mesh.glb";
+    write_glb(file, scene.mesh);
+    measure("tinygltf reads it", faces, [&] { read_by_tinygltf(file); });
+    measure("our loader reads it", faces, [&] { load_scene(file, {}); });
+    const Time openmesh = measure("OpenMesh builds it", faces, [&] { build_openmesh(scene.mesh); });
+    const auto [whole, adjacency] = measure_passes(scene);
     std::printf("  adjacency %.2f, all %.2f times OpenMesh; of threads %.2f and %.2f times\n",
                 adjacency.wall / openmesh.wall, whole.wall / openmesh.wall,
                 adjacency.threads / openmesh.threads, whole.threads / openmesh.threads);
+}
+int measure_scene(const std::filesystem::path& file)
+{
+    LoadedScene loaded;
+    const std::size_t faces = load_scene(file, {}).scene.mesh.face_count();
+    std::printf("%s, %zu triangles: in all, a triangle, peak a triangle\n", file.c_str(), faces);
+    measure("our loader reads it", faces, [&] { loaded = load_scene(file, {}); });
+    std::printf("  %-26s %67.0f bytes\n", "the scene itself",
+                double(memory_in_use()) / double(faces));
+    measure_passes(loaded.scene);
+    return kExitDone;
 }
 
 int partition_scale(const std::vector<double>& sizes)
@@ -227,12 +246,14 @@ int main(int argc, char** argv)
 {
     return hipmap::run_tool([&] {
         std::vector<double> sizes{1e5, 1e6};
+        std::filesystem::path scene;
         CLI::App app("Measures how the cost of a partition grows with its mesh.",
                      "partition_scale");
         app.add_option("TRIANGLES", sizes, "Sizes of the meshes [100000 1000000]")
             ->check(hipmap::finite_in(8, 2e8));
+        app.add_option("--scene", scene, "A scene file to measure instead");
         if (const std::optional<int> code = hipmap::parse_arguments(app, argc, argv))
             return *code;
-        return hipmap::partition_scale(sizes);
+        return scene.empty() ? hipmap::partition_scale(sizes) : hipmap::measure_scene(scene);
     });
 }

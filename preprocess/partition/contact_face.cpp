@@ -59,9 +59,11 @@ ContactFace::ContactFace(const TriangleMesh& mesh, FaceId face, double error_)
 
 std::optional<Interval> ContactFace::part_on(const glm::dvec3& a, const glm::dvec3& b) const
 {
-    Interval part;
     const double h_a = height(a);
     const double h_b = height(b);
+    if (std::min(h_a, h_b) > 2 * error || std::max(h_a, h_b) < -2 * error) // as most are
+        return {};
+    Interval part;
     keep_positive(part, h_a + 2 * error, h_b + 2 * error);
     keep_positive(part, 2 * error - h_a, 2 * error - h_b);
     for (const EdgePlane& plane : planes)

@@ -1,6 +1,7 @@
 #include "preprocess/partition/contacts.h"
 
 #include "preprocess/partition/contact_face.h"
+#include "preprocess/partition/leaf_neighbours.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
@@ -56,11 +57,15 @@ unsigned edges_along(const ContactFace& shape, const ContactLine& line)
     return edges;
 }
 
-int shared_corners(const ContactFace& f, const ContactFace& g)
+int shared_corners(const TriangleMesh& mesh, FaceId f, FaceId g)
 {
+    const glm::uvec3 &of_f = mesh.corners[f], &of_g = mesh.corners[g];
     int count = 0;
-    for (const glm::dvec3& p : f.corners)
-        count += std::ranges::find(g.corners, p) != g.corners.end();
+    for (int c = 0; c < 3; ++c) {
+        const glm::vec3& p = mesh.positions[of_f[c]];
+        count += (p == mesh.positions[of_g.x]) | (p == mesh.positions[of_g.y]) |
+                 (p == mesh.positions[of_g.z]);
+    }
     return count;
 }
 
@@ -121,12 +126,6 @@ class Standing {
     bool flat_;
 };
 
-/// A face with its box.
-struct BoxedFace {
-    FaceId face;
-    Bounds<glm::vec3> box;
-};
-
 Bounds<glm::vec3> widened(const Bounds<glm::vec3>& box, double by)
 {
     return {glm::vec3(glm::dvec3(box.low) - by), glm::vec3(glm::dvec3(box.high) + by)};
@@ -163,49 +162,147 @@ bool is_smaller(const BoxedFace& f, const BoxedFace& g)
     return size_f < size_g || (size_f == size_g && f.face < g.face);
 }
 
-void append_made(const ContactScene& scene, FaceId f, FaceId g, std::vector<MadeContact>& out)
+/// A face and its shape.
+struct ShapedFace {
+    FaceId face;
+    const ContactFace& shape;
+};
+
+/// Whether two faces share so many corners that they have no contact.
+bool share_boundary(const ContactScene& scene, FaceId f, FaceId g)
 {
-    std::vector<MapContact> lines;
-    append_contacts(scene, std::min(f, g), std::max(f, g), lines);
-    const MapId of_f = scene.map_of_face[f], of_g = scene.map_of_face[g];
-    for (const MapContact& line : lines)
-        out.push_back({line, line.map == of_f ? of_g : of_f});
+    const bool one_map = scene.map_of_face[f] == scene.map_of_face[g];
+    return shared_corners(scene.mesh, f, g) > (one_map ? 0 : 1);
 }
 
-/// The contacts of pairs (f, g) of faces whose boxes meet, sorted: of those f that `starts(f)`, and
-/// those g that `wanted(f, g)` outside of the nodes that `skip(range, map of f)`.
+/// Appends the contacts of two faces that do not share a boundary.
+void append_contacts(const ContactScene& scene, const ShapedFace& f, const ShapedFace& g,
+                     std::vector<MapContact>& out)
+{
+    const bool one_map = scene.map_of_face[f.face] == scene.map_of_face[g.face];
+    if (f.shape.too_thin() || g.shape.too_thin() || (one_map && parallel(f.shape, g.shape)))
+        return;
+    const double standing = std::max(Standing(scene, f.face, f.shape, g.face, g.shape).append(out),
+                                     Standing(scene, g.face, g.shape, f.face, f.shape).append(out));
+    std::optional<ContactLine> line = crossing(f.shape, g.shape);
+    if (!line || standing > 0.5 * glm::length(line->b - line->a))
+        return;
+    if (before(line->b, line->a)) // so that a face coincident with one of them gives the same
+        std::swap(line->a, line->b);
+    for (const FaceId face : {f.face, g.face})
+        out.push_back({scene.map_of_face[face], glm::vec3(line->a), glm::vec3(line->b)});
+}
+
+/// Finds the contacts of pairs (f, g) of faces whose boxes meet: of those f that `starts(f)`, and
+/// those g that `wanted(f, g)` outside of the nodes that `skip(range, map of f)`.  The faces f of a
+/// leaf are looked at together.
+template <typename Starts, typename Skip, typename Wanted>
+class LeafContacts {
+  public:
+    LeafContacts(const ContactScene& scene, const FaceTree& tree, const Starts& starts,
+                 const Skip& skip, const Wanted& wanted)
+        : scene_(scene), tree_(tree), starts_(starts), skip_(skip), wanted_(wanted)
+    {
+    }
+
+    void find(const FaceTree::Range& leaf)
+    {
+        members_.clear();
+        Bounds<glm::vec3> box;
+        for (const FaceId f : tree_.faces(leaf))
+            if (scene_.map_of_face[f] != kNone && starts_(f)) {
+                members_.push_back({f, face_box(scene_.mesh, f)});
+                const Bounds<glm::vec3> wide = widened(members_.back().box, 4 * scene_.error);
+                box.add(wide.low);
+                box.add(wide.high);
+            }
+        if (members_.empty())
+            return;
+        const bool gathered =
+            near_.gather(scene_.mesh, tree_, box, [&](const FaceTree::Range& range) {
+                return std::ranges::all_of(members_, [&](const BoxedFace& member) {
+                    return skip_(range, scene_.map_of_face[member.face]);
+                });
+            });
+        for (const BoxedFace& member : members_)
+            find_of(member, gathered);
+    }
+
+    FoundContacts take() { return std::move(found_); }
+
+  private:
+    void find_of(const BoxedFace& f, bool gathered)
+    {
+        const Bounds<glm::vec3> box = widened(f.box, 4 * scene_.error);
+        shape_.reset();
+        pairs_ = 0;
+        if (gathered)
+            near_.visit(box, [&](const BoxedFace& g) {
+                look_at(f, g);
+                return pairs_ <= kMostPairs;
+            });
+        else
+            tree_.visit(
+                box,
+                [&](const FaceTree::Range& range) {
+                    return pairs_ > kMostPairs || skip_(range, scene_.map_of_face[f.face]);
+                },
+                [&](FaceId face) {
+                    const BoxedFace g{face, face_box(scene_.mesh, face)};
+                    if (meet(box, g.box))
+                        look_at(f, g);
+                });
+        found_.given_up += pairs_ > kMostPairs;
+    }
+
+    void look_at(const BoxedFace& f, const BoxedFace& g)
+    {
+        if (!wanted_(f, g) || ++pairs_ > kMostPairs || share_boundary(scene_, f.face, g.face))
+            return;
+        if (!shape_)
+            shape_.emplace(scene_.mesh, f.face, scene_.error);
+        const ContactFace other(scene_.mesh, g.face, scene_.error);
+        const ShapedFace first{f.face, *shape_}, second{g.face, other};
+        lines_.clear();
+        append_contacts(scene_, f.face < g.face ? first : second, f.face < g.face ? second : first,
+                        lines_);
+        const MapId of_f = scene_.map_of_face[f.face], of_g = scene_.map_of_face[g.face];
+        for (const MapContact& line : lines_)
+            found_.contacts.push_back({line, line.map == of_f ? of_g : of_f});
+    }
+
+    const ContactScene& scene_;
+    const FaceTree& tree_;
+    const Starts& starts_;
+    const Skip& skip_;
+    const Wanted& wanted_;
+    FoundContacts found_;
+    std::vector<BoxedFace> members_; ///< faces f of the leaf
+    LeafNeighbours near_;
+    std::optional<ContactFace> shape_; ///< of the face f that is looked at; made when needed
+    int pairs_ = 0;                    ///< of that face
+    std::vector<MapContact> lines_;
+};
+
+/// What LeafContacts finds in all leaves, sorted.
 template <typename Starts, typename Skip, typename Wanted>
 FoundContacts contacts_of_pairs(const ContactScene& scene, const FaceTree& tree,
                                 const Starts& starts, const Skip& skip, const Wanted& wanted)
 {
-    tbb::enumerable_thread_specific<FoundContacts> found;
-    const auto face_count = static_cast<FaceId>(scene.mesh.face_count());
-    tbb::parallel_for(tbb::blocked_range<FaceId>(0, face_count), [&](const auto& faces) {
-        FoundContacts& mine = found.local();
-        for (FaceId f = faces.begin(); f < faces.end(); ++f) {
-            const MapId map = scene.map_of_face[f];
-            if (map == kNone || !starts(f))
-                continue;
-            const BoxedFace own{f, face_box(scene.mesh, f)};
-            const Bounds<glm::vec3> box = widened(own.box, 4 * scene.error);
-            int pairs = 0;
-            tree.visit(
-                box,
-                [&](const FaceTree::Range& range) {
-                    return pairs > kMostPairs || skip(range, map);
-                },
-                [&](FaceId g) {
-                    const BoxedFace other{g, face_box(scene.mesh, g)};
-                    if (meet(box, other.box) && wanted(own, other) && ++pairs <= kMostPairs)
-                        append_made(scene, f, g, mine.contacts);
-                });
-            mine.given_up += pairs > kMostPairs;
-        }
-    });
+    using Leaf = LeafContacts<Starts, Skip, Wanted>;
+    tbb::enumerable_thread_specific<Leaf> search(
+        [&] { return Leaf(scene, tree, starts, skip, wanted); });
+    tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, tree.leaf_count()),
+                      [&](const auto& leaves) {
+                          Leaf& mine = search.local();
+                          for (std::uint32_t i = leaves.begin(); i < leaves.end(); ++i)
+                              mine.find(tree.leaf(i));
+                      });
     FoundContacts out;
-    for (const FoundContacts& some : found) {
-        out.contacts.insert(out.contacts.end(), some.contacts.begin(), some.contacts.end());
-        out.given_up += some.given_up;
+    for (Leaf& some : search) {
+        const FoundContacts found = some.take();
+        out.contacts.insert(out.contacts.end(), found.contacts.begin(), found.contacts.end());
+        out.given_up += found.given_up;
     }
     sort_contacts(out.contacts);
     return out;
@@ -215,22 +312,11 @@ FoundContacts contacts_of_pairs(const ContactScene& scene, const FaceTree& tree,
 
 void append_contacts(const ContactScene& scene, FaceId f, FaceId g, std::vector<MapContact>& out)
 {
-    const bool one_map = scene.map_of_face[f] == scene.map_of_face[g];
+    if (share_boundary(scene, f, g))
+        return;
     const ContactFace shape_f(scene.mesh, f, scene.error);
     const ContactFace shape_g(scene.mesh, g, scene.error);
-    if (shape_f.too_thin() || shape_g.too_thin() ||
-        shared_corners(shape_f, shape_g) > (one_map ? 0 : 1) ||
-        (one_map && parallel(shape_f, shape_g)))
-        return;
-    const double standing = std::max(Standing(scene, f, shape_f, g, shape_g).append(out),
-                                     Standing(scene, g, shape_g, f, shape_f).append(out));
-    std::optional<ContactLine> line = crossing(shape_f, shape_g);
-    if (!line || standing > 0.5 * glm::length(line->b - line->a))
-        return;
-    if (before(line->b, line->a)) // so that a face coincident with one of them gives the same
-        std::swap(line->a, line->b);
-    for (const FaceId face : {f, g})
-        out.push_back({scene.map_of_face[face], glm::vec3(line->a), glm::vec3(line->b)});
+    append_contacts(scene, ShapedFace{f, shape_f}, ShapedFace{g, shape_g}, out);
 }
 
 void sort_contacts(std::vector<MapContact>& contacts)

@@ -1,8 +1,12 @@
 #include "preprocess/partition/seams.h"
 
 #include "preprocess/partition/contact_face.h"
+#include "preprocess/partition/leaf_neighbours.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
 
 #include <algorithm>
 
@@ -111,6 +115,10 @@ class SeamSearch {
 
     Touches touches_of(std::uint32_t edge) const;
 
+    /// Returns false only if touches_of(edge) finds nothing and gives nothing up. own: the edge's
+    /// face.  near: all faces that touches_of may look at, and others.
+    bool may_touch(std::uint32_t edge, const ContactFace& own, LeafNeighbours& near) const;
+
     glm::dvec3 start(std::uint32_t edge) const { return corner(edge / 3, edge % 3); }
     glm::dvec3 end(std::uint32_t edge) const { return corner(edge / 3, (edge % 3 + 1) % 3); }
 
@@ -170,6 +178,88 @@ Touches SeamSearch::touches_of(std::uint32_t edge) const
         touches.of.clear();
     std::ranges::sort(touches.of, {}, &Touch::face);
     return touches;
+}
+
+bool SeamSearch::may_touch(std::uint32_t edge, const ContactFace& own, LeafNeighbours& near) const
+{
+    const glm::dvec3 a = start(edge);
+    const glm::dvec3 b = end(edge);
+    const Bounds<glm::vec3> box = box_about(a, b, 4 * scene_.error);
+    int looked_at = 0;
+    bool found = false;
+    near.visit(box, [&](const BoxedFace& other) {
+        if (other.face == edge / 3 || !passes(other.box, a, b, 4 * scene_.error))
+            return true;
+        const ContactFace there(scene_.mesh, other.face, scene_.error);
+        found = ++looked_at > kMostLookedAt ||
+                (!there.too_thin() && parallel(own, there) &&
+                 glm::dot(own.normal, there.normal) > 0 && there.part_on(a, b));
+        return !found;
+    });
+    return found;
+}
+
+/// Finds edges across which a surface may go on, and that may touch a face, leaf by leaf.
+class LeafEnds {
+  public:
+    LeafEnds(const SeamScene& scene, const SeamSearch& search) : scene_(scene), search_(search) {}
+
+    void find(const FaceTree::Range& leaf)
+    {
+        members_.clear();
+        Bounds<glm::vec3> box;
+        for (const FaceId face : scene_.tree.faces(leaf))
+            for (std::uint32_t edge = 3 * face; edge < 3 * face + 3; ++edge)
+                if (search_.may_go_on(edge)) {
+                    members_.push_back(edge);
+                    const auto of_edge =
+                        box_about(search_.start(edge), search_.end(edge), 4 * scene_.error);
+                    box.add(of_edge.low);
+                    box.add(of_edge.high);
+                }
+        if (members_.empty())
+            return;
+        if (!near_.gather(scene_.mesh, scene_.tree, box,
+                          [](const FaceTree::Range&) { return false; })) {
+            ends_.insert(ends_.end(), members_.begin(), members_.end());
+            return;
+        }
+        for (const std::uint32_t edge : members_) {
+            if (!own_ || edge / 3 != own_face_)
+                own_.emplace(scene_.mesh, own_face_ = edge / 3, scene_.error);
+            if (!own_->too_thin() && search_.may_touch(edge, *own_, near_))
+                ends_.push_back(edge);
+        }
+    }
+
+    const std::vector<std::uint32_t>& ends() const { return ends_; }
+
+  private:
+    const SeamScene& scene_;
+    const SeamSearch& search_;
+    std::vector<std::uint32_t> ends_;
+    std::vector<std::uint32_t> members_; ///< edges of the leaf
+    LeafNeighbours near_;
+    FaceId own_face_ = kNone;
+    std::optional<ContactFace> own_; ///< of that face
+};
+
+/// The edges beyond which a surface may go on, ascending; most of those that touch nothing are left
+/// out.
+std::vector<std::uint32_t> find_ends(const SeamScene& scene, const SeamSearch& search)
+{
+    tbb::enumerable_thread_specific<LeafEnds> found([&] { return LeafEnds(scene, search); });
+    tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, scene.tree.leaf_count()),
+                      [&](const auto& leaves) {
+                          LeafEnds& mine = found.local();
+                          for (std::uint32_t i = leaves.begin(); i < leaves.end(); ++i)
+                              mine.find(scene.tree.leaf(i));
+                      });
+    std::vector<std::uint32_t> ends;
+    for (const LeafEnds& some : found)
+        ends.insert(ends.end(), some.ends().begin(), some.ends().end());
+    tbb::parallel_sort(ends.begin(), ends.end());
+    return ends;
 }
 
 /// What no interval covers of an edge, but for pieces too short to matter.
@@ -235,10 +325,7 @@ void bridge(const SeamSearch& search, std::uint32_t edge, const std::vector<Inte
 Seams find_seams(const SeamScene& scene, const SharedMaps& maps)
 {
     const SeamSearch search(scene);
-    std::vector<std::uint32_t> ends; // of maps
-    for (std::uint32_t edge = 0; edge < scene.classes.size(); ++edge)
-        if (search.may_go_on(edge))
-            ends.push_back(edge);
+    const std::vector<std::uint32_t> ends = find_ends(scene, search);
     Seams out;
     TurningSets sets(maps.count);
     std::vector<Touches> touches(kEdgesAtOnce);
