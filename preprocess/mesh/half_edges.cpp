@@ -56,22 +56,23 @@ HalfEdgePairs pair_by_openmesh(const WeldedFaces& faces, const Orientation& orie
 
 /// Opposites are those on which OpenMesh and the welded edges agree: where an edge of several faces
 /// was opened but the same fans meet at both of its ends, OpenMesh pairs what must stay apart.
-void set_classes(HalfEdges& out, const EdgeGroups& groups,
+/// groups: all but those of two edges.
+void set_classes(HalfEdges& out, const WeldedFaces& faces, const EdgeGroups& groups,
                  const std::vector<std::uint32_t>& partner)
 {
-    for (std::uint32_t edge = 0; edge < partner.size(); ++edge)
+    out.edge_class.assign(partner.size(), EdgeClass::degenerate);
+    for (std::uint32_t edge = 0; edge < partner.size(); ++edge) {
         if (out.opposite[edge] != partner[edge])
             out.opposite[edge] = kNone;
+        if (!faces.degenerate[edge / 3])
+            out.edge_class[edge] =
+                out.opposite[edge] == kNone ? EdgeClass::non_manifold : EdgeClass::unconnected;
+    }
     for (std::size_t g = 0; g < groups.count(); ++g) {
-        const std::uint32_t size = groups.first[g + 1] - groups.first[g];
-        out.defects.border_edges += size == 1;
-        out.defects.non_manifold_edges += size > 2;
-        for (std::uint32_t i = groups.first[g]; i < groups.first[g + 1]; ++i) {
-            const std::uint32_t edge = groups.edges[i];
-            out.edge_class[edge] = size == 1                     ? EdgeClass::border
-                                   : out.opposite[edge] == kNone ? EdgeClass::non_manifold
-                                                                 : EdgeClass::unconnected;
-        }
+        const bool is_border = groups.first[g + 1] - groups.first[g] == 1;
+        ++(is_border ? out.defects.border_edges : out.defects.non_manifold_edges);
+        if (is_border)
+            out.edge_class[groups.edges[groups.first[g]]] = EdgeClass::border;
     }
 }
 
@@ -80,8 +81,9 @@ void set_classes(HalfEdges& out, const EdgeGroups& groups,
 HalfEdges find_half_edges(const TriangleMesh& mesh, const VertexWeld& weld)
 {
     const WeldedFaces faces = weld_faces(mesh, weld);
-    const EdgeGroups groups = group_edges(faces);
+    EdgeGroups groups = group_edges(faces);
     Orientation orientation = orient_faces(mesh, faces, groups);
+    groups = without_pairs(groups); // most are, and `orientation` has them
     HalfEdgePairs pairs = pair_by_openmesh(faces, orientation);
 
     HalfEdges out;
@@ -93,8 +95,7 @@ HalfEdges find_half_edges(const TriangleMesh& mesh, const VertexWeld& weld)
     out.defects.refused_faces = pairs.refused_faces;
     out.flipped = std::move(orientation.flipped);
     out.opposite = std::move(pairs.opposite);
-    out.edge_class.assign(3 * mesh.face_count(), EdgeClass::degenerate);
-    set_classes(out, groups, orientation.partner);
+    set_classes(out, faces, groups, orientation.partner);
     out.closed = find_closed_surfaces(mesh, faces, groups, out);
     return out;
 }

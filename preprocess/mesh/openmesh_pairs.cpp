@@ -1,15 +1,17 @@
 #include "preprocess/mesh/openmesh_pairs.h"
 
-#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+#include <OpenMesh/Core/Mesh/TriConnectivity.hh>
 #include <OpenMesh/Core/System/omstream.hh>
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 
 namespace hipmap {
 namespace {
 
-using Mesh = OpenMesh::TriMesh_ArrayKernelT<>;
+/// Without points.
+using Mesh = OpenMesh::TriConnectivity;
 
 /// Enters a face; its vertices are replaced by new ones if it is refused.  Returns success at the
 /// first attempt.
@@ -51,7 +53,8 @@ HalfEdgePairs pair_half_edges(std::vector<WoundFace> faces, std::uint32_t vertex
     // It reports every refusal on standard error.
     omerr().disable();
     Mesh mesh;
-    mesh.reserve(vertex_count, vertex_count + faces.size(), faces.size()); // Euler
+    const std::size_t most_edges = std::min(vertex_count + faces.size(), 3 * faces.size()); // Euler
+    mesh.reserve(vertex_count, most_edges, faces.size());
     for (std::uint32_t v = 0; v < vertex_count; ++v)
         mesh.new_vertex();
 

@@ -68,4 +68,18 @@ EdgeGroups group_edges(const WeldedFaces& faces)
     return groups;
 }
 
+EdgeGroups without_pairs(const EdgeGroups& groups)
+{
+    EdgeGroups out;
+    for (std::size_t g = 0; g < groups.count(); ++g) {
+        if (groups.first[g + 1] - groups.first[g] == 2)
+            continue;
+        out.first.push_back(static_cast<std::uint32_t>(out.edges.size()));
+        out.edges.insert(out.edges.end(), groups.edges.begin() + groups.first[g],
+                         groups.edges.begin() + groups.first[g + 1]);
+    }
+    out.first.push_back(static_cast<std::uint32_t>(out.edges.size()));
+    return out;
+}
+
 } // namespace hipmap

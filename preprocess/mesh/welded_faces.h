@@ -34,4 +34,7 @@ struct EdgeGroups {
 /// Near linear, parallel.
 EdgeGroups group_edges(const WeldedFaces& faces);
 
+/// Returns the groups that have one edge or more than two.  Linear.
+EdgeGroups without_pairs(const EdgeGroups& groups);
+
 } // namespace hipmap
