@@ -201,7 +201,7 @@ Powers make_powers(std::size_t count)
 
 int measure_queries(const std::vector<std::size_t>& sizes, const std::vector<std::size_t>& wanted)
 {
-    const ThreadLimit one_thread(1);
+    limit_threads(1);
     const std::vector<QueryOrder> orders = make_orders();
     bool right = true;
     for (const std::size_t size : sizes) {

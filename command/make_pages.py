@@ -16,7 +16,8 @@ import sys
 FOLDER = os.path.dirname(os.path.abspath(__file__))
 EXIT_CODES = ((0, "done"), (1, "a defect of hipmap"),
               (2, "bad input or usage; one line on standard error says what to do"),
-              (3, "stopped by a signal; the image so far and the state are written"))
+              (3, "stopped by a signal; the image so far and the state are written"),
+              (4, "out of memory; one line on standard error says what to lower"))
 SEE_ALSO = ("hipmap", "hipmap-render", "hipmap-preprocess")
 
 

@@ -13,4 +13,11 @@ class InputError : public std::runtime_error {
     explicit InputError(const std::string& message) : std::runtime_error(message) {}
 };
 
+/// Reports input that memory does not hold, where a message can say more than std::bad_alloc.  Only
+/// main catches it (exit code 4).
+class OutOfMemory : public InputError {
+  public:
+    using InputError::InputError;
+};
+
 } // namespace hipmap

@@ -16,6 +16,9 @@ namespace hipmap {
 
 namespace {
 
+const char* const kMemoryAdvice =
+    "export fewer faces or instances, leave out --images and --coloured, or use fewer --threads";
+
 /// Returns whether a sentence is to be printed: one that no frame has printed, or a verbose report
 /// gets it.  Adds it to `told`.
 bool is_news(const std::string& sentence, std::set<std::string>& told, const Report& report)
@@ -88,7 +91,7 @@ int preprocess(const PreprocessArguments& arguments, SceneSource& source, Frames
 {
     std::optional<PreviousFrame>& frame = frames.previous;
     Report report(arguments.verbose);
-    const ThreadLimit threads(arguments.threads);
+    limit_threads(arguments.threads);
 
     const Stopwatch loading;
     const LoadedScene loaded = source.at(arguments.scene_options.time, !arguments.frames.asked());
@@ -143,7 +146,7 @@ int preprocess_frames(const PreprocessArguments& arguments)
 
 int main(int argc, char** argv)
 {
-    return hipmap::run_tool([&] {
+    return hipmap::run_tool(hipmap::kMemoryAdvice, [&] {
         hipmap::PreprocessArguments arguments;
         CLI::App app("Decides which faces of a scene may share photons.",
                      hipmap::started_as(argv[0]));

@@ -10,6 +10,9 @@
 
 namespace {
 
+const char* const kMemoryAdvice =
+    "lower --size or --photons, leave out --layers, use fewer --threads, or export fewer faces";
+
 /// kept: as in render_frames.
 int render_main(int argc, char** argv, hipmap::PreviousFrame* kept)
 {
@@ -90,7 +93,7 @@ int serve_main(int argc, char** argv, std::string tool)
 int main(int argc, char** argv)
 {
     const std::string_view first = argc > 1 ? argv[1] : "";
-    return hipmap::run_tool([&] {
+    return hipmap::run_tool(kMemoryAdvice, [&] {
         const std::string tool = hipmap::started_as(argv[0]);
         if (first == "merge")
             return merge_main(argc - 1, argv + 1, tool);

@@ -102,7 +102,7 @@ int end_of(const RenderedFrame& rendered, FramePlace* place, Report& report)
 int render(const RenderArguments& request, const FrameRun& run)
 {
     Report report(request.verbose);
-    const ThreadLimit threads(request.threads);
+    limit_threads(request.threads);
     PreparedFrame frame;
     together(run.ranks, [&] { frame = prepare_frame(request, run.source); });
     if (request.explain) {

@@ -1,35 +1,14 @@
 #include "common/command_line/command_line.h"
 
-#include "common/input_error.h"
 #include "common/report.h"
 
-#include <tbb/global_control.h>
-
 #include <cmath>
-#include <exception>
 #include <filesystem>
-#include <iostream>
-#include <new>
+#include <sstream>
 
 namespace hipmap {
 
 namespace {
-
-/// One line, whatever CLI11 puts into its messages.
-std::string on_one_line(std::string text)
-{
-    while (!text.empty() && text.back() == '\n')
-        text.pop_back();
-    for (char& c : text)
-        if (c == '\n')
-            c = ' ';
-    return text;
-}
-
-void print_error(const std::string& what)
-{
-    std::cerr << "error: " << on_one_line(what) << '\n';
-}
 
 int parse_pixels(const std::string& digits, const std::string& text)
 {
@@ -90,22 +69,6 @@ std::vector<std::string> command_of(const std::string& tool, int argc, char** ar
     return command;
 }
 
-int run_tool(const std::function<int()>& body)
-{
-    try {
-        return body();
-    } catch (const InputError& problem) {
-        print_error(problem.what());
-        return kExitInput;
-    } catch (const std::bad_alloc&) {
-        print_error("out of memory; use a smaller image or fewer photons");
-        return kExitDefect;
-    } catch (const std::exception& problem) {
-        print_error(std::string("internal error, please report it: ") + problem.what());
-        return kExitDefect;
-    }
-}
-
 std::string plain_number(double number)
 {
     constexpr double kLargest = 1e18; // fits a whole number
@@ -151,18 +114,5 @@ PictureSize complete_size(PictureSize size, float aspect)
     }
     return size;
 }
-
-struct ThreadLimit::Control {
-    tbb::global_control control;
-};
-
-ThreadLimit::ThreadLimit(unsigned threads)
-{
-    if (threads > 0)
-        control_.reset(new Control{
-            tbb::global_control(tbb::global_control::max_allowed_parallelism, threads)});
-}
-
-ThreadLimit::~ThreadLimit() = default;
 
 } // namespace hipmap

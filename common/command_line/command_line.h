@@ -1,19 +1,14 @@
 #pragma once
 
+#include "common/command_line/run_tool.h"
+
 #include <CLI/CLI.hpp>
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace hipmap {
-
-/// Exit codes of both tools.
-inline constexpr int kExitDone = 0;
-inline constexpr int kExitDefect = 1;  ///< a defect of ours
-inline constexpr int kExitInput = 2;   ///< bad input or usage
-inline constexpr int kExitStopped = 3; ///< by a signal
 
 /// Parses the arguments of main.  Returns the exit code if the program is to end now: after --help
 /// or
@@ -27,10 +22,6 @@ std::string started_as(const char* first_argument);
 /// Returns the command as it was typed, with the tool's bare name first, whatever folder the tool
 /// lies in.
 std::vector<std::string> command_of(const std::string& tool, int argc, char** argv);
-
-/// Runs the body of a tool.  Turns what the body throws into one line on standard error and an exit
-/// code.
-int run_tool(const std::function<int()>& body);
 
 /// Formats a number without an exponent where it is whole: "4,000,000,000", "0.001".
 std::string plain_number(double number);
@@ -53,18 +44,5 @@ PictureSize parse_picture_size(const std::string& text, const PictureSize& whole
 
 /// Returns `size` with a missing height filled in.  aspect: width over height.
 PictureSize complete_size(PictureSize size, float aspect);
-
-/// Limits the threads of a tool during the lifetime of the object; 0: all cores.
-class ThreadLimit {
-  public:
-    explicit ThreadLimit(unsigned threads);
-    ~ThreadLimit();
-    ThreadLimit(const ThreadLimit&) = delete;
-    ThreadLimit& operator=(const ThreadLimit&) = delete;
-
-  private:
-    struct Control;
-    std::unique_ptr<Control> control_;
-};
 
 } // namespace hipmap

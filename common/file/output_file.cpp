@@ -6,6 +6,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <cerrno>
 #include <string>
@@ -40,6 +42,8 @@ class Descriptor {
     Descriptor(const Descriptor&) = delete;
     Descriptor& operator=(const Descriptor&) = delete;
 
+    int release() { return std::exchange(fd_, -1); }
+    void reset(int fd) { fd_ = fd; } ///< only where there is none yet
     int get() const { return fd_; }
     /// Closes now; 0 or the error.
     int close()
@@ -52,23 +56,60 @@ class Descriptor {
     int fd_;
 };
 
-/// Removes a file unless it was kept.
-class TemporaryName {
+/// Names of files that are being written, one in each place; more than these are not listed.
+std::array<std::atomic<const char*>, 64> names_in_use{};
+
+/// A new empty file beside `target`, for messages about which `asked` is its name.  Removed unless
+/// it was kept.  Its name does not grow with the name of the file to be written, which may be as
+/// long as the file system allows.
+class TemporaryFile {
   public:
-    explicit TemporaryName(fs::path path) : path_(std::move(path)) {}
-    ~TemporaryName()
+    TemporaryFile(const fs::path& folder, const fs::path& asked)
     {
+        static std::atomic<unsigned> counter{0};
+        constexpr int kAttempts = 1000; // names left behind by a killed process of the same id
+        for (int i = 0; i < kAttempts; ++i) {
+            path_ = folder / (".hipmap-" + std::to_string(::getpid()) + "-" +
+                              std::to_string(counter++) + ".tmp");
+            // Nothing may throw from here on: the file would stay.
+            const int fd = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+            if (fd >= 0) {
+                descriptor_.reset(fd);
+                list();
+                return;
+            }
+            if (errno != EEXIST)
+                fail(asked, "cannot write into its folder", errno);
+        }
+        fail(asked, "cannot write into its folder: too many old .hipmap-*.tmp files; delete them");
+    }
+    ~TemporaryFile()
+    {
+        if (listed_)
+            *listed_ = nullptr;
         if (!kept_)
             ::unlink(path_.c_str());
     }
-    TemporaryName(const TemporaryName&) = delete;
-    TemporaryName& operator=(const TemporaryName&) = delete;
+    TemporaryFile(const TemporaryFile&) = delete;
+    TemporaryFile& operator=(const TemporaryFile&) = delete;
 
     const fs::path& path() const { return path_; }
+    Descriptor& descriptor() { return descriptor_; }
     void keep() { kept_ = true; }
 
   private:
+    void list()
+    {
+        for (std::atomic<const char*>& place : names_in_use)
+            if (const char* free = nullptr; place.compare_exchange_strong(free, path_.c_str())) {
+                listed_ = &place;
+                return;
+            }
+    }
+
     fs::path path_;
+    Descriptor descriptor_{-1};
+    std::atomic<const char*>* listed_ = nullptr; ///< where the name is listed; null: nowhere
     bool kept_ = false;
 };
 
@@ -81,24 +122,6 @@ bool may_access(const fs::path& path, int mode)
 fs::path folder_of(const fs::path& path)
 {
     return path.has_parent_path() ? path.parent_path() : fs::path(".");
-}
-
-/// A new empty file in `folder`; its name does not grow with the name of the file to be written,
-/// which may be as long as the file system allows.
-std::pair<int, fs::path> create_temporary(const fs::path& folder, const fs::path& target)
-{
-    static std::atomic<unsigned> counter{0};
-    constexpr int kAttempts = 1000; // names left behind by a killed process of the same id
-    for (int i = 0; i < kAttempts; ++i) {
-        const fs::path name = folder / (".hipmap-" + std::to_string(::getpid()) + "-" +
-                                        std::to_string(counter++) + ".tmp");
-        const int fd = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-        if (fd >= 0)
-            return {fd, name};
-        if (errno != EEXIST)
-            fail(target, "cannot write into its folder", errno);
-    }
-    fail(target, "cannot write into its folder: too many old .hipmap-*.tmp files; delete them");
 }
 
 void write_all(int fd, std::span<const std::byte> bytes, const fs::path& target)
@@ -126,8 +149,7 @@ void sync_folder(const fs::path& folder)
 struct WholeFile::Parts {
     fs::path asked;  ///< for messages
     fs::path target; ///< through a symbolic link the file it leads to is replaced, not the link
-    TemporaryName temporary;
-    Descriptor descriptor;
+    TemporaryFile temporary;
 };
 
 WholeFile::WholeFile(const fs::path& path)
@@ -136,28 +158,35 @@ WholeFile::WholeFile(const fs::path& path)
     std::error_code no_target;
     const fs::path resolved = fs::canonical(path, no_target);
     const fs::path target = no_target ? path : resolved;
-    const auto [fd, name] = create_temporary(folder_of(target), path);
-    parts_.reset(new Parts{path, target, TemporaryName(name), Descriptor(fd)});
+    parts_.reset(new Parts{path, target, TemporaryFile(folder_of(target), path)});
 }
 
 WholeFile::~WholeFile() = default;
 
 void WholeFile::write(std::span<const std::byte> bytes)
 {
-    write_all(parts_->descriptor.get(), bytes, parts_->asked);
+    write_all(parts_->temporary.descriptor().get(), bytes, parts_->asked);
 }
 
 void WholeFile::commit()
 {
     Parts& file = *parts_;
-    if (::fsync(file.descriptor.get()) != 0)
+    Descriptor& descriptor = file.temporary.descriptor();
+    if (::fsync(descriptor.get()) != 0)
         fail(file.asked, "cannot be written", errno);
-    if (const int error = file.descriptor.close(); error != 0)
+    if (const int error = descriptor.close(); error != 0)
         fail(file.asked, "cannot be written", error);
     if (::rename(file.temporary.path().c_str(), file.target.c_str()) != 0)
         fail(file.asked, "cannot be written", errno);
     file.temporary.keep();
     sync_folder(folder_of(file.target));
+}
+
+void remove_temporary_files() noexcept
+{
+    for (const std::atomic<const char*>& name : names_in_use)
+        if (const char* path = name)
+            ::unlink(path);
 }
 
 void write_file(const fs::path& path, std::span<const std::byte> bytes)
@@ -194,9 +223,9 @@ void check_writable(const fs::path& path)
         fail(path, "cannot write into its folder; choose another", errno);
 }
 
-std::vector<std::byte> read_file(const fs::path& path)
+InputFile::InputFile(const fs::path& path) : path_(path)
 {
-    const Descriptor descriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+    Descriptor descriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
     struct stat status = {};
     if (descriptor.get() < 0 || ::fstat(descriptor.get(), &status) != 0)
         fail(path, "cannot be read; check the path", errno);
@@ -204,20 +233,40 @@ std::vector<std::byte> read_file(const fs::path& path)
         fail(path, "is a folder; give the name of a file in it");
     if (!S_ISREG(status.st_mode))
         fail(path, "is not a regular file; copy it to one");
+    left_ = static_cast<std::size_t>(status.st_size);
+    descriptor_ = descriptor.release();
+}
 
-    std::vector<std::byte> bytes(static_cast<std::size_t>(status.st_size));
-    std::size_t filled = 0;
+InputFile::~InputFile()
+{
+    ::close(descriptor_);
+}
+
+void InputFile::append(std::vector<std::byte>& bytes, std::size_t count)
+{
+    std::size_t filled = bytes.size();
+    bytes.resize(filled + std::min(count, left_));
     while (filled < bytes.size()) {
-        const ssize_t count = ::read(descriptor.get(), &bytes[filled], bytes.size() - filled);
-        if (count < 0 && errno == EINTR)
+        const ssize_t got = ::read(descriptor_, &bytes[filled], bytes.size() - filled);
+        if (got < 0 && errno == EINTR)
             continue;
-        if (count < 0)
-            fail(path, "cannot be read", errno);
-        if (count == 0)
-            break; // it was cut short meanwhile
-        filled += static_cast<std::size_t>(count);
+        if (got < 0)
+            fail(path_, "cannot be read", errno);
+        if (got == 0) { // it was cut short meanwhile
+            bytes.resize(filled);
+            left_ = 0;
+            return;
+        }
+        filled += static_cast<std::size_t>(got);
+        left_ -= static_cast<std::size_t>(got);
     }
-    bytes.resize(filled);
+}
+
+std::vector<std::byte> read_file(const fs::path& path)
+{
+    InputFile file(path);
+    std::vector<std::byte> bytes;
+    file.append(bytes, file.left());
     return bytes;
 }
 

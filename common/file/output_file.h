@@ -30,9 +30,33 @@ class WholeFile {
 void write_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
 void write_file(const std::filesystem::path& path, std::string_view text);
 
+/// Removes the temporary names of files that are being written, for a program that ends at once: no
+/// such file can be written any more.  Needs no memory; any thread may call it.
+void remove_temporary_files() noexcept;
+
 /// Throws InputError if `path` could not be written later (no such folder, no permission, a folder
 /// itself), so that long work is not done for nothing.  Changes no file.
 void check_writable(const std::filesystem::path& path);
+
+/// Reads a file piece by piece.  Each call throws InputError with path and cause.
+class InputFile {
+  public:
+    explicit InputFile(const std::filesystem::path& path);
+    ~InputFile();
+    InputFile(const InputFile&) = delete;
+    InputFile& operator=(const InputFile&) = delete;
+
+    /// Returns the bytes that are not read yet, by the file's size at first.
+    std::size_t left() const { return left_; }
+    /// Appends the next `count` bytes, at most left(); fewer, after which none are left, if the
+    /// file was cut short meanwhile.
+    void append(std::vector<std::byte>& bytes, std::size_t count);
+
+  private:
+    std::filesystem::path path_;
+    int descriptor_ = -1;
+    std::size_t left_ = 0;
+};
 
 /// Reads a whole file.  Throws InputError with path and cause if it cannot be read.
 std::vector<std::byte> read_file(const std::filesystem::path& path);

@@ -46,7 +46,8 @@ auto within_memory(const std::filesystem::path& path, const Read& read)
     try {
         return read();
     } catch (const std::bad_alloc&) {
-        throw scene_error(path, "", "does not fit into memory; export fewer faces or instances");
+        throw OutOfMemory(path.string() +
+                          ": does not fit into memory; export fewer faces or instances");
     }
 }
 
