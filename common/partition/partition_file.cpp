@@ -8,6 +8,7 @@
 #include <flatbuffers/flatbuffers.h>
 #include <xxhash.h>
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <memory>
@@ -18,34 +19,43 @@
 namespace hipmap {
 namespace {
 
-constexpr std::uint32_t kVersion = 3;
+constexpr std::uint32_t kVersion = 4;
 
-/// FlatBuffers offsets are 31 bits, and its Release builder writes past them without a word.
-constexpr std::size_t kMaxBytes = std::size_t{1} << 30;
+/// A longer chunk is refused.  FlatBuffers offsets are 31 bits, and its Release builder writes past
+/// them without a word.
+constexpr std::size_t kLongestChunk = std::size_t{1} << 30;
+
+/// Of the arrays of a file, for each face.
+constexpr std::size_t kBytesPerFace = 3 * (sizeof(EdgeClass) + sizeof(std::uint32_t)) +
+                                      sizeof(MapId) + sizeof(std::uint32_t) + 3 * sizeof(float) +
+                                      4 * sizeof(std::uint8_t);
+
+/// What a chunk has beside its arrays, at most.
+constexpr std::size_t kChunkOverhead = 1024;
 
 struct FreeState {
     void operator()(XXH3_state_t* state) const { XXH3_freeState(state); }
 };
 
-/// Copies one array of the file; an absent one is empty.
+/// Appends one array of a chunk; an absent one is empty.
 template <typename T, typename Stored>
-void copy_array(std::vector<T>& to, const flatbuffers::Vector<Stored>* from)
+void append_array(std::vector<T>& to, const flatbuffers::Vector<Stored>* from)
 {
     static_assert(sizeof(T) == sizeof(Stored));
-    if (!from)
+    if (!from || from->size() == 0)
         return;
-    to.resize(from->size());
-    if (!to.empty())
-        std::memcpy(to.data(), from->data(), to.size() * sizeof(T));
+    const std::size_t before = to.size();
+    to.resize(before + from->size());
+    std::memcpy(to.data() + before, from->data(), from->size() * sizeof(T));
 }
 
 /// Contacts lie in two arrays of the file; arrays that do not fit each other give none.
-void unpack_contacts(std::vector<MapContact>& contacts, const file::Partition& stored)
+void append_contacts(std::vector<MapContact>& contacts, const file::Partition& stored)
 {
     std::vector<MapId> maps;
     std::vector<float> points;
-    copy_array(maps, stored.contact_map());
-    copy_array(points, stored.contact_points());
+    append_array(maps, stored.contact_map());
+    append_array(points, stored.contact_points());
     if (points.size() != 6 * maps.size())
         return;
     for (std::size_t i = 0; i < maps.size(); ++i) {
@@ -54,65 +64,126 @@ void unpack_contacts(std::vector<MapContact>& contacts, const file::Partition& s
     }
 }
 
-Partition unpack(const file::Partition& stored)
+/// Appends the arrays of a chunk, and takes the rest from it.
+void append_chunk(Partition& p, const file::Partition& stored)
 {
-    Partition p;
     p.scene.words = {stored.scene_0(), stored.scene_1()};
     p.angle_threshold = stored.angle_threshold();
     p.map_count = stored.map_count();
-    copy_array(p.map_of_face, stored.map_of_face());
-    copy_array(p.edge_class, stored.edge_class());
-    copy_array(p.opposite, stored.opposite());
-    copy_array(p.flipped, stored.flipped());
-    copy_array(p.closed, stored.closed());
-    copy_array(p.reach, stored.reach());
-    copy_array(p.candidate, stored.candidate());
-    copy_array(p.kept_edges, stored.kept_edges());
-    copy_array(p.self_distance, stored.clearance());
+    append_array(p.map_of_face, stored.map_of_face());
+    append_array(p.edge_class, stored.edge_class());
+    append_array(p.opposite, stored.opposite());
+    append_array(p.flipped, stored.flipped());
+    append_array(p.closed, stored.closed());
+    append_array(p.reach, stored.reach());
+    append_array(p.candidate, stored.candidate());
+    append_array(p.kept_edges, stored.kept_edges());
+    append_array(p.self_distance, stored.clearance());
     p.position_error = stored.position_error();
-    copy_array(p.bridged_edges, stored.bridged_edges());
-    unpack_contacts(p.contacts, stored);
+    append_array(p.bridged_edges, stored.bridged_edges());
+    append_contacts(p.contacts, stored);
     p.group_count = stored.group_count();
-    copy_array(p.group_of_face, stored.group_of_face());
-    copy_array(p.group_radius, stored.group_radius());
-    return p;
+    append_array(p.group_of_face, stored.group_of_face());
+    append_array(p.group_radius, stored.group_radius());
 }
 
-flatbuffers::Offset<file::Partition> pack(flatbuffers::FlatBufferBuilder& builder,
-                                          const Partition& p)
+/// Makes room for the arrays of a file, so that they do not grow chunk by chunk.
+void reserve(Partition& p, std::size_t faces)
 {
-    const auto* classes = reinterpret_cast<const std::uint8_t*>(p.edge_class.data());
-    const auto map_of_face = builder.CreateVector(p.map_of_face);
-    const auto edge_class = builder.CreateVector(classes, p.edge_class.size());
-    const auto opposite = builder.CreateVector(p.opposite);
-    const auto flipped = builder.CreateVector(p.flipped);
-    const auto closed = builder.CreateVector(p.closed);
-    const auto reach = builder.CreateVector(p.reach);
-    const auto candidate = builder.CreateVector(p.candidate);
-    const auto kept_edges = builder.CreateVector(p.kept_edges);
-    const auto self_distance = builder.CreateVector(p.self_distance);
-    const auto bridged = builder.CreateVector(p.bridged_edges);
+    const auto reserve_all = [faces](auto&... arrays) { (arrays.reserve(faces), ...); };
+    reserve_all(p.map_of_face, p.flipped, p.closed, p.reach, p.candidate, p.kept_edges,
+                p.self_distance, p.group_of_face, p.group_radius);
+    p.edge_class.reserve(3 * faces);
+    p.opposite.reserve(3 * faces);
+}
+
+/// One of `count` chunks: it holds as large a part of every array.
+struct ChunkPlace {
+    std::size_t index = 0, count = 1;
+
+    template <typename T>
+    std::span<const T> of(const std::vector<T>& all) const
+    {
+        const std::size_t begin = all.size() * index / count;
+        return std::span(all).subspan(begin, all.size() * (index + 1) / count - begin);
+    }
+};
+
+flatbuffers::Offset<file::Partition> pack(flatbuffers::FlatBufferBuilder& builder,
+                                          const Partition& p, std::uint64_t checksum,
+                                          const ChunkPlace& place)
+{
+    const auto stored = [&](const auto& all) {
+        const auto part = place.of(all);
+        return builder.CreateVector(part.data(), part.size());
+    };
+    const std::span<const EdgeClass> classes = place.of(p.edge_class);
+    const auto map_of_face = stored(p.map_of_face);
+    const auto edge_class =
+        builder.CreateVector(reinterpret_cast<const std::uint8_t*>(classes.data()), classes.size());
+    const auto opposite = stored(p.opposite);
+    const auto flipped = stored(p.flipped);
+    const auto closed = stored(p.closed);
+    const auto reach = stored(p.reach);
+    const auto candidate = stored(p.candidate);
+    const auto kept_edges = stored(p.kept_edges);
+    const auto self_distance = stored(p.self_distance);
+    const auto bridged = stored(p.bridged_edges);
     std::vector<MapId> maps;
     std::vector<float> points;
-    for (const MapContact& contact : p.contacts) {
+    for (const MapContact& contact : place.of(p.contacts)) {
         maps.push_back(contact.map);
         for (const glm::vec3& end : {contact.a, contact.b})
             points.insert(points.end(), {end.x, end.y, end.z});
     }
     const auto contact_map = builder.CreateVector(maps);
     const auto contact_points = builder.CreateVector(points);
-    const auto group_of_face = builder.CreateVector(p.group_of_face);
-    const auto group_radius = builder.CreateVector(p.group_radius);
-    return file::CreatePartition(builder, kVersion, partition_checksum(p), p.scene.words[0],
-                                 p.scene.words[1], p.angle_threshold, p.map_count, map_of_face,
-                                 edge_class, opposite, flipped, closed, reach, candidate,
-                                 kept_edges, self_distance, p.position_error, bridged, contact_map,
-                                 contact_points, p.group_count, group_of_face, group_radius);
+    const auto group_of_face = stored(p.group_of_face);
+    const auto group_radius = stored(p.group_radius);
+    return file::CreatePartition(
+        builder, kVersion, checksum, p.scene.words[0], p.scene.words[1], p.angle_threshold,
+        p.map_count, map_of_face, edge_class, opposite, flipped, closed, reach, candidate,
+        kept_edges, self_distance, p.position_error, bridged, contact_map, contact_points,
+        p.group_count, group_of_face, group_radius, static_cast<std::uint32_t>(place.count));
 }
 
 InputError unreadable(const std::filesystem::path& path, const std::string& what)
 {
     return InputError(path.string() + ": " + what + "; run preprocess again");
+}
+
+/// Reads and verifies the next chunk of a file.
+std::vector<std::byte> read_chunk(InputFile& file, const std::filesystem::path& path)
+{
+    constexpr std::size_t kPrefix = sizeof(flatbuffers::uoffset_t);
+    constexpr std::size_t kHeader = 2 * kPrefix + 4; // the length, the root and the identifier
+    std::vector<std::byte> bytes;
+    file.append(bytes, std::min(file.left(), kHeader));
+    const auto says_hpm = [&](std::size_t at) {
+        return bytes.size() >= at + 4 && std::memcmp(bytes.data() + at, "HPM", 3) == 0;
+    };
+    if (says_hpm(kPrefix)) // up to version 3 there was no length
+        throw unreadable(path, "written by another version of preprocess");
+    if (!says_hpm(2 * kPrefix))
+        throw unreadable(path, "not a partition file");
+    if (!flatbuffers::BufferHasIdentifier(bytes.data(), file::PartitionIdentifier(), true))
+        throw unreadable(path, "written by another version of preprocess");
+    const char* const damaged = "the partition file is truncated or damaged";
+    const std::size_t rest =
+        flatbuffers::GetPrefixedSize(reinterpret_cast<const std::uint8_t*>(bytes.data())) +
+        kPrefix - bytes.size();
+    if (rest > kLongestChunk || rest > file.left())
+        throw unreadable(path, damaged);
+    file.append(bytes, rest);
+    const auto* data = reinterpret_cast<const std::uint8_t*>(bytes.data());
+    flatbuffers::Verifier verifier(data, bytes.size());
+    if (!file::VerifySizePrefixedPartitionBuffer(verifier))
+        throw unreadable(path, damaged);
+    if (const auto version = file::GetSizePrefixedPartition(data)->version(); version != kVersion)
+        throw unreadable(path, "written in version " + std::to_string(version) +
+                                   " of the format, this program reads " +
+                                   std::to_string(kVersion));
+    return bytes;
 }
 
 } // namespace
@@ -148,51 +219,45 @@ std::uint64_t partition_checksum(const Partition& p)
     return XXH3_64bits_digest(state.get());
 }
 
-void write_partition(const std::filesystem::path& path, const Partition& p)
+void write_partition(const std::filesystem::path& path, const Partition& p, std::size_t chunk_bytes)
 {
-    constexpr std::size_t kBytesPerFace = 3 * (sizeof(EdgeClass) + sizeof(std::uint32_t)) +
-                                          sizeof(MapId) + sizeof(std::uint32_t) +
-                                          3 * sizeof(float) + 4 * sizeof(std::uint8_t);
     constexpr std::size_t kBytesPerContact = sizeof(MapId) + 6 * sizeof(float);
     const std::size_t bytes = p.face_count() * kBytesPerFace +
                               p.contacts.size() * kBytesPerContact +
-                              p.bridged_edges.size() * sizeof(std::uint32_t) + 1024;
-    if (bytes > kMaxBytes)
-        throw InputError(path.string() + ": a partition of " + std::to_string(p.face_count()) +
-                         " faces does not fit the format (at most " +
-                         std::to_string((kMaxBytes - 1024) / kBytesPerFace) +
-                         "); split the scene or reduce it");
-
-    flatbuffers::FlatBufferBuilder builder(bytes);
-    const auto root = pack(builder, p);
-    file::FinishPartitionBuffer(builder, root);
-    write_file(path, std::as_bytes(std::span(builder.GetBufferPointer(), builder.GetSize())));
+                              p.bridged_edges.size() * sizeof(std::uint32_t);
+    const std::uint64_t checksum = partition_checksum(p);
+    ChunkPlace place{0, bytes / chunk_bytes + 1};
+    WholeFile file(path);
+    for (; place.index < place.count; ++place.index) {
+        flatbuffers::FlatBufferBuilder builder(bytes / place.count + kChunkOverhead);
+        file::FinishSizePrefixedPartitionBuffer(builder, pack(builder, p, checksum, place));
+        file.write(std::as_bytes(std::span(builder.GetBufferPointer(), builder.GetSize())));
+    }
+    file.commit();
 }
 
 Partition read_partition(const std::filesystem::path& path)
 {
-    std::error_code unknown;
-    if (const auto size = std::filesystem::file_size(path, unknown); !unknown && size > kMaxBytes)
-        throw unreadable(path, "too large for a partition file");
-    const std::vector<std::byte> bytes = read_file(path);
-    const auto* data = reinterpret_cast<const std::uint8_t*>(bytes.data());
-    constexpr std::size_t kHeader = sizeof(flatbuffers::uoffset_t) + 4;
-    if (bytes.size() < kHeader || std::memcmp(data + sizeof(flatbuffers::uoffset_t), "HPM", 3) != 0)
-        throw unreadable(path, "not a partition file");
-    if (!file::PartitionBufferHasIdentifier(data))
-        throw unreadable(path, "written by another version of preprocess");
-    flatbuffers::Verifier verifier(data, bytes.size());
-    if (!file::VerifyPartitionBuffer(verifier))
+    InputFile file(path);
+    Partition partition;
+    reserve(partition, file.left() / kBytesPerFace);
+    std::uint64_t checksum = 0;
+    std::uint32_t chunks = 0, read = 0;
+    do {
+        const std::vector<std::byte> bytes = read_chunk(file, path);
+        const auto* data = reinterpret_cast<const std::uint8_t*>(bytes.data());
+        const file::Partition& stored = *file::GetSizePrefixedPartition(data);
+        append_chunk(partition, stored);
+        if (read++ == 0) {
+            checksum = stored.checksum();
+            chunks = stored.chunk_count();
+        }
+    } while (file.left() > 0);
+    if (read != chunks)
         throw unreadable(path, "the partition file is truncated or damaged");
-    const file::Partition& stored = *file::GetPartition(data);
-    if (stored.version() != kVersion)
-        throw unreadable(path, "written in version " + std::to_string(stored.version()) +
-                                   " of the format, this program reads " +
-                                   std::to_string(kVersion));
-    Partition partition = unpack(stored);
     if (const std::string defect = defect_of(partition); !defect.empty())
         throw unreadable(path, "the partition file is damaged: " + defect);
-    if (stored.checksum() != partition_checksum(partition))
+    if (checksum != partition_checksum(partition))
         throw unreadable(path, "the partition file is damaged: its checksum is wrong");
     return partition;
 }

@@ -7,12 +7,18 @@
 
 namespace hipmap {
 
+/// The length to which a chunk of a file grows.
+inline constexpr std::size_t kChunkBytes = std::size_t{1} << 28;
+
 /// Writes `partition` as a .hpm file (docs/partition_file.md): to a temporary name, synced,
 /// renamed. Throws InputError if the file cannot be written; then no file is left behind.
-void write_partition(const std::filesystem::path& path, const Partition& partition);
+/// chunk_bytes: from 1 to kChunkBytes.  Memory: twice a chunk.
+void write_partition(const std::filesystem::path& path, const Partition& partition,
+                     std::size_t chunk_bytes = kChunkBytes);
 
-/// Reads a .hpm file and checks every value in it: sizes, ranges of ids, edges that point back.
-/// Throws InputError: no such file, truncated or damaged, another version of the format.
+/// Reads a .hpm file, a chunk at a time, and checks every value in it: sizes, ranges of ids, edges
+/// that point back. Throws InputError: no such file, truncated or damaged, another version of the
+/// format.
 Partition read_partition(const std::filesystem::path& path);
 
 /// Returns a 64-bit checksum of every field, which also detects damage that leaves each number

@@ -8,6 +8,7 @@
 #include <catch2/catch.hpp>
 #include <unistd.h>
 
+#include <cstring>
 #include <filesystem>
 #include <functional>
 #include <limits>
@@ -72,14 +73,8 @@ std::string error_of(const std::function<void()>& work)
     return {};
 }
 
-} // namespace
-
-TEST_CASE("partition file: every field survives", "[partition]")
+void require_same(const Partition& read, const Partition& written)
 {
-    const TemporaryFolder folder;
-    const Partition written = sample(scene_of(4));
-    write_partition(folder.path / "a.hpm", written);
-    const Partition read = read_partition(folder.path / "a.hpm");
     CHECK(read.scene == written.scene);
     CHECK(read.angle_threshold == written.angle_threshold);
     CHECK(read.map_count == written.map_count);
@@ -98,6 +93,39 @@ TEST_CASE("partition file: every field survives", "[partition]")
     CHECK(read.group_count == written.group_count);
     CHECK(read.group_of_face == written.group_of_face);
     CHECK(read.group_radius == written.group_radius);
+}
+
+} // namespace
+
+TEST_CASE("partition file: every field survives, in one chunk or in many", "[partition]")
+{
+    const TemporaryFolder folder;
+    const Partition written = sample(scene_of(4));
+    const std::filesystem::path path = folder.path / "a.hpm";
+    for (const std::size_t chunk_bytes : {kChunkBytes, std::size_t{100}, std::size_t{10}}) {
+        write_partition(path, written, chunk_bytes);
+        require_same(read_partition(path), written);
+    }
+}
+
+TEST_CASE("partition file: chunks that are missing or too many are refused", "[partition]")
+{
+    const TemporaryFolder folder;
+    const std::filesystem::path path = folder.path / "a.hpm";
+    write_partition(path, sample(scene_of(4)), 60);
+    const std::vector<std::byte> whole = read_file(path);
+    std::uint32_t first = 0;
+    std::memcpy(&first, whole.data(), sizeof first);
+    first += sizeof first;
+    REQUIRE(first < whole.size());
+    overwrite(path, std::span(whole).first(first));
+    CHECK(error_of([&] { read_partition(path); }).find("truncated") != std::string::npos);
+    overwrite(path, std::span(whole).subspan(first));
+    CHECK(error_of([&] { read_partition(path); }).find("truncated") != std::string::npos);
+    std::vector<std::byte> more = whole;
+    more.insert(more.end(), whole.begin(), whole.begin() + first);
+    overwrite(path, more);
+    CHECK(error_of([&] { read_partition(path); }).find("truncated") != std::string::npos);
 }
 
 TEST_CASE("partition file: an empty partition survives", "[partition]")
@@ -154,8 +182,11 @@ TEST_CASE("partition file: other files are not partitions", "[partition]")
     write_file(path, std::string_view("glTF, or anything else that is not a partition"));
     CHECK(error_of([&] { read_partition(path); }).find("not a partition file") !=
           std::string::npos);
-    write_file(path, std::string_view("\x10\0\0\0HPM2 of another version", 28));
-    CHECK(error_of([&] { read_partition(path); }).find("another version") != std::string::npos);
+    for (const std::string_view other : {std::string_view("\x10\0\0\0HPM1 of another version", 28),
+                                         std::string_view("\x20\0\0\0\x10\0\0\0HPM3, too", 17)}) {
+        write_file(path, other);
+        CHECK(error_of([&] { read_partition(path); }).find("another version") != std::string::npos);
+    }
 }
 
 TEST_CASE("partition file: values that contradict each other are refused", "[partition]")
