@@ -111,6 +111,10 @@ RTCRay embree_ray(const Ray& ray)
     return out;
 }
 
+/// From so many faces on, Embree's tree refers to vertices instead of copying them: 32 bytes a face
+/// less for photons that take 15 % longer.  Hits are the same.
+constexpr std::size_t kManyFaces = std::size_t{1} << 23;
+
 template <typename Element>
 void copy_buffer(RTCGeometry geometry, RTCBufferType type, RTCFormat format,
                  const std::vector<Element>& from)
@@ -185,9 +189,11 @@ EmbreeScene::EmbreeScene(const TriangleMesh& mesh, Opacity opacity)
     if (handles_->device == nullptr)
         throw std::bad_alloc();
     handles_->scene = rtcNewScene(handles_->device);
-    rtcSetSceneFlags(
-        handles_->scene,
-        static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION));
+    const bool is_large = mesh.face_count() >= kManyFaces;
+    rtcSetSceneFlags(handles_->scene,
+                     static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST |
+                                                RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION |
+                                                (is_large ? RTC_SCENE_FLAG_COMPACT : 0)));
     if (mesh.face_count() != 0) {
         RTCGeometry geometry = rtcNewGeometry(handles_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
         copy_buffer(geometry, RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, mesh.positions);
