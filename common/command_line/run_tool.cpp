@@ -1,5 +1,6 @@
 #include "common/command_line/run_tool.h"
 
+#include "common/command_line/memory_limit.h"
 #include "common/file/output_file.h"
 #include "common/input_error.h"
 
@@ -108,6 +109,7 @@ void print_error(std::string_view what)
 int run_tool(const char* memory_advice, const std::function<int()>& body)
 {
     what_to_lower = memory_advice;
+    limit_memory();
     return run_tool(body);
 }
 

@@ -20,8 +20,8 @@ void print_error(std::string_view what);
 /// program with the same line and exit code, and leaves no temporary file.
 int run_tool(const std::function<int()>& body);
 
-/// Runs the body of a tool that says what the user can lower when memory runs out; the text must
-/// outlive the program.
+/// Runs the body of a tool that says what the user can lower when memory runs out, and keeps it to
+/// the memory that there is (limit_memory).  memory_advice must outlive the program.
 int run_tool(const char* memory_advice, const std::function<int()>& body);
 
 /// Limits the threads of the program from now on; 0: all cores.  Starts them, so that none has to

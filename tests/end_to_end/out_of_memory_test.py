@@ -1,6 +1,6 @@
 """Memory that runs out, in every stage: exit code 4, one line that says what to lower, and no file left behind.
 
-    memory_test.py FOLDER_OF_TOOLS SCENE [--soak]
+    out_of_memory_test.py FOLDER_OF_TOOLS SCENE [--soak]
 
 With --soak: hundreds of limits, and options at random.  Exit code 77 where the programs do not run under a limit at
 all, as those built with sanitizers.
@@ -33,7 +33,7 @@ def run_within(mib, tool, *arguments):
                           check=False, preexec_fn=set_limits)
 
 
-class Memory(ToolsTestCase):
+class OutOfMemory(ToolsTestCase):
     def setUp(self):
         super().setUp()
         self.random = random.Random(SEED)
