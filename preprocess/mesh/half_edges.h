@@ -35,7 +35,8 @@ struct HalfEdges {
 /// Finds the neighbours of every face.  The half-edge mesh is OpenMesh's; because it refuses what
 /// is not an oriented manifold, faces are oriented first, and every vertex is given once to each
 /// fan of faces around it (Gueziec et al. 1998, "Converting sets of polygons to manifold surfaces
-/// by cutting and stitching").
+/// by cutting and stitching").  Surfaces on which no edge had to be opened are manifolds as they
+/// are; for these the mesh is not built.
 /// Near linear; the result does not depend on threads.
 HalfEdges find_half_edges(const TriangleMesh& mesh, const VertexWeld& weld);
 

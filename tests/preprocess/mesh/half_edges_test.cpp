@@ -1,5 +1,6 @@
 #include "preprocess/mesh/half_edges.h"
 #include "preprocess/mesh/openmesh_pairs.h"
+#include "preprocess/mesh/welded_faces.h"
 #include "tests/support/tiny_meshes.h"
 
 #include <catch2/catch.hpp>
@@ -292,6 +293,24 @@ TEST_CASE("half edges: any soup of triangles is sound, its pairs those of a plai
         }
     }
     CHECK(refused == 0);
+}
+
+TEST_CASE("half edges: on a manifold OpenMesh would find the same", "[mesh]")
+{
+    for (const TriangleMesh& mesh : {tiny::cube(), tiny::open_box(), tiny::uv_sphere(30, 20),
+                                     tiny::together(tiny::uv_sphere(9, 7), tiny::cube())}) {
+        const VertexWeld weld = weld_vertices(mesh.positions);
+        const WeldedFaces faces = weld_faces(mesh, weld);
+        std::vector<WoundFace> wound;
+        for (FaceId face = 0; face < mesh.face_count(); ++face) {
+            const std::uint32_t* v = &faces.vertex_of_corner[std::size_t{3} * face];
+            if (!faces.degenerate[face])
+                wound.push_back({face, {v[0], v[1], v[2]}, false});
+        }
+        const HalfEdgePairs pairs = pair_half_edges(wound, weld.count, mesh.face_count());
+        REQUIRE(pairs.refused_faces == 0);
+        CHECK(half_edges(mesh).opposite == pairs.opposite);
+    }
 }
 
 TEST_CASE("pair_half_edges: a face that OpenMesh refuses is entered with new vertices", "[mesh]")
