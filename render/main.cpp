@@ -52,6 +52,7 @@ int merge_main(int argc, char** argv, const std::string& tool)
     if (const std::optional<int> code = hipmap::parse_arguments(app, argc, argv))
         return *code;
     arguments.command = hipmap::command_of("render", argc + 1, argv - 1);
+    hipmap::limit_threads(0);
     return hipmap::merge_states(arguments);
 }
 
@@ -65,6 +66,7 @@ int describe_main(int argc, char** argv, const std::string& tool)
     hipmap::add_arguments(app, arguments);
     if (const std::optional<int> code = hipmap::parse_arguments(app, argc, argv))
         return *code;
+    hipmap::limit_threads(0);
     return hipmap::describe_states(arguments);
 }
 

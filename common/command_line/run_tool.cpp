@@ -6,6 +6,7 @@
 
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task.h>
 #include <tbb/task_arena.h>
 #include <unistd.h>
 
@@ -53,17 +54,34 @@ bool is_out_of_memory(const std::exception_ptr& problem)
     return false;
 }
 
-/// Runs where an exception leaves a thread that nobody waits for, or a function that promises to
-/// throw none.
-[[noreturn]] void end_program()
+/// Ends the program, from whatever thread; destructors do not run.
+[[noreturn]] void end_out_of_memory()
 {
     while (is_ending.test_and_set()) // another thread does it
         ::pause();
     remove_temporary_files();
-    if (!is_out_of_memory(std::current_exception()))
-        std::abort();
     print_out_of_memory();
     ::_exit(kExitMemory);
+}
+
+/// Runs where operator new finds no memory.  An exception in a parallel loop cancels the loops that
+/// it surrounds as well, and these return as if they were done: what follows them there would work
+/// on what was never written.  So the program ends at once there.
+void answer_lack_of_memory()
+{
+    if (tbb::task::current_context() != nullptr)
+        end_out_of_memory();
+    throw std::bad_alloc();
+}
+
+/// Runs where an exception leaves a thread that nobody waits for, or a function that promises to
+/// throw none.
+[[noreturn]] void end_program()
+{
+    if (is_out_of_memory(std::current_exception()))
+        end_out_of_memory();
+    remove_temporary_files();
+    std::abort();
 }
 
 /// While it lives, what TBB throws where nothing can catch it says that a thread was not granted.
@@ -116,6 +134,7 @@ int run_tool(const char* memory_advice, const std::function<int()>& body)
 int run_tool(const std::function<int()>& body)
 {
     std::set_terminate(end_program);
+    std::set_new_handler(answer_lack_of_memory);
     try {
         return body();
     } catch (const OutOfMemory& problem) {

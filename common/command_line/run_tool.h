@@ -16,8 +16,9 @@ inline constexpr int kExitMemory = 4;  ///< out of memory
 void print_error(std::string_view what);
 
 /// Runs the body of a tool.  Turns what the body throws into one line on standard error and an exit
-/// code.  A thread of a library in which memory runs out, where nothing can catch it, ends the
-/// program with the same line and exit code, and leaves no temporary file.
+/// code.  Where memory runs out in a parallel loop, or in a thread of a library, where nothing can
+/// catch it, the program ends at once with the same line and exit code, and leaves no temporary
+/// file.
 int run_tool(const std::function<int()>& body);
 
 /// Runs the body of a tool that says what the user can lower when memory runs out, and keeps it to

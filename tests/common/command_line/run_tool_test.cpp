@@ -5,6 +5,7 @@
 
 #include <catch2/catch.hpp>
 #include <sys/wait.h>
+#include <tbb/parallel_for.h>
 #include <unistd.h>
 
 #include <new>
@@ -75,6 +76,26 @@ TEST_CASE(
     CHECK(ended.code == kExitMemory);
     CHECK(ended.printed == "error: out of memory; lower something\n");
     CHECK(std::filesystem::is_empty(folder.path()));
+}
+
+TEST_CASE("run_tool: memory that runs out in a parallel loop ends the program there",
+          "[command_line]")
+{
+    const Ended ended = run_apart([] {
+        tbb::parallel_for(0, 2, [](int) { std::get_new_handler()(); });
+        return kExitDone;
+    });
+    CHECK(ended.code == kExitMemory);
+    CHECK(ended.printed == "error: out of memory; lower something\n");
+    const Ended caught = run_apart([] {
+        try {
+            std::get_new_handler()();
+        } catch (const std::bad_alloc&) {
+            return kExitDone;
+        }
+        return kExitDefect;
+    });
+    CHECK(caught.code == kExitDone);
 }
 
 TEST_CASE("run_tool: bad input and defects have their own exit codes", "[command_line]")
