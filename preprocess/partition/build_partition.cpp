@@ -199,8 +199,12 @@ GroupCandidates PartitionBuilder::find_all_groups() const
 /// Fills what depends on the faces of each map alone.
 void PartitionBuilder::look_around_maps()
 {
-    trees_ =
-        timed("build trees of maps", [&] { return trees_of_maps(mesh_, maps_, known_.changed); });
+    trees_ = timed("build trees of maps", [&] {
+        // Of one map the tree of all faces is the very tree, unless it was refitted.
+        if (maps_.count == 1 && !is_refitted_ && known_.changed[0] != 0)
+            return std::vector<FaceTree>{tree_};
+        return trees_of_maps(mesh_, maps_, known_.changed);
+    });
     LocalCandidates locals = timed("find local candidates", [&] {
         return find_local_candidates(mesh_, out_.edge_class, maps_);
     });
