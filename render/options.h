@@ -65,6 +65,7 @@ struct RenderArguments {
     SkyOptions sky;
     FrameOptions frames;
     double photon_cache_mib = 1024; ///< for maps that further frames may use
+    double memory_gib = 0;          ///< limit of all memory; 0: none
     double shutter = 0;             ///< frames that the shutter is open; 0: no time
     /// The options of the passes.  The size, the photons and the light classes follow from the
     /// frame.

@@ -3,6 +3,7 @@
 #include "common/partition/partition_file.h"
 #include "common/stopwatch.h"
 #include "render/effects/drop_effects.h"
+#include "render/fit_memory.h"
 #include "render/load_sky.h"
 #include "render/run_plan.h"
 #include "render/settings.h"
@@ -139,6 +140,7 @@ PreparedFrame prepare_frame(const RenderArguments& request, SceneSource& source)
     if (arguments.explain)
         return out;
     out.sky = load_sky(scene, arguments.sky.turn_deg);
+    fit_memory(out);
     out.settings = settings_of(arguments, scene, out.partition, out.sky);
     if (out.effects.has(Effect::motion_blur))
         out.settings.push_back(out.motion.setting);

@@ -11,8 +11,8 @@ namespace hipmap {
 
 /// Everything that is read and decided before a frame is rendered.
 struct PreparedFrame {
-    /// The arguments, completed by the frame: image size, photons of a pass, diffuse model, and the
-    /// light classes that are traced.
+    /// The arguments, completed by the frame: image size, photons of a pass (within --memory),
+    /// diffuse model, and the light classes that are traced.
     RenderArguments arguments;
     LoadedScene loaded; ///< without what the plan leaves out
     Partition partition;
@@ -35,7 +35,7 @@ Scene load_moment(const PreparedFrame& frame, SceneSource& source, double time);
 
 /// Reads and plans the frame that `request` names, and the state to resume if its file exists.
 /// With --explain sky, settings and state stay empty.  Throws as load_at, read_partition,
-/// check_partition_of, load_sky, read_state and check_settings.
+/// check_partition_of, load_sky, fit_memory, read_state and check_settings.
 PreparedFrame prepare_frame(const RenderArguments& request, SceneSource& source);
 
 } // namespace hipmap

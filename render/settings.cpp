@@ -49,6 +49,7 @@ constexpr double kMostPassesAsked = 1e6;
 constexpr double kMostFirstPass = 1e15;
 constexpr double kMostSeconds = 1e9;
 constexpr double kMostMib = 1e9;
+constexpr double kMostGib = 1e6;
 constexpr double kLongestShutter = 1000;
 
 constexpr const char* kMethodSection = "Method";
@@ -328,6 +329,12 @@ std::vector<OptionRow> end_rows(RenderArguments& arguments)
 std::vector<OptionRow> speed_rows(RenderArguments& arguments)
 {
     return {threads_row(arguments.threads),
+            {.name = "memory",
+             .section = kRunSection,
+             .field = number_field(arguments.memory_gib, {0, kMostGib}, "GIB"),
+             .help =
+                 "Keep to this many GiB: lowers --photons where a pass would need more, and says "
+                 "so; 0: no limit"},
             {.name = "photon-cache",
              .section = kRunSection,
              .field = number_field(arguments.photon_cache_mib, {0, kMostMib}, "MIB"),

@@ -14,10 +14,12 @@ constexpr int kRounds = 6;
 /// little, and in each of the others.
 constexpr std::uint64_t kFirstPart = 8, kPart = 2;
 constexpr std::uint64_t kFewestPaths = 1 << 14, kFewestAimed = 1 << 12;
+/// More teach a guide little, and the paths of all rounds are kept.
+constexpr std::uint64_t kMostPaths = 1 << 21;
 
 std::uint64_t part_of(std::uint64_t paths, std::uint64_t part, std::uint64_t fewest)
 {
-    return std::min(paths, std::max(paths / part, fewest));
+    return std::min({paths, std::max(paths / part, fewest), kMostPaths});
 }
 
 /// Returns the options of the photons of a round.

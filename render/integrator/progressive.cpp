@@ -100,22 +100,31 @@ MapOptions guided_options(const ProgressivePass& pilot, EmissionGuide PhotonGuid
     return out;
 }
 
+/// Gives the memory of photons back that are not needed any more.
+template <typename T>
+void release(std::vector<T>& photons)
+{
+    std::vector<T>().swap(photons);
+}
+
 /// By photons of their own, as many as a pass has.
 ProgressiveRadii find_first_radii(const ProgressivePass& pilot)
 {
     const MappedScene& mapped = pilot.mapped;
     const RenderOptions& options = pilot.options;
-    const TracedPhotons traced = trace_photons(mapped.scene, linked_options(pilot));
+    TracedPhotons traced = trace_photons(mapped.scene, linked_options(pilot));
     std::vector<Photon> indirect;
     indirect.reserve(traced.bounces.size());
     for (const BouncedPhoton& bounced : traced.bounces)
         indirect.push_back(bounced.photon);
+    release(traced.bounces);
     using Sparse = RadiusField::Sparse;
-    const auto field = [&](const std::vector<Photon>& photons, const MapOptions& maps,
+    const auto field = [&](std::vector<Photon>& photons, const MapOptions& maps,
                            Sparse sparse = Sparse::even) {
-        return build_radius_field(
-            build_chosen_maps(photons, mapped.surfaces, maps, estimated(options)), mapped.surfaces,
-            sparse);
+        const ChosenMaps built =
+            build_chosen_maps(photons, mapped.surfaces, maps, estimated(options));
+        release(photons);
+        return build_radius_field(built, mapped.surfaces, sparse);
     };
     const MapOptions aimed = guided_options(pilot, &PhotonGuides::aimed);
     const MapOptions others = guided_options(pilot, &PhotonGuides::without_aim);
@@ -131,29 +140,43 @@ void count_searches(const GatherScratch& scratch, RenderStatistics& statistics)
     statistics.indirect.add_searches(scratch.indirect);
 }
 
+/// Runs the builders of the maps of a pass at the same time: where one map has most photons,
+/// threads would wait at its root.  Many photons are built one kind after another, which takes a
+/// fifth less memory, and they keep the threads busy by themselves.
+template <typename... Build>
+void in_parallel_unless_many(const TracedPhotons& traced, const Build&... build)
+{
+    constexpr std::size_t kMany = std::size_t{1} << 23;
+    if (traced.global.size() + traced.caustic.size() < kMany)
+        tbb::parallel_invoke(build...);
+    else
+        (build(), ...);
+}
+
 ProgressiveMaps make_maps(const ProgressivePass& pass, const ProgressiveRadii& first,
                           RenderStatistics& statistics)
 {
     const MappedScene& mapped = pass.mapped;
     const RenderScene& scene = mapped.scene;
     const RenderOptions& options = pass.options;
-    const TracedPhotons traced = trace_pass(scene, linked_options(pass), statistics);
+    TracedPhotons traced = trace_pass(scene, linked_options(pass), statistics);
     const Stopwatch watch;
     ProgressiveMaps maps;
-    const auto build = [&](ChosenMaps& to, const std::vector<Photon>& photons,
+    // Each kind gives its photons back as soon as its map has them.
+    const auto build = [&](ChosenMaps& to, std::vector<Photon>& photons,
                            const DissertationOptions& asked, KindStatistics& kind) {
         to = build_maps(mapped, photons, options.maps, asked, kind);
+        release(photons);
     };
+    std::vector<Photon> indirect =
+        weigh_bounces(traced, first.surfaces, mapped.surfaces, pass.scale());
+    release(traced.bounces);
     const DissertationOptions read = estimated(options);
-    // At the same time: where one map has most photons, threads would wait at its root.
-    tbb::parallel_invoke(
-        [&] { build(maps.caustic, traced.caustic, read, statistics.caustic); },
+    in_parallel_unless_many(
+        traced,
         [&] { build(maps.global, traced.global, gathered(scene, options), statistics.global); },
-        [&] {
-            build(maps.indirect,
-                  weigh_bounces(traced, first.surfaces, mapped.surfaces, pass.scale()), read,
-                  statistics.indirect);
-        },
+        [&] { build(maps.indirect, indirect, read, statistics.indirect); },
+        [&] { build(maps.caustic, traced.caustic, read, statistics.caustic); },
         [&] {
             maps.volume =
                 build_volume(scene, traced, first.volume, static_cast<float>(pass.shrink));

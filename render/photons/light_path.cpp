@@ -113,7 +113,7 @@ void store(const Interaction& at, LightPath& path, bool directional, const Wante
     if (!directional)
         power *= transmitted_by(at.bsdf().layers, Depth::diffuse, at.seen());
     const BouncedPhoton bounced{
-        {at.point.position, power, at.back, at.point.face, at.side}, from, path.last_caustic};
+        {at.point.position, power, at.back, at.point.face, at.side}, path.last_caustic, from};
     if (!is_finite(power) || !is_finite(at.point.position)) {
         ++out.dropped;
         return;

@@ -1,5 +1,6 @@
 #include "render/photons/trace_photons.h"
 
+#include "common/freed_memory.h"
 #include "render/lights/emission.h"
 #include "render/photons/light_path.h"
 
@@ -62,6 +63,7 @@ TracedPhotons join(std::vector<TracedPhotons>& chunks)
         out.power.absorbed += chunk.power.absorbed;
         out.power.escaped += chunk.power.escaped;
     }
+    return_freed_memory();
     return out;
 }
 

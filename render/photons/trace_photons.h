@@ -38,9 +38,9 @@ inline constexpr std::uint64_t kNoPhoton = ~std::uint64_t{0};
 /// A photon whose light came by a diffuse bounce, straight or through specular surfaces.
 struct BouncedPhoton {
     Photon photon;
+    bool from_caustic;  ///< `from` is one of the caustic photons, else of the global ones
     std::uint64_t from; ///< the photon that its path left at the surface of the bounce; kNoPhoton:
                         ///<   a medium has scattered the light since
-    bool from_caustic;  ///< it is one of the caustic photons, else of the global ones
 };
 
 /// The numbers of photons that some paths left.
