@@ -93,10 +93,11 @@ class Slurm(unittest.TestCase):
         self.assertIn("holds the states of another render", said)
 
     def test_it_stops_at_an_error(self):
-        self.submit("--passes", "60", "--chunk", "4", "--error", "90%", "--", *OPTIONS)
+        self.submit("--passes", "60", "--chunk", "2", "--error", "90%", "--", *OPTIONS)
+        self.assertNotIn(b"reached", self.content("farm/logs/task-0.log"))  # 2 passes: not known yet
         self.assertIn(b"error of 90 % reached", self.content("farm/logs/task-1.log"))
-        self.assertIn(b"not rendered", self.content("farm/logs/task-14.log"))
-        self.assertIn(b"8 passes from 2 states", self.content("farm/logs/merge.log"))
+        self.assertIn(b"not rendered", self.content("farm/logs/task-29.log"))
+        self.assertIn(b"4 passes from 2 states", self.content("farm/logs/merge.log"))
 
     def test_what_makes_no_sense_is_refused(self):
         for options, naming in ((("--passes", "0"), "whole numbers"), (("--tiles", "2"), "COLUMNSxROWS"),
