@@ -107,8 +107,10 @@ class Frames(ToolsTestCase):
                     self.assertEqual(json.loads(server.stdout.readline()),
                                      {"event": "done", "code": 0})
                     images.append(self.content("served.0000.pfm"))
-            said, errors = server.communicate('["--wrong"]\nno words\n')
-        self.assertEqual(json.loads(said), {"event": "done", "code": 2})
+            said, errors = server.communicate(json.dumps([*words, "--mpi"]) + '\n["--wrong"]\nno words\n')
+        self.assertEqual([json.loads(line) for line in said.splitlines()],
+                         2 * [{"event": "done", "code": 2}])
+        self.assertEqual(errors.count("error: --mpi: render serve renders in one process; leave it out\n"), 1)
         self.assertEqual(server.returncode, 2)
         self.assertIn("error: standard input: not a command line", errors)
         reports = errors.split("done\n")
