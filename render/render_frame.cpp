@@ -26,13 +26,19 @@ std::string label_of(const RenderArguments& arguments)
     return out;
 }
 
-RenderState begin_or_resume(const PreparedFrame& frame, const PassSource& source)
+/// Takes the state that was found, if there is one.
+RenderState begin_or_resume(PreparedFrame& frame, const PassSource& source)
 {
+    const std::string label = label_of(frame.arguments);
+    if (frame.found) {
+        RenderState state =
+            resume_state(source, std::move(*frame.found), frame.arguments.files.state);
+        state.label = std::min(label, state.label);
+        return state;
+    }
     RenderState state = begin_state(source, frame.settings);
     state.image = frame.arguments.tiled;
-    state.label = label_of(frame.arguments);
-    if (frame.found)
-        merge_state(state, *frame.found, frame.arguments.files.state);
+    state.label = label;
     return state;
 }
 

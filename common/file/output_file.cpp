@@ -233,7 +233,7 @@ InputFile::InputFile(const fs::path& path) : path_(path)
         fail(path, "is a folder; give the name of a file in it");
     if (!S_ISREG(status.st_mode))
         fail(path, "is not a regular file; copy it to one");
-    left_ = static_cast<std::size_t>(status.st_size);
+    left_ = size_ = static_cast<std::size_t>(status.st_size);
     descriptor_ = descriptor.release();
 }
 
@@ -244,22 +244,36 @@ InputFile::~InputFile()
 
 void InputFile::append(std::vector<std::byte>& bytes, std::size_t count)
 {
-    std::size_t filled = bytes.size();
-    bytes.resize(filled + std::min(count, left_));
-    while (filled < bytes.size()) {
-        const ssize_t got = ::read(descriptor_, &bytes[filled], bytes.size() - filled);
+    const std::size_t before = bytes.size();
+    bytes.resize(before + std::min(count, left_));
+    bytes.resize(before + read(std::span(bytes).subspan(before)));
+}
+
+std::size_t InputFile::read(std::span<std::byte> into)
+{
+    into = into.first(std::min(into.size(), left_));
+    std::size_t filled = 0;
+    while (filled < into.size()) {
+        const ssize_t got = ::read(descriptor_, &into[filled], into.size() - filled);
         if (got < 0 && errno == EINTR)
             continue;
         if (got < 0)
             fail(path_, "cannot be read", errno);
         if (got == 0) { // it was cut short meanwhile
-            bytes.resize(filled);
             left_ = 0;
-            return;
+            return filled;
         }
         filled += static_cast<std::size_t>(got);
         left_ -= static_cast<std::size_t>(got);
     }
+    return filled;
+}
+
+void InputFile::seek(std::uint64_t place)
+{
+    if (::lseek(descriptor_, static_cast<off_t>(place), SEEK_SET) < 0)
+        fail(path_, "cannot be read", errno);
+    left_ = size_ - static_cast<std::size_t>(place);
 }
 
 std::vector<std::byte> read_file(const fs::path& path)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <span>
@@ -51,11 +52,18 @@ class InputFile {
     /// Appends the next `count` bytes, at most left(); fewer, after which none are left, if the
     /// file was cut short meanwhile.
     void append(std::vector<std::byte>& bytes, std::size_t count);
+    /// Fills `into` with the next bytes; returns how many there were, fewer only at the end.
+    std::size_t read(std::span<std::byte> into);
+    /// Goes back to this byte, at most the file's size at first.
+    void seek(std::uint64_t place);
+    /// Returns the file's size at first.
+    std::uint64_t size() const { return size_; }
 
   private:
     std::filesystem::path path_;
     int descriptor_ = -1;
     std::size_t left_ = 0;
+    std::size_t size_ = 0;
 };
 
 /// Reads a whole file.  Throws InputError with path and cause if it cannot be read.

@@ -93,14 +93,19 @@ std::int64_t largest_value()
     return std::int64_t{1} << kValueBits;
 }
 
+int film_scale(double mean)
+{
+    const bool usable = mean > 0 && std::isfinite(mean);
+    return kMeanBits - (usable ? std::ilogb(mean) : 0);
+}
+
 Film make_film(int width, int height, double mean, BiasKnowledge bias, bool clamped)
 {
     Film film;
     film.width = width;
     film.height = height;
     film.bias = bias;
-    const bool usable = mean > 0 && std::isfinite(mean);
-    film.scale = kMeanBits - (usable ? std::ilogb(mean) : 0);
+    film.scale = film_scale(mean);
     film.radiance.resize(kBatches * 3 * film.pixel_count());
     if (bias == BiasKnowledge::from_radii) {
         film.narrow.resize(kNarrowBatches * 3 * film.pixel_count());

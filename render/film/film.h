@@ -53,6 +53,9 @@ struct Film {
     bool operator==(const Film&) const = default;
 };
 
+/// Returns the scale of a film: see make_film.
+int film_scale(double mean);
+
 /// Makes an empty film.  mean: of the channels of some image of the scene, which fixes the unit; an
 /// estimate will do, but films can be merged only if it was the same.  A mean of zero or less
 /// counts as one.  clamped: passes say what clamping took.

@@ -338,6 +338,12 @@ RenderState begin_merge(const RenderState& tile)
     return out;
 }
 
+InputError other_film(const std::filesystem::path& path)
+{
+    return InputError(path.string() + ": its image has another size, place or unit, or another "
+                                      "allocation of samples; render it again");
+}
+
 void merge_state(RenderState& into, const RenderState& from, const std::filesystem::path& path)
 {
     check_settings(path, from.settings, into.settings);
@@ -346,8 +352,7 @@ void merge_state(RenderState& into, const RenderState& from, const std::filesyst
     if (image_of(from) != image_of(into) || common_pixels(pixels, all) != pixels ||
         film.scale != into.film.scale || film.allocation != into.film.allocation ||
         film.bias != into.film.bias || film.cut.empty() != into.film.cut.empty())
-        throw InputError(path.string() + ": its image has another size, place or unit, or another "
-                                         "allocation of samples; render it again");
+        throw other_film(path);
     const auto common = common_pass(moved(parts_of(film), pixels.x0, pixels.y0),
                                     moved(parts_of(into.film), all.x0, all.y0));
     if (common)

@@ -64,6 +64,9 @@ PixelRect image_of(const RenderState& state);
 /// Makes a state of the same image as `tile`, of all its pixels and without passes.
 RenderState begin_merge(const RenderState& tile);
 
+/// The error for a state whose film cannot be added to that of the render.
+InputError other_film(const std::filesystem::path& path);
+
 /// Adds the passes of `from`, read from `path`, to those of `into`, whose film holds its pixels:
 /// the same bits in any order of merging.  Of the checks it keeps those of the first passes of the
 /// merged film.  Throws InputError, naming `path`: other settings, or a pass that both have of a

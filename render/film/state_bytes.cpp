@@ -102,39 +102,74 @@ void StateWriter::finish()
 }
 
 struct StateReader::Input {
-    std::vector<std::byte> bytes;
-    ZSTD_inBuffer compressed = {};
+    InputFile file;
+    std::uint32_t version = 0;
+    std::uint64_t left = 0; ///< compressed bytes that are not in the buffer yet
+    std::vector<std::byte> buffer = std::vector<std::byte>(kPart);
+    ZSTD_inBuffer compressed = {}; ///< of the buffer
     std::unique_ptr<ZSTD_DCtx, Free> context{ZSTD_createDCtx()};
     bool ended = false; ///< the compressed values
+
+    explicit Input(const std::filesystem::path& path) : file(path) {}
+
+    /// Returns the next bytes, up to `most`; fewer than a buffer only if the file was cut short.
+    std::span<const std::byte> next(std::uint64_t most)
+    {
+        return std::span(buffer).first(
+            file.read(std::span(buffer).first(std::min<std::uint64_t>(most, buffer.size()))));
+    }
+
+    /// Fills the buffer once it is used up.
+    void fill()
+    {
+        if (compressed.pos < compressed.size || left == 0)
+            return;
+        const std::span<const std::byte> bytes = next(left);
+        compressed = {bytes.data(), bytes.size(), 0};
+        left = bytes.empty() ? 0 : left - bytes.size();
+    }
+
+    /// Bytes that no value was read from yet.
+    std::uint64_t rest() const { return left + compressed.size - compressed.pos; }
 };
 
 StateReader::StateReader(const std::filesystem::path& path)
-    : input_(std::make_unique<Input>()), path_(path.string())
+    : input_(std::make_unique<Input>(path)), path_(path.string())
 {
-    input_->bytes = read_file(path);
+    const std::span<const std::byte> head = input_->next(kHead);
     std::uint64_t mark = 0;
-    if (input_->bytes.size() >= sizeof mark)
-        std::memcpy(&mark, input_->bytes.data(), sizeof mark);
+    if (head.size() >= sizeof mark)
+        std::memcpy(&mark, head.data(), sizeof mark);
     if (mark != kMark)
         throw InputError(path_ + ": not a state file; give a file written by --state");
-    require(input_->bytes.size() >= kHead + kTail, "length");
+    require(head.size() == kHead && input_->file.size() >= kHead + kTail, "length");
+    std::memcpy(&input_->version, &head[sizeof kMark], sizeof input_->version);
 }
 
 std::uint32_t StateReader::version() const
 {
-    std::uint32_t found = 0;
-    std::memcpy(&found, &input_->bytes[sizeof kMark], sizeof found);
-    return found;
+    return input_->version;
 }
 
 void StateReader::begin()
 {
-    const std::span<const std::byte> checked =
-        std::span(input_->bytes).first(input_->bytes.size() - kTail);
+    const std::uint64_t checked = input_->file.size() - kTail;
+    const std::unique_ptr<XXH3_state_t, Free> sum(XXH3_createState());
+    XXH3_64bits_reset(sum.get());
+    input_->file.seek(0);
+    for (std::uint64_t left = checked; left > 0;) {
+        const std::span<const std::byte> bytes = input_->next(left);
+        require(!bytes.empty(), "length");
+        XXH3_64bits_update(sum.get(), bytes.data(), bytes.size());
+        left -= bytes.size();
+    }
     std::uint64_t checksum = 0;
-    std::memcpy(&checksum, &input_->bytes[checked.size()], sizeof checksum);
-    require(checksum == XXH3_64bits(checked.data(), checked.size()), "checksum");
-    input_->compressed = {checked.data() + kHead, checked.size() - kHead, 0};
+    const std::span<const std::byte> tail = input_->next(sizeof checksum);
+    require(tail.size() == sizeof checksum, "length");
+    std::memcpy(&checksum, tail.data(), sizeof checksum);
+    require(checksum == XXH3_64bits_digest(sum.get()), "checksum");
+    input_->file.seek(kHead);
+    input_->left = checked - kHead;
     require_no_error(
         ZSTD_DCtx_setParameter(input_->context.get(), ZSTD_d_windowLogMax, kWindowLog));
 }
@@ -152,8 +187,9 @@ void StateReader::take(std::span<std::byte> into)
 {
     ZSTD_outBuffer out = {into.data(), into.size(), 0};
     while (out.pos < out.size) {
-        const std::size_t before = input_->compressed.pos + out.pos;
         require(!input_->ended, "length");
+        input_->fill();
+        const std::size_t before = input_->compressed.pos + out.pos;
         const std::size_t left =
             ZSTD_decompressStream(input_->context.get(), &out, &input_->compressed);
         require(ZSTD_isError(left) == 0, "compression");
@@ -166,7 +202,8 @@ bool StateReader::at_end()
 {
     std::byte none{};
     ZSTD_outBuffer out = {&none, 1, 0};
-    while (!input_->ended && input_->compressed.pos < input_->compressed.size) {
+    while (!input_->ended && input_->rest() > 0) {
+        input_->fill();
         const std::size_t left =
             ZSTD_decompressStream(input_->context.get(), &out, &input_->compressed);
         require(ZSTD_isError(left) == 0, "compression");
@@ -174,7 +211,16 @@ bool StateReader::at_end()
             return false;
         input_->ended = left == 0;
     }
-    return input_->ended && input_->compressed.pos == input_->compressed.size;
+    return input_->ended && input_->rest() == 0;
+}
+
+/// Returns how many sums to make room for where there are to be `least` and maybe more: as many as
+/// the rest of the file can hold if it is compressed as states are, so that none is copied; or
+/// twice the least, so that a damaged number takes no memory.
+std::uint64_t StateReader::room_for(std::uint64_t least) const
+{
+    constexpr std::uint64_t kMostCompressed = 16;
+    return std::max(2 * least, kMostCompressed * input_->rest() / sizeof(std::int64_t));
 }
 
 std::vector<std::int64_t> StateReader::get_sums(std::uint64_t number)
@@ -186,9 +232,8 @@ std::vector<std::int64_t> StateReader::get_sums(std::uint64_t number)
         const std::uint64_t part = std::min(left, kSumsInBlock);
         planes.resize(part * sizeof(std::int64_t));
         take(planes);
-        // At most twice what was read, and no more than was said.
         if (sums.capacity() < sums.size() + part)
-            sums.reserve(std::min(number, std::max(sums.size() + part, 2 * sums.size())));
+            sums.reserve(std::min(number, room_for(sums.size() + part)));
         sums.resize(sums.size() + part);
         join_planes(planes, std::span(sums).last(part));
         left -= part;

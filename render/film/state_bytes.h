@@ -48,17 +48,17 @@ class StateWriter {
     std::unique_ptr<Output> output_;
 };
 
-/// Reads what StateWriter wrote, from bytes that may hold anything.  Allocates the file's size and
-/// what its values need, never more than was there to read.  Every failure is an InputError that
+/// Reads what StateWriter wrote, from bytes that may hold anything, piece by piece: a few megabytes
+/// besides the values, and room for at most 16 times the file.  Every failure is an InputError that
 /// names the file.
 class StateReader {
   public:
-    /// Reads the file and checks its mark.
+    /// Opens the file and checks its mark.
     explicit StateReader(const std::filesystem::path& path);
     ~StateReader();
     /// Returns the version of the format, by which the rest is to be read.
     std::uint32_t version() const;
-    /// Checks the checksum; must be called before any value is read.
+    /// Reads the file once to check the checksum; must be called before any value is read.
     void begin();
 
     template <typename T>
@@ -94,6 +94,7 @@ class StateReader {
   private:
     static constexpr std::uint64_t kPart = std::uint64_t{1} << 20; ///< bytes
     void take(std::span<std::byte> into);
+    std::uint64_t room_for(std::uint64_t least) const;
     struct Input;
     std::unique_ptr<Input> input_;
     std::string path_;

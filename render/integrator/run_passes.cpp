@@ -164,6 +164,17 @@ RenderState begin_state(const PassSource& source, std::vector<Setting> settings)
     return state;
 }
 
+RenderState resume_state(const PassSource& source, RenderState found,
+                         const std::filesystem::path& path)
+{
+    const Film& film = found.film;
+    if (film.width != source.width || film.height != source.height || film.place != source.place ||
+        film.scale != film_scale(source.pilot_mean) || film.allocation != source.allocation ||
+        film.bias != source.bias || film.cut.empty() == source.clamped)
+        throw other_film(path);
+    return found;
+}
+
 RunResult run_passes(const PassSource& source, const StopRules& rules, const RunControl& control,
                      RenderState& state)
 {

@@ -48,6 +48,12 @@ struct RunResult {
 /// Makes a state without passes, for a new render.
 RenderState begin_state(const PassSource& source, std::vector<Setting> settings);
 
+/// Resumes a state read from `path`, whose settings and pixels are those of the render: takes its
+/// film, of which there is no second one.  Throws InputError, naming `path`, if the film is not one
+/// that begin_state makes.
+RenderState resume_state(const PassSource& source, RenderState found,
+                         const std::filesystem::path& path);
+
 /// Adds passes to the state in order of their number, skipping those it holds, until a rule or the
 /// caller stops it.  One run or many reach the same state.  The last estimate of the error, at
 /// whatever number of passes, is at the end of `checks`; the others are at the passes of next_look.

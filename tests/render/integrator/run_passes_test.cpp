@@ -71,6 +71,26 @@ TEST_CASE("run: passes that a state holds already are not taken again", "[integr
     CHECK(state.film.passes == PassSet{{{0, 7}}});
 }
 
+TEST_CASE("resume_state: it takes the film, and refuses one that begin_state does not make",
+          "[integrator]")
+{
+    PassSource source = source_of(small_passes());
+    RenderState found = begin_state(source, {});
+    add_pass(found.film, 1, small_passes().pass(1));
+    const std::int64_t* const sums = found.film.radiance.data();
+    RenderState state = resume_state(source, std::move(found), "a.state");
+    CHECK(state.film.radiance.data() == sums);
+    CHECK(state.film.passes == PassSet{{{1, 2}}});
+    source.pilot_mean = 4; // another unit
+    CHECK_THROWS_AS(resume_state(source, state, "a.state"), InputError);
+    source.pilot_mean = 1;
+    source.allocation = 7;
+    CHECK_THROWS_AS(resume_state(source, state, "a.state"), InputError);
+    source.allocation = 0;
+    source.clamped = true;
+    CHECK_THROWS_AS(resume_state(source, state, "a.state"), InputError);
+}
+
 TEST_CASE("run: an error ends it at a check, where it is met and was not before", "[integrator]")
 {
     SyntheticPasses passes = small_passes();
