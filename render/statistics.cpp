@@ -197,6 +197,8 @@ Json photons_json(const RenderStatistics& render, const RenderOptions& options)
                  {"global", kind_json(render.global, options.dissertation.mode)}};
     if (render.indirect.stored > 0)
         json["indirect"] = kind_json(render.indirect, options.dissertation.mode);
+    if (render.glossy.stored > 0)
+        json["glossy"] = kind_json(render.glossy, options.dissertation.mode);
     return json;
 }
 

@@ -68,7 +68,8 @@ PassSource make_direct_source(const RenderScene& scene, const RenderOptions& opt
                               RenderStatistics& statistics)
 {
     SampleAllocation allocation;
-    allocation.lights = allocate_light_samples(scene, options);
+    allocation.lights =
+        allocate_light_samples(measure_light_noise(scene, options), options.samples);
     return make_sampled_source<DirectMethod>(scene, options, statistics, allocation);
 }
 

@@ -2,6 +2,25 @@
 
 namespace hipmap {
 
+namespace {
+
+/// Keeps one of the branches, picked by importance.
+void pick_one(Departures& out, RandomSequence& random)
+{
+    float sum = 0;
+    for (std::size_t i = 0; i < out.size; ++i)
+        sum += importance(out.branches[i]);
+    float drawn = random.next() * sum;
+    std::size_t picked = 0;
+    while (picked + 1 < out.size && !(drawn < importance(out.branches[picked])))
+        drawn -= importance(out.branches[picked++]);
+    out.branches[0] = out.branches[picked];
+    out.branches[0].throughput *= sum / importance(out.branches[0]);
+    out.size = 1;
+}
+
+} // namespace
+
 GatherBranch scatter(const RenderScene& scene, const GatherBranch& from, const Interaction& at,
                      Lobes lobes, RandomSequence& random)
 {
@@ -10,6 +29,9 @@ GatherBranch scatter(const RenderScene& scene, const GatherBranch& from, const I
         scene, at, {.lobes = lobes, .guide = lobes == Lobes::gathered ? from.guide : nullptr},
         random, next);
     next.guide = nullptr;
+    if (lobes == Lobes::followed && !through)
+        next.source.photons =
+            Rgb(from.photons * std::max(0.0f, glm::dot(at.normal, next.ray.direction)));
     if (lobes == Lobes::gathered && through)
         next.indirect_radius = from.transmitted_radius;
     return next;
@@ -31,18 +53,13 @@ void add_mirror_and_glass(const RenderScene& scene, const GatherBranch& from, co
     }
 }
 
-void pick_one(Departures& out, RandomSequence& random)
+void send(Departures& out, bool only_one, RandomSequence& random, GatherBranchStack& stack)
 {
-    float sum = 0;
+    if (out.size > 1 && only_one)
+        pick_one(out, random);
     for (std::size_t i = 0; i < out.size; ++i)
-        sum += importance(out.branches[i]);
-    float drawn = random.next() * sum;
-    std::size_t picked = 0;
-    while (picked + 1 < out.size && !(drawn < importance(out.branches[picked])))
-        drawn -= importance(out.branches[picked++]);
-    out.branches[0] = out.branches[picked];
-    out.branches[0].throughput *= sum / importance(out.branches[0]);
-    out.size = 1;
+        if (survives(out.branches[i], random))
+            stack.push(out.branches[i]);
 }
 
 } // namespace hipmap

@@ -20,6 +20,7 @@ struct GatherBranch : PathState {
     float transmitted_radius = 0;          ///< the same on the other side
     const DirectionGuide* guide = nullptr; ///< of the ray that the gathered lobes are to send
     std::size_t record = kNoRecord;        ///< of the gather ray behind it
+    float photons = 0; ///< that the ray of the followed lobes competes with, by its cosine
 };
 
 /// The branches that leave a surface.
@@ -39,6 +40,9 @@ struct Departures {
 struct GatherBranchStack {
     std::array<GatherBranch, kMostRays*(kSplitDepth + 1)> branches;
     std::size_t size = 0;
+
+    void push(const GatherBranch& branch) { branches[size++] = branch; }
+    GatherBranch pop() { return branches[--size]; }
 };
 
 /// Returns one ray in a direction drawn from the lobes.
@@ -48,7 +52,8 @@ GatherBranch scatter(const RenderScene& scene, const GatherBranch& from, const I
 void add_mirror_and_glass(const RenderScene& scene, const GatherBranch& from, const Interaction& at,
                           Departures& out);
 
-/// Keeps one of the branches, picked by importance.
-void pick_one(Departures& out, RandomSequence& random);
+/// Lets the branches wait; where only one may, one that is picked by importance.  Unless Russian
+/// roulette ends them.
+void send(Departures& out, bool only_one, RandomSequence& random, GatherBranchStack& stack);
 
 } // namespace hipmap

@@ -23,26 +23,25 @@ class GatherTracer {
 
     RadianceByRadius trace(const Ray& ray)
     {
-        stack_.branches[stack_.size++] = {path_from_eye(maps_.scene, ray)};
+        stack_.push({path_from_eye(maps_.scene, ray)});
         while (stack_.size > 0)
-            follow_kept(stack_.branches[--stack_.size]);
+            follow_kept(stack_.pop());
         return radiance_;
     }
 
   private:
     /// Light that the ray runs into counts: else it is the caustic map's, or has its own samples.
-    bool sees_lights(const GatherBranch& branch) const
+    bool adds_lights(const GatherBranch& branch) const
     {
-        switch (branch.behind) {
-        case EyePathClass::specular:
-            return seen_ == SeenLights::added;
-        case EyePathClass::glossy:
-        case EyePathClass::indirect:
-            return true;
-        case EyePathClass::caustic:
-            return false;
-        }
-        return false;
+        return branch.behind != EyePathClass::caustic &&
+               (seen_ == SeenLights::added || !sees_lights(branch.behind));
+    }
+
+    /// The light sampled for followed lobes counts.
+    bool adds_highlights(const GatherBranch& branch) const
+    {
+        return !is_gathered(branch.behind) &&
+               (seen_ == SeenLights::added || branch.behind != EyePathClass::specular);
     }
 
     void add(const Rgb& radiance)
@@ -77,7 +76,7 @@ class GatherTracer {
     void follow(GatherBranch branch)
     {
         const RenderScene& scene = maps_.scene;
-        const bool sees = sees_lights(branch);
+        const bool sees = adds_lights(branch);
         Rgb lights(0.0f);
         const MediaFlight reached = reach(scene, branch, sees, lights, [&] {
             const MediaBeams beams{*scene.media, *maps_.volume, kScales};
@@ -96,8 +95,10 @@ class GatherTracer {
                 light_sampled_light(scene, at, {.gathered = 1, .guide = gathering.guide}, random_));
         if (onward && !maps_.bounces)
             add(gathering.throughput * bsdf_sampled_light(scene, at, random_));
-        if (at.follows() && !is_gathered(branch.behind))
+        if (at.follows() && adds_highlights(branch))
             add(branch.throughput * light_sampled_light(scene, at, {.followed = 1}, random_));
+        branch.photons =
+            at.follows() && branch.behind == EyePathClass::specular ? add_glossy(branch, at) : 0;
         send_on(onward && maps_.bounces ? &gathering : nullptr, branch, at);
     }
 
@@ -105,7 +106,7 @@ class GatherTracer {
     /// they are to send a ray on, with the throughput and radius now in `branch`.
     bool add_photons(GatherBranch& branch, const Interaction& at, float distance)
     {
-        const GatheredLobes lobes(at);
+        const PhotonLobes lobes(at);
         PhotonQuery query{at.point.position, at.normal, at.point.face, at.side};
         if (maps_.scene.directional)
             query.lobes = &lobes;
@@ -140,7 +141,7 @@ class GatherTracer {
     /// Adds the light of both sides where light comes through the surface too.  A second surface so
     /// near to the first that it should be treated as that is not: photons of each side are weighed
     /// by a radius of their own.
-    bool add_both_sides(GatherBranch& branch, PhotonQuery query, const GatheredLobes& lobes)
+    bool add_both_sides(GatherBranch& branch, PhotonQuery query, const PhotonLobes& lobes)
     {
         for (const bool other : {false, true}) {
             if (other)
@@ -181,6 +182,23 @@ class GatherTracer {
         const Rgb weight = branch.throughput * factor * share;
         keep(scratch_.importons, &Importons::caustic, query, weight);
         add_within(weight, maps_.caustic, query, maps_.scale.shrink * first, scratch_.caustic);
+    }
+
+    /// Adds what followed lobes send back of light that came by specular surfaces alone.  Returns
+    /// how many photons rays of these lobes compete with, as glossy_density has it; 0: none.
+    float add_glossy(const GatherBranch& branch, const Interaction& at)
+    {
+        if (maps_.glossy == nullptr || shared_maps(*maps_.glossy).maps.empty())
+            return 0;
+        const PhotonLobes lobes(at, Lobes::followed);
+        PhotonQuery query{at.point.position, at.normal, at.point.face, at.side};
+        query.lobes = &lobes;
+        const float first = radius_at(maps_.first.glossy, maps_.surfaces, query);
+        if (!std::isfinite(first))
+            return 0;
+        add_within(branch.throughput, *maps_.glossy, query, maps_.scale.shrink * first,
+                   scratch_.glossy);
+        return glossy_density(maps_.first, first, maps_.scale) / followed_peak(at);
     }
 
     /// first: the first radius; infinite where gather rays alone find the light.
@@ -231,11 +249,7 @@ class GatherTracer {
             out.add(scatter(maps_.scene, from, at, Lobes::followed, random_));
         if (!at.is_diffuse())
             add_mirror_and_glass(maps_.scene, from, at, out);
-        if (out.size > 1 && (is_gathered(from.behind) || from.depth >= kSplitDepth))
-            pick_one(out, random_);
-        for (std::size_t i = 0; i < out.size; ++i)
-            if (survives(out.branches[i], random_))
-                stack_.branches[stack_.size++] = out.branches[i];
+        send(out, is_gathered(from.behind) || from.depth >= kSplitDepth, random_, stack_);
     }
 
     const GatherMaps& maps_;

@@ -22,11 +22,12 @@ struct GatherMaps {
     bool bounces = true;                ///< false: rays of gathered lobes only look for lights
     const VolumeMap* volume = nullptr;  ///< of the pass, of radii shrunk; null: there are no media
     const GatherGuide* guide = nullptr; ///< of final-gather rays; null: lobes draw them
+    const ChosenMaps* glossy = nullptr; ///< of the pass, weighed by weigh_glossy; null: none
 };
 
 /// Scratch memory of one thread for gather paths.
 struct GatherScratch {
-    ChosenScratch caustic, global, indirect;
+    ChosenScratch caustic, global, indirect, glossy;
     Importons* importons = nullptr;               ///< to keep the queries of photons in
     std::vector<GatherRecord>* records = nullptr; ///< to keep what gather rays found in
 };

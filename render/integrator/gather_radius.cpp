@@ -1,5 +1,7 @@
 #include "render/integrator/gather_radius.h"
 
+#include "render/maps/gather.h"
+
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
@@ -16,7 +18,7 @@ PhotonQuery query_at(const Photon& photon, const MapSurfaces& surfaces)
 GatherScale gather_scale(float samples, float shrink)
 {
     constexpr float kSharing = 4;
-    return {samples / (1 + (kSharing - 1) * shrink * shrink), shrink};
+    return {samples / (1 + (kSharing - 1) * shrink * shrink), shrink, samples};
 }
 
 float gather_weight(const Bounce& bounce, const GatherScale& scale)
@@ -27,6 +29,29 @@ float gather_weight(const Bounce& bounce, const GatherScale& scale)
     const float clear = bounce.distance2 / (bounce.distance2 + blur2);
     const float found2 = x2 * clear * clear;
     return found2 > 0 && std::isfinite(x2) && std::isfinite(y2) ? y2 / (y2 + found2) : 1.0f;
+}
+
+float glossy_density(const FirstRadii& first, float radius, const GatherScale& scale)
+{
+    if (!std::isfinite(radius) || !(first.glossy_power > 0))
+        return 0;
+    return static_cast<float>(disc_area(scale.shrink * radius)) /
+           (first.glossy_power * scale.samples);
+}
+
+std::vector<Photon> weigh_glossy(const TracedPhotons& traced, const FirstRadii& first,
+                                 const MapSurfaces& surfaces, const GatherScale& scale)
+{
+    std::vector<Photon> out(traced.glossy.size());
+    tbb::parallel_for(std::size_t{0}, out.size(), [&](std::size_t i) {
+        const auto& [photon, radiance] = traced.glossy[i];
+        const float radius = radius_at(first.glossy, surfaces, query_at(photon, surfaces));
+        const float density = glossy_density(first, radius, scale) * radiance;
+        out[i] = photon;
+        if (std::isfinite(density))
+            out[i].power *= density / (1 + density);
+    });
+    return out;
 }
 
 std::vector<Photon> weigh_bounces(const TracedPhotons& traced, const FirstRadii& first,

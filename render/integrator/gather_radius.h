@@ -10,7 +10,8 @@ namespace hipmap {
 /// The radii of the first pass, from pilot photons that are never summed: an estimate must not
 /// depend on the photons that are summed within its radius.  docs/photon_maps.md (10).
 struct FirstRadii {
-    RadiusField caustic, global, indirect;
+    RadiusField caustic, global, indirect, glossy;
+    float glossy_power = 0; ///< mean of the glossy photons' largest channels
 };
 
 /// Returns the query of photons where one lies.
@@ -27,6 +28,7 @@ struct Bounce {
 struct GatherScale {
     float rays = 1;
     float shrink = 1;
+    float samples = 1; ///< of a pixel in the pass, on average
 };
 
 /// Returns the scale of a pass.  A gather ray counts for less than one: all photons that it reads
@@ -41,6 +43,16 @@ GatherScale gather_scale(float samples, float shrink);
 /// blurs, docs/light_transport.md (21); the weight of the first is 1 if there is no second
 /// (radius_at_x zero or not finite).
 float gather_weight(const Bounce& bounce, const GatherScale& scale);
+
+/// Returns how many photons lie on average around a point of a glossy surface, for each sample of
+/// its pixel, by GlossyPhoton::radiance in W/m2, docs/light_transport.md (44).  radius: the first
+/// one there; infinite: none do.
+float glossy_density(const FirstRadii& first, float radius, const GatherScale& scale);
+
+/// Returns the glossy photons with their powers multiplied by what rays leave to them.  In
+/// parallel.
+std::vector<Photon> weigh_glossy(const TracedPhotons& traced, const FirstRadii& first,
+                                 const MapSurfaces& surfaces, const GatherScale& scale);
 
 /// Returns the bounced photons with their powers multiplied by 1 - gather_weight.  In parallel.
 std::vector<Photon> weigh_bounces(const TracedPhotons& traced, const FirstRadii& first,

@@ -5,80 +5,94 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <limits>
+#include <numeric>
 
 namespace hipmap {
 
 namespace {
 
 constexpr std::uint32_t kLeastLightSamples = 16;
-constexpr std::uint16_t kPilotSamples = 8;
+constexpr std::uint32_t kPilotSamples = 8;
 
-/// The ratio of the greatest difference of lights to their mean below which they count as even.
-constexpr float kEven = 0.1f;
+/// The ratio of the deviation of lights to their mean below which they count as even.
+constexpr float kEven = 0.05f;
 
-/// The range of the light in some samples, by its brightest channel.
-struct Range {
-    float least = std::numeric_limits<float>::infinity(), most = 0, sum = 0;
-
-    void add(const Range& other)
-    {
-        least = std::min(least, other.least);
-        most = std::max(most, other.most);
-        sum += other.sum;
-    }
+/// The moments of some samples.
+struct Moments {
+    float mean = 0, variance = 0;
 };
 
-Range range_of(const PictureJob& job, int x, int y)
+Moments moments_of(const PictureJob& job, int x, int y)
 {
-    const std::uint64_t pixel = static_cast<std::uint64_t>(y) * job.options.width + x;
-    Range out;
+    const std::uint64_t pixel = job.index_of(x, y);
+    double sum = 0, squares = 0;
     for (std::uint32_t s = 0; s < kPilotSamples; ++s) {
         RandomSequence random =
             sample_sequence(job, RandomStream::seen_lights, pixel, kPilotSamples, s);
         const Ray ray = pixel_ray(job, x, y, random).ray;
         const Rgb seen = trace_seen_lights(job.scene, ray, random);
-        const float light = is_finite(seen) ? max_channel(seen) : 0.0f;
-        out.add({light, light, light});
+        const double light = is_finite(seen) ? double{max_channel(seen)} : 0.0;
+        sum += light;
+        squares += light * light;
     }
-    return out;
+    const double mean = sum / kPilotSamples;
+    const double variance = (squares - sum * mean) / (kPilotSamples - 1);
+    return {static_cast<float>(mean), static_cast<float>(std::max(variance, 0.0))};
 }
 
-/// Returns whether the lights of the pixel and its neighbours differ; few samples of a pixel alone
-/// may miss that.
-bool uneven_around(const std::vector<Range>& ranges, int x, int y, int width, int height)
+/// Returns the mean moments of the pixel and of those around it.
+Moments around(const std::vector<Moments>& moments, int x, int y, int width, int height)
 {
-    Range all;
+    Moments sum;
     float count = 0;
     for (int v = std::max(0, y - 1); v <= std::min(height - 1, y + 1); ++v)
         for (int u = std::max(0, x - 1); u <= std::min(width - 1, x + 1); ++u) {
-            all.add(ranges[static_cast<std::size_t>(v) * width + u]);
-            count += kPilotSamples;
+            const Moments& at = moments[static_cast<std::size_t>(v) * width + u];
+            sum.mean += at.mean;
+            sum.variance += at.variance;
+            ++count;
         }
-    return all.most - all.least > kEven * all.sum / count;
+    return {sum.mean / count, sum.variance / count};
 }
 
 } // namespace
 
-std::vector<std::uint16_t> allocate_light_samples(const RenderScene& scene,
-                                                  const RenderOptions& options)
+double mean_of(const LightNoise& noise)
 {
-    if (!can_be_met(scene.lights))
-        return {};
+    const double sum = std::reduce(noise.mean.begin(), noise.mean.end(), 0.0);
+    return noise.mean.empty() ? 0 : sum / static_cast<double>(noise.mean.size());
+}
+
+LightNoise measure_light_noise(const RenderScene& scene, const RenderOptions& options)
+{
     const int width = options.width, height = options.height;
     const PictureJob job{scene, options, kPilotPass, {}};
-    std::vector<Range> ranges(static_cast<std::size_t>(width) * height);
+    std::vector<Moments> moments(static_cast<std::size_t>(width) * height);
     tbb::parallel_for(0, height, [&](int y) {
         for (int x = 0; x < width; ++x)
-            ranges[static_cast<std::size_t>(y) * width + x] = range_of(job, x, y);
+            moments[static_cast<std::size_t>(y) * width + x] = moments_of(job, x, y);
     });
-    std::vector<std::uint16_t> out(ranges.size(), 0);
-    const auto samples =
-        static_cast<std::uint16_t>(std::min(65535u, std::max(kLeastLightSamples, options.samples)));
+    if (std::ranges::all_of(moments, [](const Moments& at) { return at.mean == 0; }))
+        return {};
+    LightNoise out;
     for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x)
-            if (uneven_around(ranges, x, y, width, height))
-                out[static_cast<std::size_t>(y) * width + x] = samples;
+        for (int x = 0; x < width; ++x) {
+            const Moments all = around(moments, x, y, width, height);
+            out.mean.push_back(all.mean);
+            out.variance.push_back(all.variance);
+        }
+    return out;
+}
+
+std::vector<std::uint16_t> allocate_light_samples(const LightNoise& noise, std::uint32_t samples)
+{
+    const auto taken =
+        static_cast<std::uint16_t>(std::min(65535u, std::max(kLeastLightSamples, samples)));
+    std::vector<std::uint16_t> out(noise.mean.size());
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        const float even = kEven * noise.mean[i];
+        out[i] = noise.variance[i] > even * even ? taken : 0;
+    }
     return out;
 }
 

@@ -7,11 +7,23 @@
 
 namespace hipmap {
 
-/// Returns how many extra samples of directly visible lights each pixel takes in a pass,
-/// [height][width], by docs/error.md (16); 0 where lights are not seen or fill the pixel evenly.
-/// Empty: 0 everywhere. Depends on scene, seed, size and --samples alone.  On all threads; cost: 8
-/// of these samples a pixel.
-std::vector<std::uint16_t> allocate_light_samples(const RenderScene& scene,
-                                                  const RenderOptions& options);
+/// What one sample of the seen lights finds in each pixel, [height][width], by the brightest
+/// channel: the mean and the variance, of the pixel and of those around it, as the samples of a
+/// pixel alone may miss a light.  Empty: no light is seen.
+struct LightNoise {
+    std::vector<float> mean, variance;
+};
+
+/// Returns the mean over the image; zero if no light is seen.
+double mean_of(const LightNoise& noise);
+
+/// Measures the lights that are seen (docs/error.md (16)).  Depends on scene, seed and size alone.
+/// On all threads; cost: 8 of these samples a pixel.
+LightNoise measure_light_noise(const RenderScene& scene, const RenderOptions& options);
+
+/// Returns how many samples of the seen lights each pixel takes besides its own in a pass, where
+/// nothing else is known of the image: 16, or --samples if more, where they differ by more than a
+/// twentieth of their mean (standard deviation); 0: none.
+std::vector<std::uint16_t> allocate_light_samples(const LightNoise& noise, std::uint32_t samples);
 
 } // namespace hipmap

@@ -63,7 +63,7 @@ ChosenMaps build_maps(const MappedScene& mapped, const std::vector<Photon>& phot
                       KindStatistics& kind)
 {
     MapOptions of_maps = options;
-    of_maps.directions = mapped.scene.directional;
+    of_maps.directions = of_maps.directions || mapped.scene.directional;
     ChosenMaps maps = build_chosen_maps(photons, mapped.surfaces, of_maps, asked);
     const PhotonMaps& shared = shared_maps(maps);
     kind.stored += shared.size;

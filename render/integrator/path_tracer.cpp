@@ -34,11 +34,10 @@ class PathTracer {
     /// it has left the scene.
     bool step()
     {
-        const bool sees_lights =
-            (light_.caustic || path_.behind != EyePathClass::caustic) &&
-            (seen_ == SeenLights::added || path_.behind != EyePathClass::specular);
+        const bool adds_lights = (light_.caustic || path_.behind != EyePathClass::caustic) &&
+                                 (seen_ == SeenLights::added || !sees_lights(path_.behind));
         const MediaFlight reached =
-            reach(scene_, path_, sees_lights, radiance_, [this] { return fly(*scene_.media); });
+            reach(scene_, path_, adds_lights, radiance_, [this] { return fly(*scene_.media); });
         if (reached.scattered) {
             const Medium& medium = scene_.media->medium(path_.inside.current());
             leave_gathered(scattering_point(path_.ray.origin, -path_.ray.direction, medium.phase,
@@ -48,7 +47,7 @@ class PathTracer {
         if (!reached.hit)
             return false;
         const Interaction at = meet(scene_, *reached.hit, random_, path_);
-        if (sees_lights)
+        if (adds_lights)
             radiance_ += met_emission(scene_, at, reached.hit->distance, path_);
         if (!at.is_diffuse())
             leave(at);
@@ -57,6 +56,14 @@ class PathTracer {
         else
             path_.throughput = Rgb(0);
         return true;
+    }
+
+    /// The light sampled for followed lobes counts.
+    bool adds_highlights() const
+    {
+        return is_gathered(path_.behind)
+                   ? light_.caustic
+                   : seen_ == SeenLights::added || path_.behind != EyePathClass::specular;
     }
 
     bool may_gather() const { return light_.indirect || !is_gathered(path_.behind); }
@@ -95,9 +102,7 @@ class PathTracer {
     {
         const SpecularLobes lobes = specular_lobes(at);
         const LobeProbabilities probabilities = probabilities_at(at, lobes);
-        const LobeRays rays{probabilities.gathered, light_.caustic || !is_gathered(path_.behind)
-                                                        ? probabilities.followed
-                                                        : 0};
+        const LobeRays rays{probabilities.gathered, adds_highlights() ? probabilities.followed : 0};
         if (rays.gathered + rays.followed > 0)
             radiance_ += path_.throughput * light_sampled_light(scene_, at, rays, random_);
         float drawn = random_.next();

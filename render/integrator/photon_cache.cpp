@@ -26,6 +26,7 @@ void add_photons(const RenderStatistics& made, RenderStatistics& sum)
     add(made.caustic, sum.caustic);
     add(made.global, sum.global);
     add(made.indirect, sum.indirect);
+    add(made.glossy, sum.glossy);
 }
 
 void add_seconds(const RenderStatistics& made, RenderStatistics& sum)
@@ -40,7 +41,7 @@ void add_seconds(const RenderStatistics& made, RenderStatistics& sum)
 
 std::size_t ProgressiveMaps::bytes() const
 {
-    std::size_t out = bytes_of(caustic) + bytes_of(global) + bytes_of(indirect);
+    std::size_t out = bytes_of(caustic) + bytes_of(global) + bytes_of(indirect) + bytes_of(glossy);
     if (volume)
         out += volume->photons.size() * (sizeof(VolumePhoton) + sizeof(float) + sizeof(glm::vec3)) +
                volume->nodes.size() * sizeof(VolumeMap::Node);

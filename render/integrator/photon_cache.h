@@ -10,7 +10,7 @@ namespace hipmap {
 
 /// The maps of one pass of integrator progressive.
 struct ProgressiveMaps {
-    ChosenMaps caustic, global, indirect;
+    ChosenMaps caustic, global, indirect, glossy;
     std::optional<VolumeMap> volume; ///< if the scene has media
 
     /// Returns the bytes of the large arrays.

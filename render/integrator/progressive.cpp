@@ -40,7 +40,8 @@ struct ProgressivePass {
     const RenderOptions& options;
     std::uint64_t number = 0;
     const PhotonGuides* guides = nullptr;
-    double shrink = 1; ///< radius over the first radius
+    double shrink = 1;                   ///< radius over the first radius
+    SeenLights seen = SeenLights::added; ///< left_out: wherever they have no samples of their own
 
     GatherScale scale() const
     {
@@ -70,6 +71,7 @@ PhotonOptions linked_options(const ProgressivePass& pass)
     PhotonOptions photons = photon_options(pass.mapped.scene, pass.options, pass.number);
     photons.store_direct = photons.light.indirect; // for gather rays
     photons.link_bounces = photons.light.indirect;
+    photons.store_glossy = photons.light.caustic;
     photons.guides = pass.guides;
     return photons;
 }
@@ -128,8 +130,15 @@ ProgressiveRadii find_first_radii(const ProgressivePass& pilot)
     };
     const MapOptions aimed = guided_options(pilot, &PhotonGuides::aimed);
     const MapOptions others = guided_options(pilot, &PhotonGuides::without_aim);
+    std::vector<Photon> glossy;
+    double power = 0;
+    for (const GlossyPhoton& one : traced.glossy) {
+        glossy.push_back(one.photon);
+        power += max_channel(one.photon.power) / static_cast<double>(traced.glossy.size());
+    }
     return {FirstRadii{field(traced.caustic, aimed), field(traced.global, others),
-                       field(indirect, others, Sparse::infinite)},
+                       field(indirect, others, Sparse::infinite),
+                       field(glossy, aimed, Sparse::infinite), static_cast<float>(power)},
             volume_radii(mapped.scene, traced, options)};
 }
 
@@ -138,6 +147,7 @@ void count_searches(const GatherScratch& scratch, RenderStatistics& statistics)
     statistics.caustic.add_searches(scratch.caustic);
     statistics.global.add_searches(scratch.global);
     statistics.indirect.add_searches(scratch.indirect);
+    statistics.glossy.add_searches(scratch.glossy);
 }
 
 /// Runs the builders of the maps of a pass at the same time: where one map has most photons,
@@ -178,6 +188,13 @@ ProgressiveMaps make_maps(const ProgressivePass& pass, const ProgressiveRadii& f
         [&] { build(maps.indirect, indirect, read, statistics.indirect); },
         [&] { build(maps.caustic, traced.caustic, read, statistics.caustic); },
         [&] {
+            MapOptions directed = options.maps;
+            directed.directions = true;
+            maps.glossy = build_maps(
+                mapped, weigh_glossy(traced, first.surfaces, mapped.surfaces, pass.scale()),
+                directed, read, statistics.glossy);
+        },
+        [&] {
             maps.volume =
                 build_volume(scene, traced, first.volume, static_cast<float>(pass.shrink));
         });
@@ -197,7 +214,8 @@ GatherMaps gathered_maps(const ProgressivePass& pass, const ProgressiveRadii& fi
             pass.scale(),
             pass.options.light.indirect,
             photons.volume ? &*photons.volume : nullptr,
-            &first.guide};
+            &first.guide,
+            &photons.glossy};
 }
 
 /// Learns from a part of the photons of a pass, whose maps only say where gather rays end.
@@ -264,7 +282,7 @@ RenderedPass gather_pass(const ProgressivePass& pass, const Progressive& shared,
         {scene, pass.options, pass.number, shared.allocation}, after(control, kPhotonShare),
         statistics,
         [&](const Ray& ray, SeenLights seen, RandomSequence& random, GatherScratch& scratch) {
-            return trace_gather_path(maps, ray, seen, random, scratch);
+            return trace_gather_path(maps, ray, std::max(seen, pass.seen), random, scratch);
         },
         [&](const GatherScratch& scratch) { count_searches(scratch, statistics); });
 }
@@ -287,22 +305,26 @@ double render_pilot(const MappedScene& mapped, const RenderOptions& options, Pro
     small.width = (options.width + 1) / 2;
     small.height = (options.height + 1) / 2;
     const auto pilot = [&](std::uint64_t number) {
-        return ProgressivePass{mapped, small, number, shared.guides.get()};
+        return ProgressivePass{.mapped = mapped,
+                               .options = small,
+                               .number = number,
+                               .guides = shared.guides.get(),
+                               .seen = SeenLights::left_out};
     };
     const auto photons =
         maps_of_pass(shared.cache, kPilotPass, ignored, [&](RenderStatistics& made) {
             return make_maps(pilot(kPilotPass), *shared.first, made);
         });
-    const Progressive evenly{.first = shared.first,
-                             .allocation = {{}, allocate_light_samples(scene, small)}};
+    Progressive evenly;
+    evenly.first = shared.first;
     const auto image_of = [&](std::uint64_t number) {
         return gather_pass(pilot(number), evenly, *photons, {}, ignored).images.radiance;
     };
     const Image first = image_of(kPilotPass), second = image_of(kPilotPass - 1);
+    const LightNoise lights = measure_light_noise(scene, options);
     shared.allocation =
-        allocate_samples(first, second, options.width, options.height, options.samples);
-    shared.allocation.lights = allocate_light_samples(scene, options);
-    return (mean_of(first) + mean_of(second)) / 2;
+        allocate_samples({first, second, lights}, options.width, options.height, options.samples);
+    return (mean_of(first) + mean_of(second)) / 2 + mean_of(lights);
 }
 
 /// Finds what the passes share, from pilots.  Guides serve one camera: with them the passes keep no

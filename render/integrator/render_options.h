@@ -85,6 +85,7 @@ struct RenderStatistics {
     KindStatistics caustic;
     KindStatistics global;
     KindStatistics indirect; ///< integrator progressive: the global ones that came by a bounce
+    KindStatistics glossy;   ///< integrator progressive: caustic ones on glossy surfaces
     std::uint64_t volume_photons = 0; ///< in media, summed over the passes
     PowerBalance power;               ///< of the last pass
     double seconds_photons = 0;

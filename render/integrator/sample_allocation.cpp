@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace hipmap {
 
@@ -13,6 +14,10 @@ namespace {
 /// and bright.
 constexpr double kLeastSamplesShare = 0.25;
 constexpr double kMostSamplesShare = 8;
+constexpr double kMostLightSamplesShare = 64;
+
+/// The square root of the cost of a sample over that of one of the seen lights.
+constexpr double kLightSamplesForOne = 3;
 
 /// A pixel's deviation is taken from those up to so many pixels away: two samples alone say little.
 constexpr int kReach = 2;
@@ -22,22 +27,44 @@ Rgb finite_or_black(const Rgb& value)
     return is_finite(value) ? value : Rgb(0);
 }
 
-/// Square of the difference of the images, weighed as in docs/error.md (3), by pixel.
-std::vector<double> square_deviations(const Image& first, const Image& second)
+/// The radiance of the pilot's images, with the seen lights.
+struct Brightness {
+    std::vector<glm::dvec3> mean; ///< by pixel
+    double least2 = 0;            ///< the constant of docs/error.md (3)
+};
+
+Brightness brightness_of(const PilotNoise& pilot, int width, int height)
 {
-    std::vector<double> out(first.pixels.size());
-    double mean = 0;
+    Brightness out;
+    double sum = 0;
+    for (int y = 0; y < pilot.first.height; ++y)
+        for (int x = 0; x < pilot.first.width; ++x) {
+            const std::size_t lights =
+                static_cast<std::size_t>(y * height / pilot.first.height) * width +
+                x * width / pilot.first.width;
+            const glm::dvec3 mean = (glm::dvec3(finite_or_black(pilot.first.at(x, y))) +
+                                     glm::dvec3(finite_or_black(pilot.second.at(x, y)))) /
+                                        2.0 +
+                                    (pilot.lights.mean.empty() ? 0.0 : pilot.lights.mean[lights]);
+            out.mean.push_back(mean);
+            sum += mean.x + mean.y + mean.z;
+        }
+    const double mean = sum / 3 / std::max<double>(1.0, static_cast<double>(out.mean.size()));
+    out.least2 = 0.01 * mean * mean;
+    return out;
+}
+
+/// Square of the difference of the images, weighed as in docs/error.md (3), by pixel.
+std::vector<double> square_deviations(const PilotNoise& pilot, const Brightness& brightness)
+{
+    std::vector<double> out(brightness.mean.size());
     for (std::size_t i = 0; i < out.size(); ++i) {
-        const Rgb sum = finite_or_black(first.pixels[i]) + finite_or_black(second.pixels[i]);
-        mean += double{sum.x + sum.y + sum.z} / 6 / static_cast<double>(out.size());
-    }
-    for (std::size_t i = 0; i < out.size(); ++i) {
-        const glm::dvec3 a(finite_or_black(first.pixels[i])), b(finite_or_black(second.pixels[i]));
+        const glm::dvec3 difference = glm::dvec3(finite_or_black(pilot.first.pixels[i])) -
+                                      glm::dvec3(finite_or_black(pilot.second.pixels[i]));
         for (int channel = 0; channel < 3; ++channel) {
-            const double value = (a[channel] + b[channel]) / 2;
-            const double scale2 = value * value + 0.01 * mean * mean;
-            const double difference = a[channel] - b[channel];
-            out[i] += scale2 > 0 ? difference * difference / scale2 : 0;
+            const double value = brightness.mean[i][channel];
+            const double scale2 = value * value + brightness.least2;
+            out[i] += scale2 > 0 ? difference[channel] * difference[channel] / scale2 : 0;
         }
     }
     return out;
@@ -58,45 +85,87 @@ void blur(std::vector<double>& values, std::size_t first, std::size_t step, int 
     }
 }
 
-/// docs/error.md (14), by pixel of the images.
-std::vector<double> deviations_around(const Image& first, const Image& second)
+/// docs/error.md (14), by pixel of the pilot's images: the variance of a sample, over the square of
+/// brightness.
+std::vector<double> variances_around(const PilotNoise& pilot, const Brightness& brightness)
 {
-    std::vector<double> out = square_deviations(first, second);
-    const auto width = static_cast<std::size_t>(first.width);
-    for (int y = 0; y < first.height; ++y)
-        blur(out, static_cast<std::size_t>(y) * width, 1, first.width);
-    for (int x = 0; x < first.width; ++x)
-        blur(out, static_cast<std::size_t>(x), width, first.height);
-    for (double& deviation : out)
-        deviation = std::sqrt(std::max(deviation, 0.0));
+    // A difference of two has twice the variance, and there are three channels.
+    constexpr double kShare = 1.0 / 6;
+    std::vector<double> out = square_deviations(pilot, brightness);
+    const Image& image = pilot.first;
+    const auto width = static_cast<std::size_t>(image.width);
+    for (int y = 0; y < image.height; ++y)
+        blur(out, static_cast<std::size_t>(y) * width, 1, image.width);
+    for (int x = 0; x < image.width; ++x)
+        blur(out, static_cast<std::size_t>(x), width, image.height);
+    for (double& variance : out)
+        variance = kShare * std::max(variance, 0.0);
     return out;
+}
+
+/// The standard deviations of one sample of a pixel, over its brightness.
+struct Deviations {
+    double rest = 0;   ///< of what its samples find
+    double lights = 0; ///< of the seen lights, where they have samples of their own
+};
+
+/// docs/error.md (16), by pixel of the image.
+std::vector<Deviations> deviations_of(const PilotNoise& pilot, int width, int height)
+{
+    const Brightness brightness = brightness_of(pilot, width, height);
+    const std::vector<double> variances = variances_around(pilot, brightness);
+    std::vector<Deviations> out;
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const std::size_t from =
+                static_cast<std::size_t>(y * pilot.first.height / height) * pilot.first.width +
+                x * pilot.first.width / width;
+            double rest = variances[from], lights = 0;
+            if (!pilot.lights.mean.empty()) {
+                const glm::dvec3& mean = brightness.mean[from];
+                const double value = std::max({mean.x, mean.y, mean.z});
+                const double scale2 = value * value + brightness.least2;
+                lights = scale2 > 0 ? pilot.lights.variance[out.size()] / scale2 : 0;
+            }
+            if (!(lights > rest))
+                rest += std::exchange(lights, 0.0);
+            out.push_back({std::sqrt(rest), std::sqrt(lights)});
+        }
+    return out;
+}
+
+/// Returns a count of the mean `wanted`, which is rounded at random by the pixel.
+std::uint16_t rounded(double wanted, std::size_t pixel)
+{
+    return static_cast<std::uint16_t>(wanted +
+                                      static_cast<double>(mix_bits(pixel + 1) >> 40) * 0x1p-24);
 }
 
 } // namespace
 
-SampleAllocation allocate_samples(const Image& first, const Image& second, int width, int height,
+SampleAllocation allocate_samples(const PilotNoise& pilot, int width, int height,
                                   std::uint32_t mean)
 {
-    const std::vector<double> deviations = deviations_around(first, second);
-    const auto deviation_at = [&](int x, int y) {
-        const int from_x = x * first.width / width, from_y = y * first.height / height;
-        return deviations[static_cast<std::size_t>(from_y) * first.width + from_x];
-    };
-    double sum = 0;
-    for (const double deviation : deviations)
-        sum += deviation;
-    const double scale = sum > 0 ? mean * static_cast<double>(deviations.size()) / sum : 0;
+    const std::vector<Deviations> deviations = deviations_of(pilot, width, height);
+    double cost = 0;
+    for (const Deviations& of : deviations)
+        cost += of.rest + of.lights / kLightSamplesForOne;
+    const double scale = cost > 0 ? mean * static_cast<double>(deviations.size()) / cost : 0;
+    const double most = std::min(65534.0, kMostSamplesShare * mean);
+    const double least = std::max(1.0, kLeastSamplesShare * mean);
+    const double most_lights = std::min(65534.0, kMostLightSamplesShare * mean);
     SampleAllocation out;
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x) {
-            // Rounded at random, so that the mean stays.
-            const double u = static_cast<double>(mix_bits(out.samples.size() + 1) >> 40) * 0x1p-24;
-            const double most = std::min(65534.0, kMostSamplesShare * mean);
-            const double least = std::max(1.0, kLeastSamplesShare * mean);
-            const double wanted = sum > 0 ? std::clamp(scale * deviation_at(x, y), least, most)
-                                          : static_cast<double>(mean);
-            out.samples.push_back(static_cast<std::uint16_t>(wanted + u));
-        }
+    for (std::size_t i = 0; i < deviations.size(); ++i) {
+        const Deviations& of = deviations[i];
+        const double wanted =
+            cost > 0 ? std::clamp(scale * of.rest, least, most) : static_cast<double>(mean);
+        out.samples.push_back(rounded(wanted, i));
+        if (of.lights > 0)
+            out.lights.resize(deviations.size(), 0);
+        if (of.lights > 0)
+            out.lights[i] =
+                rounded(std::clamp(scale * kLightSamplesForOne * of.lights, least, most_lights), i);
+    }
     return out;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "common/image/image.h"
+#include "render/integrator/light_sample_allocation.h"
 
 #include <cstdint>
 #include <vector>
@@ -11,17 +12,25 @@ namespace hipmap {
 /// image share it: changing it by what passes show would bias both the mean and its error.
 struct SampleAllocation {
     std::vector<std::uint16_t> samples; ///< empty: as many everywhere as the options say
-    /// Extra samples of directly visible lights; 0: they are among the samples above.  Empty: 0
+    /// Samples of the seen lights alone; 0: these are among the samples above.  Empty: 0
     /// everywhere.
     std::vector<std::uint16_t> lights;
 
     bool operator==(const SampleAllocation&) const = default;
 };
 
-/// Distributes `mean` samples a pixel over the image by docs/error.md (14).  first, second: images
-/// of the same view and size, not necessarily width x height, by one sample a pixel each; pixels
-/// that are not finite count as black.  Same images, same sample allocation.
-SampleAllocation allocate_samples(const Image& first, const Image& second, int width, int height,
+/// What pilots show of the noise of an image of width x height pixels.
+struct PilotNoise {
+    /// Images of the view without the seen lights, of the same size, not necessarily that of the
+    /// image, by one sample a pixel each; pixels that are not finite count as black.
+    const Image& first;
+    const Image& second;
+    const LightNoise& lights; ///< [height][width], or empty
+};
+
+/// Distributes the work of `mean` samples a pixel over the image by docs/error.md (14) and (16).
+/// Same pilots, same sample allocation.
+SampleAllocation allocate_samples(const PilotNoise& pilot, int width, int height,
                                   std::uint32_t mean);
 
 /// Returns a checksum of all counts; zero for an empty allocation.

@@ -25,7 +25,7 @@ EmittedPath sample_emission(const ConstantEnvironment& light, const PathPlace&,
                             RandomSequence& random)
 {
     const glm::vec3 direction = sample_sphere(random.next2());
-    return path_along(light.scene, direction, irradiance(light) * light.scene.disc_area(), random);
+    return path_along(light.scene, {direction, irradiance(light), light.radiance}, random);
 }
 
 PrimarySample primary_of(const ConstantEnvironment& light, const Ray& ray)
@@ -37,7 +37,8 @@ EmittedPath sample_aimed_emission(const ConstantEnvironment& light, const PathPl
                                   const std::vector<TargetSphere>& targets, RandomSequence& random)
 {
     const glm::vec3 direction = sample_sphere(random.next2());
-    return aimed_path_along(light.scene, direction, irradiance(light), targets, random);
+    return aimed_path_along(light.scene, {direction, irradiance(light), light.radiance}, targets,
+                            random);
 }
 
 glm::dvec3 power(const ConstantEnvironment& light)

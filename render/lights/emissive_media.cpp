@@ -5,7 +5,7 @@ namespace hipmap {
 EmittedPath sample_emission(const EmissiveMedia& light, const PathPlace&, RandomSequence& random)
 {
     const MediaEmission path = sample_media_emission(*light.media, random);
-    return {path.ray, path.power, true};
+    return {.ray = path.ray, .power = path.power, .from_medium = true};
 }
 
 glm::dvec3 power(const EmissiveMedia& light)

@@ -169,8 +169,8 @@ EmittedPath sample_emission(const EmissiveMesh& light, const PathPlace& path,
     EmittedPath out;
     out.ray.direction = Frame(normal).to_world(sample_cosine_hemisphere(random.next2()));
     out.ray.origin = offset_origin(from.surface, normal);
-    out.power =
-        radiance_towards(light, from, normal) * (kPi * (both_sides ? 2.0f : 1.0f) / from.area_pdf);
+    out.radiance = radiance_towards(light, from, normal);
+    out.power = out.radiance * (kPi * (both_sides ? 2.0f : 1.0f) / from.area_pdf);
     return out;
 }
 
@@ -186,8 +186,8 @@ EmittedPath sample_aimed_emission(const EmissiveMesh& light, const PathPlace& pa
     EmittedPath out;
     out.ray.direction = aimed.direction;
     out.ray.origin = offset_origin(from.surface, aimed.direction);
-    out.power =
-        radiance_towards(light, from, aimed.direction) * (cosine * aimed.weight / from.area_pdf);
+    out.radiance = radiance_towards(light, from, aimed.direction);
+    out.power = out.radiance * (cosine * aimed.weight / from.area_pdf);
     return out;
 }
 

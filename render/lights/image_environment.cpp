@@ -7,21 +7,16 @@ namespace hipmap {
 namespace {
 
 /// Light along a direction drawn by the map.
-struct DrawnLight {
-    glm::vec3 from{0.0f}; ///< unit, away from the scene
-    float pdf = 0.0f;     ///< per solid angle
-    Rgb irradiance{0.0f}; ///< W/m2 across the direction, divided by the pdf
+struct DrawnLight : ParallelLight {
+    float pdf = 0.0f; ///< per solid angle
 };
 
 DrawnLight draw(const ImageEnvironment& light, RandomSequence& random)
 {
-    DrawnLight out;
-    out.from = sample_direction(*light.map, random.next2());
-    const MapPoint point = at_direction(*light.map, out.from);
-    out.pdf = point.pdf;
-    if (point.pdf > 0)
-        out.irradiance = point.radiance / point.pdf;
-    return out;
+    const glm::vec3 from = sample_direction(*light.map, random.next2());
+    const MapPoint point = at_direction(*light.map, from);
+    return {{-from, point.pdf > 0 ? point.radiance / point.pdf : Rgb(0), point.radiance},
+            point.pdf};
 }
 
 } // namespace
@@ -34,7 +29,7 @@ std::optional<LightSample> sample_li(const ImageEnvironment& light, const LightR
         return std::nullopt;
     LightSample out;
     out.is_far = true;
-    out.direction = drawn.from;
+    out.direction = -drawn.direction;
     out.pdf = drawn.pdf;
     out.light = drawn.irradiance;
     return out;
@@ -48,8 +43,7 @@ std::optional<LightHit> intersect(const ImageEnvironment& light, const Ray& ray)
 
 EmittedPath sample_emission(const ImageEnvironment& light, const PathPlace&, RandomSequence& random)
 {
-    const DrawnLight drawn = draw(light, random);
-    return path_along(light.scene, -drawn.from, drawn.irradiance * light.scene.disc_area(), random);
+    return path_along(light.scene, draw(light, random), random);
 }
 
 PrimarySample primary_of(const ImageEnvironment& light, const Ray& ray)
@@ -60,8 +54,7 @@ PrimarySample primary_of(const ImageEnvironment& light, const Ray& ray)
 EmittedPath sample_aimed_emission(const ImageEnvironment& light, const PathPlace&,
                                   const std::vector<TargetSphere>& targets, RandomSequence& random)
 {
-    const DrawnLight drawn = draw(light, random);
-    return aimed_path_along(light.scene, -drawn.from, drawn.irradiance, targets, random);
+    return aimed_path_along(light.scene, draw(light, random), targets, random);
 }
 
 glm::dvec3 power(const ImageEnvironment& light)

@@ -7,6 +7,7 @@
 #include "render/lights/light_bounds.h"
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 
 namespace hipmap {
@@ -63,6 +64,9 @@ struct LightHit {
 struct EmittedPath {
     Ray ray;
     Rgb power{0.0f}; ///< W / metres_per_unit^2
+    /// W/(m2 sr), that a ray which meets the light where the path starts would find; infinite: no
+    /// ray can.
+    Rgb radiance{std::numeric_limits<float>::infinity()};
     bool from_medium = false;
 };
 

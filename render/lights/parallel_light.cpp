@@ -26,25 +26,26 @@ glm::vec2 disc_sample_of(const SceneSphere& scene, const Ray& ray)
     return disc_sample_of(glm::vec2(at));
 }
 
-EmittedPath path_along(const SceneSphere& scene, const glm::vec3& direction, const Rgb& power,
-                       RandomSequence& random)
+EmittedPath path_along(const SceneSphere& scene, const ParallelLight& light, RandomSequence& random)
 {
     EmittedPath out;
-    out.ray = ray_into(scene, direction, random.next2());
-    out.power = power;
+    out.ray = ray_into(scene, light.direction, random.next2());
+    out.power = light.irradiance * scene.disc_area();
+    out.radiance = light.radiance;
     return out;
 }
 
-EmittedPath aimed_path_along(const SceneSphere& scene, const glm::vec3& direction,
-                             const Rgb& irradiance, const std::vector<TargetSphere>& targets,
-                             RandomSequence& random)
+EmittedPath aimed_path_along(const SceneSphere& scene, const ParallelLight& light,
+                             const std::vector<TargetSphere>& targets, RandomSequence& random)
 {
-    const AimedPoint aimed = aim_parallel(targets, direction, random);
-    const float behind = glm::dot(aimed.position - scene.centre, direction) + 2 * scene.radius;
+    const AimedPoint aimed = aim_parallel(targets, light.direction, random);
+    const float behind =
+        glm::dot(aimed.position - scene.centre, light.direction) + 2 * scene.radius;
     EmittedPath out;
-    out.ray.origin = aimed.position - direction * behind;
-    out.ray.direction = direction;
-    out.power = irradiance * aimed.weight;
+    out.ray.origin = aimed.position - light.direction * behind;
+    out.ray.direction = light.direction;
+    out.power = light.irradiance * aimed.weight;
+    out.radiance = light.radiance;
     return out;
 }
 

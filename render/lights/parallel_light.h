@@ -20,14 +20,19 @@ Ray ray_into(const SceneSphere& scene, const glm::vec3& direction, const glm::ve
 /// Returns the u from which `ray_into` makes a ray along the same line.  direction: unit.
 glm::vec2 disc_sample_of(const SceneSphere& scene, const Ray& ray);
 
-/// Returns a light path along `direction` (unit) with that power, drawn as by `ray_into`.
-EmittedPath path_along(const SceneSphere& scene, const glm::vec3& direction, const Rgb& power,
+/// Light from one direction.
+struct ParallelLight {
+    glm::vec3 direction; ///< unit, along which it travels
+    Rgb irradiance;      ///< W/m2 across the direction, divided by its pdf if it was drawn
+    Rgb radiance;        ///< W/(m2 sr); infinite: of a light without a size
+};
+
+/// Returns a path of the light into the scene, drawn as by `ray_into`.
+EmittedPath path_along(const SceneSphere& scene, const ParallelLight& light,
                        RandomSequence& random);
 
-/// Returns a light path along `direction` (unit) that is aimed at the targets. irradiance: W/m2
-/// across the direction, divided by the pdf of the direction if it was drawn.
-EmittedPath aimed_path_along(const SceneSphere& scene, const glm::vec3& direction,
-                             const Rgb& irradiance, const std::vector<TargetSphere>& targets,
-                             RandomSequence& random);
+/// Returns a path of the light that is aimed at the targets.
+EmittedPath aimed_path_along(const SceneSphere& scene, const ParallelLight& light,
+                             const std::vector<TargetSphere>& targets, RandomSequence& random);
 
 } // namespace hipmap

@@ -72,6 +72,7 @@ EmittedPath sample_emission(const PlanarLight& light, const PathPlace&, RandomSe
     out.ray.origin = point_on(light, random.next2());
     out.ray.direction = Frame(light.direction).to_world(sample_cosine_hemisphere(random.next2()));
     out.power = Rgb(power(light));
+    out.radiance = light.radiance;
     return out;
 }
 
@@ -84,6 +85,7 @@ EmittedPath sample_aimed_emission(const PlanarLight& light, const PathPlace&,
         aim_from_point(targets, out.ray.origin, {light.direction, kPi / 2}, random);
     out.ray.direction = aimed.direction;
     const float cosine = std::max(0.0f, glm::dot(light.direction, aimed.direction));
+    out.radiance = light.radiance;
     out.power = light.radiance * (static_cast<float>(area(light)) * cosine * aimed.weight);
     return out;
 }

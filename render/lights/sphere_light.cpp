@@ -91,6 +91,7 @@ EmittedPath sample_emission(const SphereLight& light, const PathPlace&, RandomSe
         light.cone ? sample_direction(*light.cone, random) : sample_sphere(random.next2());
     out.ray.origin = point_facing(light, out.ray.direction, random.next2());
     out.power = Rgb(power(light));
+    out.radiance = radiance_along(light, out.ray.direction);
     return out;
 }
 
@@ -105,6 +106,7 @@ EmittedPath sample_aimed_emission(const SphereLight& light, const PathPlace&,
     out.ray.origin = light.position + light.radius * normal;
     const AimedRay aimed = aim_from_point(targets, out.ray.origin, cone, random);
     out.ray.direction = aimed.direction;
+    out.radiance = radiance_along(light, aimed.direction);
     // Radiance times cosine times area.
     out.power = intensity_along(light, aimed.direction) * aimed.weight *
                 (4 * std::max(0.0f, glm::dot(normal, aimed.direction)));

@@ -16,19 +16,26 @@ float cone_height(const SunLight& light)
     return 2 * sine * sine;
 }
 
+/// Infinite for a sun without a size.
 Rgb disc_radiance(const SunLight& light)
 {
     const float sine = std::sin(light.half_angle);
     return light.irradiance / (kPi * sine * sine);
 }
 
-/// Along which its light travels, even over the disc.
+/// Even over the disc.
 glm::vec3 draw_direction(const SunLight& light, RandomSequence& random)
 {
     if (!(light.half_angle > 0))
         return light.direction;
     const glm::vec2 u = random.next2();
     return Frame(light.direction).to_world(direction_below_pole(cone_height(light) * u.x, u.y));
+}
+
+ParallelLight draw(const SunLight& light, RandomSequence& random)
+{
+    return {draw_direction(light, random), Rgb(power(light)) / light.scene.disc_area(),
+            disc_radiance(light)};
 }
 
 } // namespace
@@ -63,16 +70,13 @@ std::optional<LightHit> intersect(const SunLight& light, const Ray& ray)
 
 EmittedPath sample_emission(const SunLight& light, const PathPlace&, RandomSequence& random)
 {
-    const glm::vec3 direction = draw_direction(light, random);
-    return path_along(light.scene, direction, Rgb(power(light)), random);
+    return path_along(light.scene, draw(light, random), random);
 }
 
 EmittedPath sample_aimed_emission(const SunLight& light, const PathPlace&,
                                   const std::vector<TargetSphere>& targets, RandomSequence& random)
 {
-    const glm::vec3 direction = draw_direction(light, random);
-    return aimed_path_along(light.scene, direction, Rgb(power(light)) / light.scene.disc_area(),
-                            targets, random);
+    return aimed_path_along(light.scene, draw(light, random), targets, random);
 }
 
 glm::dvec3 power(const SunLight& light)

@@ -3,7 +3,7 @@
 #include "render/maps/photon_maps.h"
 #include "render/maps/wide_search.h"
 #include "render/maps/wide_sums.h"
-#include "render/shading/gathered_lobes.h"
+#include "render/shading/photon_lobes.h"
 
 #include <limits>
 
@@ -16,7 +16,7 @@ struct PhotonQuery {
     FaceId face = kNone;
     std::uint8_t side = 0;
     float radius = std::numeric_limits<float>::infinity(); ///< nothing farther counts
-    const GatheredLobes* lobes = nullptr; ///< lobes that weight each photon; null: all count alike
+    const PhotonLobes* lobes = nullptr; ///< lobes that weight each photon; null: all count alike
 };
 
 /// Returns the query on the transmitted side of the surface.

@@ -84,8 +84,8 @@ Rgb from_light(const RenderScene& scene, const Interaction& at, const SampledLig
 template <typename Chosen>
 Rgb weighed_hit(const LightHit& hit, const RaySource& source, const Chosen& chosen)
 {
-    return source.pdf > 0 ? hit.radiance * power_heuristic(source.pdf, chosen() * hit.pdf)
-                          : hit.radiance;
+    return hit.radiance * (source.pdf > 0 ? power_heuristic(source.pdf, chosen() * hit.pdf)
+                                          : weight_against_photons(hit.radiance, source));
 }
 
 /// The analytic lights along a ray; `left(distance)` is what is left of light from there.
@@ -98,9 +98,11 @@ Rgb add_lights(const RenderScene& scene, const Ray& ray, float distance, const R
     if (source.eye || !has_met_lights(lights))
         return sum;
     const auto add = [&](std::uint32_t light, const auto& chosen) {
-        const std::optional<LightHit> hit = intersect(lights.lights[light], ray);
-        if (hit && hit->distance <= distance)
-            sum += weighed_hit(*hit, source, chosen) * left(hit->distance);
+        std::optional<LightHit> hit = intersect(lights.lights[light], ray);
+        if (!hit || !(hit->distance <= distance))
+            return;
+        hit->radiance *= left(hit->distance);
+        sum += weighed_hit(*hit, source, chosen);
     };
     for (const std::uint32_t light : lights.met)
         add(light, [] { return 1.0f; });

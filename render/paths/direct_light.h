@@ -20,6 +20,9 @@ struct RaySource {
     float pdf = 0.0f; ///< pdf per solid angle with which lobes sent it; 0: a mirror, glass or
                       ///<   the eye did, and sampling the lights could not have found its light
     bool eye = false; ///< it comes straight from the eye, which does not see analytic lights
+    /// How many photons find light of unit radiance that the ray meets, for each such ray: where
+    /// specular surfaces (pdf 0) lie between it and a followed lobe, docs/light_transport.md (44).
+    Rgb photons{0.0f};
 };
 
 /// Returns the length of a ray: infinite if it hits nothing.
@@ -32,6 +35,12 @@ RaySource source_at(const Interaction& at, float pdf);
 /// light has the rest (power heuristic, Veach 1997).  direction: of the ray.
 float hit_weight(const RenderScene& scene, const SurfacePoint& on_light, const glm::vec3& direction,
                  float distance, const RaySource& source);
+
+/// Returns the weight of radiance that the ray of specular surfaces met, against photons.
+inline float weight_against_photons(const Rgb& radiance, const RaySource& source)
+{
+    return source.pdf > 0 ? 1.0f : 1 / (1 + max_channel(source.photons * radiance));
+}
 
 /// Implements `met_lights` where rays can meet analytic lights.
 Rgb lights_on_way(const RenderScene& scene, const Ray& ray, float distance, const Rgb& absorption,

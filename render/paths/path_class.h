@@ -6,10 +6,11 @@ namespace hipmap {
 
 /// What lies between the eye and the ray of a path that starts there.
 enum class EyePathClass : std::uint8_t {
-    specular, ///< nothing, or mirrors and clear glass alone
-    glossy,   ///< also followed lobes, but no gathered one
-    indirect, ///< a gathered lobe sent the ray: a final-gather ray
-    caustic,  ///< a gathered lobe, and specular or followed ones since
+    specular,  ///< nothing, or mirrors and clear glass alone
+    highlight, ///< mirrors and clear glass, and one followed lobe, which sent the ray
+    glossy,    ///< also followed lobes, but no gathered one
+    indirect,  ///< a gathered lobe sent the ray: a final-gather ray
+    caustic,   ///< a gathered lobe, and specular or followed ones since
 };
 
 /// Returns whether a gathered lobe lies behind the ray.
@@ -18,16 +19,32 @@ inline bool is_gathered(EyePathClass path)
     return path >= EyePathClass::indirect;
 }
 
+/// Returns whether light met by the ray is seen: straight, over specular surfaces, or by the
+/// followed lobe of one surface.  It may have samples of its own, docs/error.md (16).
+inline bool sees_lights(EyePathClass path)
+{
+    return path <= EyePathClass::highlight;
+}
+
 /// Returns the class after a specular lobe.
 inline EyePathClass after_specular(EyePathClass path)
 {
-    return path == EyePathClass::indirect ? EyePathClass::caustic : path;
+    switch (path) {
+    case EyePathClass::highlight:
+        return EyePathClass::glossy;
+    case EyePathClass::indirect:
+        return EyePathClass::caustic;
+    default:
+        return path;
+    }
 }
 
 /// Returns the class after a followed lobe.
 inline EyePathClass after_followed(EyePathClass path)
 {
-    return is_gathered(path) ? EyePathClass::caustic : EyePathClass::glossy;
+    if (is_gathered(path))
+        return EyePathClass::caustic;
+    return path == EyePathClass::specular ? EyePathClass::highlight : EyePathClass::glossy;
 }
 
 /// What lies between a light and the ray of a path that starts there: the class of its photons.

@@ -13,10 +13,12 @@ void enter(float eta, PathState& path)
     path.index2 *= eta * eta;
 }
 
-/// For a ray that a specular lobe has sent.
-void depart(PathState& path)
+/// For a ray that a specular lobe has sent.  share: of the light that it leaves.
+void depart(const Rgb& share, PathState& path)
 {
+    const Rgb photons = path.source.photons * share;
     path.source = {};
+    path.source.photons = photons;
     path.behind = after_specular(path.behind);
     ++path.depth;
 }
@@ -61,8 +63,10 @@ void cross_air(const RenderScene& scene, const std::optional<RayHit>& hit, bool 
     if (sees_lights)
         light += path.throughput *
                  met_lights(scene, path.ray, distance_of(hit), path.absorption, path.source);
-    if (hit)
-        absorb(path.absorption, hit->distance, path.throughput);
+    if (!hit)
+        return;
+    absorb(path.absorption, hit->distance, path.throughput);
+    absorb(path.absorption, hit->distance, path.source.photons);
 }
 
 void go_by_mirror(const RenderScene& scene, const Interaction& at, const SpecularLobes& lobes,
@@ -70,7 +74,7 @@ void go_by_mirror(const RenderScene& scene, const Interaction& at, const Specula
 {
     leave_by_mirror(scene, at, path);
     path.throughput *= lobes.mirror / probability;
-    depart(path);
+    depart(lobes.mirror, path);
 }
 
 void go_through(const RenderScene& scene, const Interaction& at, const SpecularLobes& lobes,
@@ -79,7 +83,7 @@ void go_through(const RenderScene& scene, const Interaction& at, const SpecularL
     leave_through(scene, at, lobes.eta, path);
     path.throughput *= lobes.transmit / probability;
     enter(lobes.eta, path);
-    depart(path);
+    depart(lobes.transmit, path);
 }
 
 bool go_by_lobes(const RenderScene& scene, const Interaction& at, const PickedLobes& picked,

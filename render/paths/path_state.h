@@ -34,6 +34,13 @@ bool survives(PathState& path, RandomSequence& random);
 void cross_air(const RenderScene& scene, const std::optional<RayHit>& hit, bool sees_lights,
                PathState& path, Rgb& light);
 
+/// Multiplies by a / b, channel by channel; b: where not above zero, so is a.
+inline void multiply_by_quotient(const Rgb& a, const Rgb& b, Rgb& value)
+{
+    for (int channel = 0; channel < 3; ++channel)
+        value[channel] *= b[channel] > 0 ? a[channel] / b[channel] : 0;
+}
+
 /// Brings the path to the next surface.  Adds to `light` the lights on the way and the environment,
 /// times the throughput and weighted by `hit_weight`, if the path sees lights. through_media: () ->
 /// MediaFlight, called where the scene has media: multiplies the throughput by their transmittance,
@@ -47,7 +54,10 @@ inline MediaFlight reach(const RenderScene& scene, PathState& path, bool sees_li
         if (sees_lights)
             light +=
                 path.throughput * met_lights_in_media(scene, path.ray, path.inside, path.source);
+        const Rgb before = path.throughput;
         out = through_media();
+        if (!is_black(path.source.photons))
+            multiply_by_quotient(path.throughput, before, path.source.photons);
     } else {
         out.hit = scene.rays.nearest(path.ray);
         if (!scene.clear)
@@ -72,7 +82,8 @@ inline Interaction meet(const RenderScene& scene, const RayHit& hit, RandomSeque
 inline Rgb met_emission(const RenderScene& scene, const Interaction& at, float distance,
                         const PathState& path)
 {
-    return path.throughput * emitted_radiance(at.bsdf(), at.point, at.back) *
+    const Rgb emitted = emitted_radiance(at.bsdf(), at.point, at.back);
+    return path.throughput * emitted * weight_against_photons(emitted, path.source) *
            hit_weight(scene, at.point, path.ray.direction, distance, path.source);
 }
 

@@ -22,6 +22,7 @@ void stop_in_medium(LightPath& path)
     if (path.behind == LightPathClass::direct)
         path.behind = LightPathClass::volume;
     path.last = kNoPhoton;
+    path.radiance = Rgb(0);
     path.nanometres = 0;
 }
 
@@ -69,8 +70,10 @@ std::optional<RayHit> cross_media(const MediaSet& media, const Wanted& wanted,
 {
     while (path.scatterings < kMostScatterings) {
         const Rgb before = path.power;
-        const MediaFlight flight =
-            fly_through_media<true>(media, path, path.power, random, [](const Medium&, float) {});
+        const MediaFlight flight = fly_through_media<true>(
+            media, path, path.power, random, [&](const Medium& medium, float optical_depth) {
+                path.radiance *= transmitted(medium.extinction(), optical_depth);
+            });
         out.power.absorbed += glm::dvec3(before - path.power);
         if (!flight.scattered) {
             if (!flight.hit)

@@ -10,6 +10,8 @@ namespace hipmap {
 /// The state of a light path.
 struct LightPath : PathRay {
     Rgb power{0.0f};
+    Rgb radiance{0.0f}; ///< along it, as EmittedPath has it; black: more than specular surfaces
+                        ///<   are behind it
     LightPathClass behind = LightPathClass::direct;
     bool media_last = false; ///< a medium scattered it since the last gathered lobe
     int scatterings = 0;

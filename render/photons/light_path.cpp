@@ -17,7 +17,7 @@ struct Onward {
     By by = By::nothing;
     const PlacedLobe* lobe = nullptr; ///< by one of those
     LobeSample sample;                ///< from it
-    float eta = 1.0f;                 ///< by transmission
+    SpecularLobes specular;           ///< of the surface
 };
 
 /// Draws one of several ways in proportion to the light that goes each, one after another.
@@ -78,16 +78,14 @@ Onward draw_way(const Interaction& at, LightPath& path, RandomSequence& random,
             continue;
         const LobeSample sample = sample_lobe(at, lobe, random);
         if (draw.offer(sample.weight))
-            out = {Onward::By::lobe, &lobe, sample};
+            out = {Onward::By::lobe, &lobe, sample, {}};
     }
     if (bsdf.is_specular) {
-        const SpecularLobes specular = specular_lobes(at);
-        if (draw.offer(specular.mirror))
+        out.specular = specular_lobes(at);
+        if (draw.offer(out.specular.mirror))
             out.by = Onward::By::mirror;
-        if (draw.offer(specular.transmit)) {
+        if (draw.offer(out.specular.transmit))
             out.by = Onward::By::transmission;
-            out.eta = specular.eta;
-        }
     }
     balance.absorbed += glm::dvec3(path.power * (1.0f - draw.sent()));
     path.power = draw.power();
@@ -128,6 +126,17 @@ void store(const Interaction& at, LightPath& path, bool directional, const Wante
     }
 }
 
+/// Keeps the photon at a surface with followed lobes, docs/light_transport.md (44).
+void store_glossy(const Interaction& at, const LightPath& path, TracedPhotons& out)
+{
+    const float cosine = glm::dot(at.back, at.normal);
+    const float radiance = max_channel(path.radiance) * cosine / followed_peak(at);
+    const Rgb power = path.power * (at.cosine / cosine);
+    if (is_finite(power) && is_finite(at.point.position) && radiance > 0)
+        out.glossy.push_back(
+            {{at.point.position, power, at.back, at.point.face, at.side}, radiance});
+}
+
 /// Sends the path on from a surface.  False: it ends there.
 bool scatter(const RenderScene& scene, const Interaction& at, LightPath& path,
              RandomSequence& random, PowerBalance& balance)
@@ -139,13 +148,16 @@ bool scatter(const RenderScene& scene, const Interaction& at, LightPath& path,
         return false;
     case Onward::By::lobe:
         lobes = onward.lobe->handled;
+        path.radiance = Rgb(0);
         leave_by_lobes(scene, at, onward.sample, lobes, path);
         break;
     case Onward::By::mirror:
         leave_by_mirror(scene, at, path);
+        path.radiance *= onward.specular.mirror;
         break;
     case Onward::By::transmission:
-        leave_through(scene, at, onward.eta, path);
+        leave_through(scene, at, onward.specular.eta, path);
+        path.radiance *= onward.specular.transmit;
         break;
     }
     if (lobes == Lobes::gathered) {
@@ -168,6 +180,7 @@ std::optional<RayHit> fly(const RenderScene& scene, LightPath& path, TracedPhoto
     }
     const Rgb sent = path.power;
     absorb(path.absorption, hit->distance, path.power);
+    absorb(path.absorption, hit->distance, path.radiance);
     out.power.absorbed += glm::dvec3(sent - path.power);
     return hit;
 }
@@ -208,6 +221,9 @@ void trace(const RenderScene& scene, const Wanted& wanted, RandomSequence& rando
             store(at, path, scene.directional, wanted, out);
         else if (at.bsdf().gathers)
             path.last = kNoPhoton;
+        if (wanted.glossy && at.follows() && path.behind == LightPathClass::caustic &&
+            scene.partition.map_of_face[hit->face] != kNone)
+            store_glossy(at, path, out);
         if (!scatter(scene, at, path, random, out.power))
             return;
         if (is_done(path, wanted)) {
@@ -226,6 +242,7 @@ void trace_light_path(const RenderScene& scene, const Wanted& wanted, const Emit
     LightPath path;
     path.ray = start.ray;
     path.power = start.power;
+    path.radiance = start.radiance;
     if (start.from_medium)
         path.behind = LightPathClass::volume;
     out.power.emitted += glm::dvec3(path.power);

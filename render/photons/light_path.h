@@ -13,6 +13,7 @@ struct Wanted {
     bool after_specular = true; ///< any, once a specular surface was the first
     bool after_media = false;   ///< those that a medium scattered first, or sent out
     bool volume = false;        ///< in media
+    bool glossy = false;        ///< TracedPhotons::glossy
 };
 
 /// Traces a light path through the scene to its end, and adds the wanted photons, and where its

@@ -22,6 +22,13 @@ void append(std::vector<T>& to, std::vector<T>& from)
     std::vector<T>().swap(from);
 }
 
+void add(const PowerBalance& power, PowerBalance& sum)
+{
+    sum.emitted += power.emitted;
+    sum.absorbed += power.absorbed;
+    sum.escaped += power.escaped;
+}
+
 PhotonCounts counts_of(const TracedPhotons& photons)
 {
     return {photons.caustic.size(), photons.global.size(), photons.bounces.size()};
@@ -30,17 +37,19 @@ PhotonCounts counts_of(const TracedPhotons& photons)
 TracedPhotons join(std::vector<TracedPhotons>& chunks)
 {
     TracedPhotons out;
-    std::size_t caustic = 0, global = 0, bounces = 0, volume = 0, paths = 0;
+    std::size_t caustic = 0, global = 0, bounces = 0, glossy = 0, volume = 0, paths = 0;
     for (const TracedPhotons& chunk : chunks) {
         caustic += chunk.caustic.size();
         global += chunk.global.size();
         bounces += chunk.bounces.size();
+        glossy += chunk.glossy.size();
         volume += chunk.volume.size();
         paths += chunk.after_path.size();
     }
     out.caustic.reserve(caustic);
     out.global.reserve(global);
     out.bounces.reserve(bounces);
+    out.glossy.reserve(glossy);
     out.volume.reserve(volume);
     out.after_path.reserve(paths);
     for (TracedPhotons& chunk : chunks) {
@@ -56,12 +65,11 @@ TracedPhotons join(std::vector<TracedPhotons>& chunks)
         append(out.bounces, chunk.bounces);
         append(out.caustic, chunk.caustic);
         append(out.global, chunk.global);
+        append(out.glossy, chunk.glossy);
         append(out.volume, chunk.volume);
         out.dropped += chunk.dropped;
         out.cut += chunk.cut;
-        out.power.emitted += chunk.power.emitted;
-        out.power.absorbed += chunk.power.absorbed;
-        out.power.escaped += chunk.power.escaped;
+        add(chunk.power, out.power);
     }
     return_freed_memory();
     return out;
@@ -115,6 +123,7 @@ Wanted wanted_without_aim(const PhotonOptions& options)
     wanted.bounces = options.link_bounces;
     wanted.after_specular = options.light.caustic && (wanted.caustic || wanted.indirect);
     wanted.after_media = wanted.volume = options.media;
+    wanted.glossy = options.store_glossy && wanted.caustic;
     return wanted;
 }
 
@@ -144,6 +153,7 @@ TracedPhotons trace_aimed(const RenderScene& scene, const PhotonOptions& options
         return {};
     Wanted wanted{false, true, false, options.link_bounces};
     wanted.volume = options.media;
+    wanted.glossy = options.store_glossy;
     const EmissionGuide* const guide = guide_of(options, &PhotonGuides::aimed);
     const PathKind kind{options, guide,
                         guide == nullptr ? plan_emission(scene.lights, options.caustic_paths,

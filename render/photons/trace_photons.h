@@ -26,6 +26,7 @@ struct PhotonOptions {
     std::uint64_t caustic_paths = 0; ///< to aim at specular surfaces besides, if there are any; 0:
                                      ///< what reaches them without aim makes the caustics
     bool link_bounces = false;       ///< fill TracedPhotons::bounces
+    bool store_glossy = false;       ///< fill TracedPhotons::glossy; of caustic light alone
     LightClasses light{};            ///< photons of other light are neither traced nor kept
     bool media = false; ///< keep photons in media, and those that come from there to surfaces
     const PhotonGuides* guides = nullptr; ///< borrowed; null: paths start by power alone
@@ -41,6 +42,14 @@ struct BouncedPhoton {
     bool from_caustic;  ///< `from` is one of the caustic photons, else of the global ones
     std::uint64_t from; ///< the photon that its path left at the surface of the bounce; kNoPhoton:
                         ///<   a medium has scattered the light since
+};
+
+/// A photon that came by specular surfaces alone to a surface with followed lobes.
+struct GlossyPhoton {
+    Photon photon;
+    /// The radiance along its path, by the largest channel, times the cosine at the surface, over
+    /// the peak of the pdf of the followed lobes; W/m2.  Infinite: no ray can find its light.
+    float radiance;
 };
 
 /// The numbers of photons that some paths left.
@@ -64,6 +73,7 @@ struct TracedPhotons {
     std::vector<Photon> global;         ///< indirect, and direct if asked for
     std::vector<BouncedPhoton> bounces; ///< indirect, if asked for; those from a caustic are of
                                         ///< aimed paths, the others not
+    std::vector<GlossyPhoton> glossy;   ///< if asked for
     std::vector<VolumePhoton> volume;   ///< in media
     std::vector<PhotonCounts>
         after_path;            ///< [emitted + aimed] up to and with each path, if asked for

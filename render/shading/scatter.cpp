@@ -195,6 +195,14 @@ Rgb scattered_share(const Interaction& at, Lobes lobes)
     return share;
 }
 
+float followed_peak(const Interaction& at)
+{
+    Interaction facing = at;
+    facing.back = facing.normal = facing.shading_normal;
+    facing.cosine = 1;
+    return scattered(facing, facing.back, Lobes::followed).pdf;
+}
+
 SpecularLobes specular_lobes(const Interaction& at)
 {
     SpecularLobes out;

@@ -31,6 +31,10 @@ struct ScatterSample : LobeSample {
 /// exact.  Thread-safe.
 ScatterSample sample_scatter(const Interaction& at, Lobes lobes, RandomSequence& random);
 
+/// Returns the pdf of the followed lobes per steradian, straight back to where light comes from
+/// that meets the surface straight on: about the largest that there is, however light arrives.
+float followed_peak(const Interaction& at);
+
 /// Draws a direction from one lobe of the surface for a particle.  Its weight stays bounded: by
 /// what the facet drawn reflects and transmits, or by the albedo of a diffuse lobe.
 LobeSample sample_lobe(const Interaction& at, const PlacedLobe& lobe, RandomSequence& random);

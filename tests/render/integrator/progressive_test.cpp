@@ -72,6 +72,38 @@ TEST_CASE("progressive: differs from paths by noise and by what narrower radii t
     CHECK(bias + kMostZ * noise < 0.04 * paths.radiance.mean());
 }
 
+TEST_CASE("progressive: photons and rays share the light that a mirror sends to brushed metal",
+          "[integrator]")
+{
+    Scene scene = tiny::box(tiny::diffuse(Rgb(0)));
+    Material metal = tiny::mirror(Rgb(0.9f));
+    metal.roughness = 0.28f;
+    tiny::add(scene, tiny::floor_at(-0.4f, 0.4f), metal);
+    tiny::add(scene, tiny::parallelogram({-0.3f, -0.35f, -0.45f}, {0.6f, 0, 0}, {0, 0.6f, 0}),
+              tiny::mirror(Rgb(0.8f)));
+    // Its light goes to the mirror alone.
+    tiny::add(scene, tiny::parallelogram({0.05f, 0.2f, 0.1f}, {-0.1f, 0, 0}, {0, 0.1f, 0}),
+              tiny::emissive(Rgb(20)));
+    const auto ready = tiny::ready(std::move(scene));
+    RenderOptions options = small_options(1'000'000);
+    options.samples = 64;
+    options.light.indirect = false;
+    RenderStatistics statistics;
+    make_pass_source(*ready->render, options, statistics).render(0, {});
+    CHECK(statistics.glossy.stored > 0);
+    CHECK(statistics.glossy.searches.photons_found > 0);
+    const Means shared = mean_of_passes(*ready, options, 12);
+    options.integrator = Integrator::path;
+    options.samples = 4000;
+    const Means paths = mean_of_passes(*ready, options, 12);
+    const double bias = 2 * std::abs(shared.radiance.mean() - shared.narrower.mean());
+    const double noise =
+        std::hypot(shared.radiance.standard_error(), paths.radiance.standard_error());
+    CAPTURE(shared.radiance.mean(), paths.radiance.mean(), bias, noise);
+    CHECK(std::abs(shared.radiance.mean() - paths.radiance.mean()) < bias + kMostZ * noise);
+    CHECK(bias + kMostZ * noise < 0.05 * paths.radiance.mean());
+}
+
 TEST_CASE("progressive: at the foot of a box on a wide floor the light from the box is found",
           "[integrator]")
 {

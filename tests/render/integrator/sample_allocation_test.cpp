@@ -40,7 +40,7 @@ double mean_samples(const SampleAllocation& allocation, int width, int from_x, i
 TEST_CASE("sample allocation: in proportion to the deviation, the mean kept", "[integrator]")
 {
     const SampleAllocation allocation =
-        allocate_samples(noisy_image(0), noisy_image(1), 128, 128, 16);
+        allocate_samples({noisy_image(0), noisy_image(1), {}}, 128, 128, 16);
     const double calm = mean_samples(allocation, 128, 0, 56);
     const double noisy = mean_samples(allocation, 128, 72, 128);
     CHECK(noisy / calm == Approx(3).epsilon(0.1));
@@ -54,7 +54,7 @@ TEST_CASE("sample allocation: every pixel has a sample, none very many", "[integ
     second.at(20, 20) = Rgb(std::numeric_limits<float>::quiet_NaN());
     second.at(30, 30) = Rgb(std::numeric_limits<float>::infinity());
     for (const std::uint32_t mean : {1u, 2u, 60'000u}) {
-        const SampleAllocation allocation = allocate_samples(first, second, 32, 64, mean);
+        const SampleAllocation allocation = allocate_samples({first, second, {}}, 32, 64, mean);
         REQUIRE(allocation.samples.size() == 32 * 64);
         for (const std::uint16_t samples : allocation.samples) {
             CHECK(samples >= 1);
@@ -62,16 +62,31 @@ TEST_CASE("sample allocation: every pixel has a sample, none very many", "[integ
         }
     }
     const Image black(8, 8);
-    for (const std::uint16_t samples : allocate_samples(black, black, 8, 8, 4).samples)
+    for (const std::uint16_t samples : allocate_samples({black, black, {}}, 8, 8, 4).samples)
         CHECK(samples == 4); // no pixel has differed from another
+}
+
+TEST_CASE("sample allocation: noisy lights have samples of their own, out of the same work",
+          "[integrator]")
+{
+    constexpr std::size_t kCount = 64 * 64, kNoisy = 20 * 64 + 20;
+    LightNoise lights{std::vector<float>(kCount, 0.1f), std::vector<float>(kCount, 1e-4f)};
+    lights.variance[kNoisy] = 100;
+    const SampleAllocation with =
+        allocate_samples({noisy_image(0), noisy_image(1), lights}, 64, 64, 16);
+    REQUIRE(with.lights.size() == kCount);
+    for (std::size_t i = 0; i < kCount; ++i)
+        CHECK((with.lights[i] > 16) == (i == kNoisy));
+    CHECK(mean_samples(with, 64, 0, 64) < 16);
+    CHECK(mean_samples(with, 64, 0, 64) > 14);
 }
 
 TEST_CASE("sample allocation: its checksum tells allocations apart", "[integrator]")
 {
-    SampleAllocation allocation = allocate_samples(noisy_image(0), noisy_image(1), 64, 64, 4);
+    SampleAllocation allocation = allocate_samples({noisy_image(0), noisy_image(1), {}}, 64, 64, 4);
     const std::uint64_t sum = checksum(allocation);
     CHECK(sum == checksum(allocation));
     ++allocation.samples[100];
     CHECK(sum != checksum(allocation));
-    CHECK(checksum({}) == 0);
+    CHECK(checksum(SampleAllocation{}) == 0);
 }

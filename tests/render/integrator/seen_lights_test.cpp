@@ -29,6 +29,18 @@ std::unique_ptr<tiny::ReadyScene> black_room()
     return tiny::ready(std::move(scene));
 }
 
+/// A light and a floor of brushed metal in such a box.
+std::unique_ptr<tiny::ReadyScene> black_room_with_metal()
+{
+    Scene scene = tiny::box(tiny::diffuse(Rgb(0)));
+    Material metal = tiny::mirror(Rgb(0.9f));
+    metal.roughness = 0.25f;
+    tiny::add(scene, tiny::floor_at(-0.4f, 0.4f), metal);
+    tiny::add(scene, tiny::parallelogram({-0.2f, -0.05f, -0.4f}, {0.4f, 0, 0}, {0, 0.4f, 0}),
+              tiny::emissive(Rgb(5)));
+    return tiny::ready(std::move(scene));
+}
+
 /// Radiance of a ray, summed over the channels, with the lights it sees and without.
 using Traced = std::function<Rgb(const Ray&, SeenLights, RandomSequence&)>;
 
@@ -61,7 +73,8 @@ std::uint16_t samples_at(const std::vector<std::uint16_t>& lights, const glm::ve
 
 TEST_CASE("seen lights: all the light there is where nothing else reflects", "[integrator]")
 {
-    const auto ready = black_room();
+    const bool metal = GENERATE(false, true);
+    const auto ready = metal ? black_room_with_metal() : black_room();
     const MapSurfaces surfaces(ready->scene.mesh, ready->partition);
     const ChosenMaps none;
     EyeScratch eye;
@@ -98,12 +111,15 @@ TEST_CASE("seen lights: pixels at their edges take samples of their own", "[inte
 {
     Scene scene = tiny::box(tiny::diffuse(Rgb(0.5f)));
     const RenderOptions options = small_picture();
-    CHECK(allocate_light_samples(*tiny::ready(scene)->render, options).empty());
+    const auto allocated = [&](const RenderScene& of) {
+        return allocate_light_samples(measure_light_noise(of, options), options.samples);
+    };
+    CHECK(allocated(*tiny::ready(scene)->render).empty());
     // From 0.48 before it, the far wall reaches to 0.5/0.98 of what a half height of 0.8 shows.
     tiny::add(scene, tiny::parallelogram({-0.25f, -0.25f, -0.499f}, {0.5f, 0, 0}, {0, 0.5f, 0}),
               tiny::emissive(Rgb(5)));
     const auto ready = tiny::ready(scene);
-    const auto lights = allocate_light_samples(*ready->render, options);
+    const auto lights = allocated(*ready->render);
     const float edge = 0.25f / 0.979f / 0.8f / 2;
     REQUIRE(lights.size() == kSide * kSide);
     for (const float side : {-1.0f, 1.0f}) {
@@ -112,5 +128,5 @@ TEST_CASE("seen lights: pixels at their edges take samples of their own", "[inte
         CHECK(samples_at(lights, {0.5f + side * edge / 2, 0.5f}) == 0); // the light alone
         CHECK(samples_at(lights, {0.5f + side * 1.5f * edge, 0.5f}) == 0);
     }
-    CHECK(lights == allocate_light_samples(*ready->render, options));
+    CHECK(lights == allocated(*ready->render));
 }

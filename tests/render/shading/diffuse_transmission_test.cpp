@@ -1,4 +1,4 @@
-#include "render/shading/gathered_lobes.h"
+#include "render/shading/photon_lobes.h"
 #include "tests/support/drawn_directions.h"
 #include "tests/support/statistics.h"
 #include "tests/support/tiny_scenes.h"
@@ -132,7 +132,7 @@ TEST_CASE("diffuse transmission: photons are weighed by the lobes that rays are"
 {
     for (const Material& material : papers()) {
         const Interaction at = tiny::lit_surface(material, kBacks[1], false);
-        const GatheredLobes lobes(at);
+        const PhotonLobes lobes(at);
         for (std::uint64_t i = 0; i < 300; ++i) {
             RandomSequence random(13, RandomStream::pictures, 0, i);
             const glm::vec3 in = sample_sphere(random.next2());

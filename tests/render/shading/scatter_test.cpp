@@ -1,5 +1,5 @@
 #include "render/lobes/glossy_albedo.h"
-#include "render/shading/gathered_lobes.h"
+#include "render/shading/photon_lobes.h"
 #include "tests/support/drawn_directions.h"
 #include "tests/support/lit_surface.h"
 #include "tests/support/statistics.h"
@@ -223,7 +223,7 @@ TEST_CASE("scatter: photons from below a tilted face, as faces beside have them,
         tiny::lit_surface(rough(tiny::mirror({1, 0.8f, 0.3f}), 0.45f), {0.4f, 0, 0.9f});
     at.shading_normal = glm::normalize(glm::vec3(0.1f, 0, 1));
     at.cosine = glm::dot(at.back, at.shading_normal);
-    const GatheredLobes lobes(at);
+    const PhotonLobes lobes(at);
     for (const float above : {1e-7f, 1e-5f, 1e-3f, 0.01f, 0.09f}) {
         const float slope = std::asin(above) - std::atan(0.1f);
         const glm::vec3 in(std::cos(slope), 0, std::sin(slope));

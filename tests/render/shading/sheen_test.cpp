@@ -1,5 +1,5 @@
 #include "render/lobes/sheen_albedo.h"
-#include "render/shading/gathered_lobes.h"
+#include "render/shading/photon_lobes.h"
 #include "tests/support/drawn_directions.h"
 #include "tests/support/statistics.h"
 #include "tests/support/tiny_scenes.h"

@@ -1,10 +1,10 @@
-#include "render/shading/gathered_lobes.h"
+#include "render/shading/photon_lobes.h"
 
 #include "render/shading/lobe_value.h"
 
 namespace hipmap {
 
-void GatheredLobes::look_through_layers()
+void PhotonLobes::look_through_layers()
 {
     seen_.fill(Rgb(1));
     if (bsdf_.layers.any)
@@ -17,7 +17,7 @@ void GatheredLobes::look_through_layers()
         behind_ = bsdf_.diffuse_transmitted / kPi * diffuse;
 }
 
-Rgb GatheredLobes::reflected(const PlacedLobe& lobe, const glm::vec3& in, float cosine) const
+Rgb PhotonLobes::reflected(const PlacedLobe& lobe, const glm::vec3& in, float cosine) const
 {
     const LobeView& view = lobe.depth == Depth::clearcoat ? view_of(at_, lobe.depth) : view_;
     Rgb value(0.0f);
@@ -32,18 +32,18 @@ Rgb GatheredLobes::reflected(const PlacedLobe& lobe, const glm::vec3& in, float 
     return value * (seen_[static_cast<std::size_t>(lobe.depth)] / cosine);
 }
 
-Rgb GatheredLobes::transmitted(const glm::vec3& in, float cosine) const
+Rgb PhotonLobes::transmitted(const glm::vec3& in, float cosine) const
 {
     return cosine > 0 && glm::dot(at_.normal, in) < 0
                ? behind_ * transmitted_by(bsdf_.layers, Depth::diffuse, incidence(at_, -in, cosine))
                : Rgb(0);
 }
 
-Rgb GatheredLobes::of_all(const glm::vec3& in, float cosine) const
+Rgb PhotonLobes::of_all(const glm::vec3& in, float cosine) const
 {
     Rgb value(0.0f);
     for (const PlacedLobe& lobe : bsdf_.lobes())
-        if (lobe.handled == Lobes::gathered && !lobe.transmits)
+        if (lobe.handled == handled_ && !lobe.transmits)
             value += reflected(lobe, in, cosine);
     return value;
 }

@@ -7,12 +7,13 @@
 
 namespace hipmap {
 
-/// The gathered lobes of a surface seen from one direction, as photons need them.  What depends on
-/// that direction alone is computed once, so that a photon costs little.  Borrows the interaction.
-class GatheredLobes {
+/// The gathered or the followed lobes of a surface seen from one direction, as photons need them.
+/// What depends on that direction alone is computed once, so that a photon costs little.  Borrows
+/// the interaction.
+class PhotonLobes {
   public:
-    explicit GatheredLobes(const Interaction& at)
-        : at_(at), bsdf_(at.bsdf()), view_(view_of(at, Depth::diffuse)),
+    explicit PhotonLobes(const Interaction& at, Lobes handled = Lobes::gathered)
+        : at_(at), bsdf_(at.bsdf()), handled_(handled), view_(view_of(at, Depth::diffuse)),
           base_(bsdf_.diffuse * (1 / kPi))
     {
         if (!bsdf_.is_diffuse)
@@ -20,13 +21,15 @@ class GatheredLobes {
     }
 
     /// Returns f(wi, wo), per steradian, relative to the cosine of `in` to the shading normal, with
-    /// folded light, docs/light_transport.md (19).  For light from the other side, returns the
-    /// diffuse transmission.  in: unit, away from the surface.
+    /// folded light, docs/light_transport.md (19).  For light from the other side, gathered lobes
+    /// have the diffuse transmission, others nothing.  in: unit, away from the surface.
     Rgb operator()(const glm::vec3& in) const
     {
         const float cosine = glm::dot(view_.normal, in);
         if (!(cosine > 0))
-            return bsdf_.transmits_diffusely ? transmitted(in, -cosine) : Rgb(0);
+            return bsdf_.transmits_diffusely && handled_ == Lobes::gathered
+                       ? transmitted(in, -cosine)
+                       : Rgb(0);
         return bsdf_.is_diffuse ? eval(bsdf_.all[0].lobe, view_, in) : of_all(in, cosine);
     }
 
@@ -48,6 +51,7 @@ class GatheredLobes {
 
     const Interaction& at_;
     const Bsdf& bsdf_;
+    const Lobes handled_;
     LobeView view_; ///< of all but the clear coat
     Rgb base_, behind_{0.0f};
     std::array<Rgb, 4> seen_; ///< [Depth] what layers leave on the way to `back`
