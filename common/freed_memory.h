@@ -8,8 +8,8 @@
 
 namespace hipmap {
 
-/// Returns the memory of freed arrays to the system, which C's library otherwise keeps for arrays
-/// of the same size: for the end of a stage that allocated many.  Milliseconds for gigabytes.
+/// Returns the memory of freed arrays to the system; C's library otherwise keeps it for new arrays.
+/// A stage that allocates many arrays calls it at its end.  Takes milliseconds for gigabytes.
 inline void return_freed_memory()
 {
 #ifdef __GLIBC__

@@ -25,7 +25,7 @@ constexpr std::uint32_t kVersion = 4;
 /// them without a word.
 constexpr std::size_t kLongestChunk = std::size_t{1} << 30;
 
-/// Of the arrays of a file, for each face.
+/// Bytes that all arrays of a file take for each face.
 constexpr std::size_t kBytesPerFace = 3 * (sizeof(EdgeClass) + sizeof(std::uint32_t)) +
                                       sizeof(MapId) + sizeof(std::uint32_t) + 3 * sizeof(float) +
                                       4 * sizeof(std::uint8_t);

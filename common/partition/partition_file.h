@@ -17,8 +17,8 @@ void write_partition(const std::filesystem::path& path, const Partition& partiti
                      std::size_t chunk_bytes = kChunkBytes);
 
 /// Reads a .hpm file, a chunk at a time, and checks every value in it: sizes, ranges of ids, edges
-/// that point back. Throws InputError: no such file, truncated or damaged, another version of the
-/// format.
+/// that point back. Throws InputError if there is no such file, or it is truncated, damaged or of
+/// another version of the format.
 Partition read_partition(const std::filesystem::path& path);
 
 /// Returns a 64-bit checksum of every field, which also detects damage that leaves each number

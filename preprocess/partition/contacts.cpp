@@ -3,9 +3,6 @@
 #include "preprocess/partition/contact_face.h"
 #include "preprocess/partition/leaf_neighbours.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
@@ -193,9 +190,9 @@ void append_contacts(const ContactScene& scene, const ShapedFace& f, const Shape
         out.push_back({scene.map_of_face[face], glm::vec3(line->a), glm::vec3(line->b)});
 }
 
-/// Finds the contacts of pairs (f, g) of faces whose boxes meet: of those f that `starts(f)`, and
-/// those g that `wanted(f, g)` outside of the nodes that `skip(range, map of f)`.  The faces f of a
-/// leaf are looked at together.
+/// Finds the contacts of pairs (f, g) of faces whose boxes meet.  A face f takes part if
+/// `starts(f)`, a face g if `wanted(f, g)` and no node above it has `skip(range, map of f)`.  The
+/// faces f of a leaf are looked at together.
 template <typename Starts, typename Skip, typename Wanted>
 class LeafContacts {
   public:
@@ -289,17 +286,10 @@ template <typename Starts, typename Skip, typename Wanted>
 FoundContacts contacts_of_pairs(const ContactScene& scene, const FaceTree& tree,
                                 const Starts& starts, const Skip& skip, const Wanted& wanted)
 {
-    using Leaf = LeafContacts<Starts, Skip, Wanted>;
-    tbb::enumerable_thread_specific<Leaf> search(
-        [&] { return Leaf(scene, tree, starts, skip, wanted); });
-    tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, tree.leaf_count()),
-                      [&](const auto& leaves) {
-                          Leaf& mine = search.local();
-                          for (std::uint32_t i = leaves.begin(); i < leaves.end(); ++i)
-                              mine.find(tree.leaf(i));
-                      });
+    auto searches =
+        search_leaves(tree, [&] { return LeafContacts(scene, tree, starts, skip, wanted); });
     FoundContacts out;
-    for (Leaf& some : search) {
+    for (auto& some : searches) {
         const FoundContacts found = some.take();
         out.contacts.insert(out.contacts.end(), found.contacts.begin(), found.contacts.end());
         out.given_up += found.given_up;

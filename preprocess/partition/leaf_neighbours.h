@@ -2,9 +2,29 @@
 
 #include "preprocess/partition/face_tree.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include <array>
 #include <vector>
 
 namespace hipmap {
+
+/// Calls `find(leaf)` of a search for every leaf of the tree, in parallel.  make: () -> Search, for
+/// each thread.  Returns the searches in no order.
+template <typename Make>
+auto search_leaves(const FaceTree& tree, const Make& make)
+{
+    tbb::enumerable_thread_specific<decltype(make())> searches(make);
+    tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, tree.leaf_count()),
+                      [&](const auto& leaves) {
+                          auto& mine = searches.local();
+                          for (std::uint32_t i = leaves.begin(); i < leaves.end(); ++i)
+                              mine.find(tree.leaf(i));
+                      });
+    return searches;
+}
 
 /// A face with its box.
 struct BoxedFace {

@@ -3,8 +3,6 @@
 #include "preprocess/partition/contact_face.h"
 #include "preprocess/partition/leaf_neighbours.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
 
@@ -248,13 +246,7 @@ class LeafEnds {
 /// out.
 std::vector<std::uint32_t> find_ends(const SeamScene& scene, const SeamSearch& search)
 {
-    tbb::enumerable_thread_specific<LeafEnds> found([&] { return LeafEnds(scene, search); });
-    tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, scene.tree.leaf_count()),
-                      [&](const auto& leaves) {
-                          LeafEnds& mine = found.local();
-                          for (std::uint32_t i = leaves.begin(); i < leaves.end(); ++i)
-                              mine.find(scene.tree.leaf(i));
-                      });
+    const auto found = search_leaves(scene.tree, [&] { return LeafEnds(scene, search); });
     std::vector<std::uint32_t> ends;
     for (const LeafEnds& some : found)
         ends.insert(ends.end(), some.ends().begin(), some.ends().end());

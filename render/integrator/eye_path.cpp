@@ -100,15 +100,14 @@ Rgb trace_eye_path(const PassMaps& maps, const Ray& ray, SeenLights seen, Random
     GatherBranchStack stack = begin(maps.scene, ray);
     while (stack.size > 0) {
         GatherBranch branch = stack.pop();
-        const bool sees = seen == SeenLights::added || !sees_lights(branch.behind);
+        const bool sees = adds_met_light(seen, branch.behind);
         const MediaFlight reached = reach_by_beams(maps.scene, maps.volume, sees, branch, radiance);
         if (!reached.hit)
             continue;
         const Interaction at = meet(maps.scene, *reached.hit, random, branch);
         if (sees)
             radiance += met_emission(maps.scene, at, reached.hit->distance, branch);
-        const bool highlights =
-            seen == SeenLights::added || branch.behind != EyePathClass::specular;
+        const bool highlights = adds_highlights(seen, branch.behind);
         radiance += branch.throughput * scattered_light(maps, at, highlights, random, scratch);
         send_on(maps.scene, at, branch, random, stack);
     }

@@ -3,6 +3,7 @@
 #include "common/math/random.h"
 #include "render/dissertation/dissertation.h"
 #include "render/maps/volume_map.h"
+#include "render/paths/path_class.h"
 #include "render/shading/interaction.h"
 
 namespace hipmap {
@@ -29,9 +30,22 @@ struct EyeScratch {
     ChosenScratch global;
 };
 
-/// Whether an eye path adds the directly visible lights (also seen in mirrors and through clear
-/// glass): they may have samples of their own, docs/error.md (16).
+/// Whether an eye path adds the lights that are seen (straight, over specular surfaces, and as
+/// highlights): they may have samples of their own, docs/error.md (16).
 enum class SeenLights : std::uint8_t { added, left_out };
+
+/// Returns whether an eye path adds the light that a ray meets behind surfaces of the class.
+inline bool adds_met_light(SeenLights seen, EyePathClass behind)
+{
+    return seen == SeenLights::added || !sees_lights(behind);
+}
+
+/// Returns whether it adds the light that is sampled for the followed lobes of a surface which such
+/// a ray meets.
+inline bool adds_highlights(SeenLights seen, EyePathClass behind)
+{
+    return adds_met_light(seen, after_followed(behind));
+}
 
 /// Returns the radiance that arrives along an eye ray, W/(m2 sr): emission, and at every diffuse
 /// surface seen directly or through mirrors and glass, direct light (if not from photons), the

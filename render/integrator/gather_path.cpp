@@ -33,15 +33,7 @@ class GatherTracer {
     /// Light that the ray runs into counts: else it is the caustic map's, or has its own samples.
     bool adds_lights(const GatherBranch& branch) const
     {
-        return branch.behind != EyePathClass::caustic &&
-               (seen_ == SeenLights::added || !sees_lights(branch.behind));
-    }
-
-    /// The light sampled for followed lobes counts.
-    bool adds_highlights(const GatherBranch& branch) const
-    {
-        return !is_gathered(branch.behind) &&
-               (seen_ == SeenLights::added || branch.behind != EyePathClass::specular);
+        return branch.behind != EyePathClass::caustic && adds_met_light(seen_, branch.behind);
     }
 
     void add(const Rgb& radiance)
@@ -95,7 +87,7 @@ class GatherTracer {
                 light_sampled_light(scene, at, {.gathered = 1, .guide = gathering.guide}, random_));
         if (onward && !maps_.bounces)
             add(gathering.throughput * bsdf_sampled_light(scene, at, random_));
-        if (at.follows() && adds_highlights(branch))
+        if (at.follows() && !is_gathered(branch.behind) && adds_highlights(seen_, branch.behind))
             add(branch.throughput * light_sampled_light(scene, at, {.followed = 1}, random_));
         branch.photons =
             at.follows() && branch.behind == EyePathClass::specular ? add_glossy(branch, at) : 0;

@@ -35,7 +35,7 @@ class PathTracer {
     bool step()
     {
         const bool adds_lights = (light_.caustic || path_.behind != EyePathClass::caustic) &&
-                                 (seen_ == SeenLights::added || !sees_lights(path_.behind));
+                                 adds_met_light(seen_, path_.behind);
         const MediaFlight reached =
             reach(scene_, path_, adds_lights, radiance_, [this] { return fly(*scene_.media); });
         if (reached.scattered) {
@@ -59,11 +59,9 @@ class PathTracer {
     }
 
     /// The light sampled for followed lobes counts.
-    bool adds_highlights() const
+    bool samples_for_followed() const
     {
-        return is_gathered(path_.behind)
-                   ? light_.caustic
-                   : seen_ == SeenLights::added || path_.behind != EyePathClass::specular;
+        return is_gathered(path_.behind) ? light_.caustic : adds_highlights(seen_, path_.behind);
     }
 
     bool may_gather() const { return light_.indirect || !is_gathered(path_.behind); }
@@ -102,7 +100,8 @@ class PathTracer {
     {
         const SpecularLobes lobes = specular_lobes(at);
         const LobeProbabilities probabilities = probabilities_at(at, lobes);
-        const LobeRays rays{probabilities.gathered, adds_highlights() ? probabilities.followed : 0};
+        const LobeRays rays{probabilities.gathered,
+                            samples_for_followed() ? probabilities.followed : 0};
         if (rays.gathered + rays.followed > 0)
             radiance_ += path_.throughput * light_sampled_light(scene_, at, rays, random_);
         float drawn = random_.next();

@@ -48,9 +48,9 @@ struct RunResult {
 /// Makes a state without passes, for a new render.
 RenderState begin_state(const PassSource& source, std::vector<Setting> settings);
 
-/// Resumes a state read from `path`, whose settings and pixels are those of the render: takes its
-/// film, of which there is no second one.  Throws InputError, naming `path`, if the film is not one
-/// that begin_state makes.
+/// Resumes a state read from `path`, whose settings and pixels are those of the render.  Takes over
+/// its film, so that memory holds one.  Throws InputError, naming `path`, if begin_state would make
+/// another kind of film.
 RenderState resume_state(const PassSource& source, RenderState found,
                          const std::filesystem::path& path);
 

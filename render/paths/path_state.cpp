@@ -65,8 +65,9 @@ void cross_air(const RenderScene& scene, const std::optional<RayHit>& hit, bool 
                  met_lights(scene, path.ray, distance_of(hit), path.absorption, path.source);
     if (!hit)
         return;
-    absorb(path.absorption, hit->distance, path.throughput);
-    absorb(path.absorption, hit->distance, path.source.photons);
+    const Rgb left = transmittance(path.absorption, hit->distance);
+    path.throughput *= left;
+    path.source.photons *= left;
 }
 
 void go_by_mirror(const RenderScene& scene, const Interaction& at, const SpecularLobes& lobes,

@@ -14,8 +14,8 @@ struct EmissionSeed {
     double weight = 0; ///< what all light that it stands for is worth
 };
 
-/// Learns the guide of one kind of light path (those not aimed, or the aimed ones) in rounds, each
-/// of which draws its paths from the guide that all earlier rounds gave.  docs/light_transport.md
+/// Learns the guide of one kind of light path (those not aimed, or the aimed ones) in rounds.  The
+/// paths of a round are drawn from the guide learnt in all earlier rounds.  docs/light_transport.md
 /// (41).
 class GuideLearner {
   public:

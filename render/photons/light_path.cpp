@@ -179,8 +179,9 @@ std::optional<RayHit> fly(const RenderScene& scene, LightPath& path, TracedPhoto
         return hit;
     }
     const Rgb sent = path.power;
-    absorb(path.absorption, hit->distance, path.power);
-    absorb(path.absorption, hit->distance, path.radiance);
+    const Rgb left = transmittance(path.absorption, hit->distance);
+    path.power *= left;
+    path.radiance *= left;
     out.power.absorbed += glm::dvec3(sent - path.power);
     return hit;
 }
@@ -222,7 +223,7 @@ void trace(const RenderScene& scene, const Wanted& wanted, RandomSequence& rando
         else if (at.bsdf().gathers)
             path.last = kNoPhoton;
         if (wanted.glossy && at.follows() && path.behind == LightPathClass::caustic &&
-            scene.partition.map_of_face[hit->face] != kNone)
+            !is_black(path.radiance) && scene.partition.map_of_face[hit->face] != kNone)
             store_glossy(at, path, out);
         if (!scatter(scene, at, path, random, out.power))
             return;

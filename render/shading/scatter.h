@@ -31,8 +31,8 @@ struct ScatterSample : LobeSample {
 /// exact.  Thread-safe.
 ScatterSample sample_scatter(const Interaction& at, Lobes lobes, RandomSequence& random);
 
-/// Returns the pdf of the followed lobes per steradian, straight back to where light comes from
-/// that meets the surface straight on: about the largest that there is, however light arrives.
+/// Returns the pdf of the followed lobes, per steradian, for reflection straight back at
+/// perpendicular incidence.  It is about their largest at any angle of incidence.
 float followed_peak(const Interaction& at);
 
 /// Draws a direction from one lobe of the surface for a particle.  Its weight stays bounded: by

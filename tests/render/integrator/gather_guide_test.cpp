@@ -11,7 +11,7 @@ using namespace hipmap;
 
 namespace {
 
-/// A room whose lid leaves a strip open along one wall; the sky shines in through it.
+/// A room with a strip open to the sky along one wall.
 Scene room_below_a_lid()
 {
     TriangleMesh mesh = tiny::open_box();

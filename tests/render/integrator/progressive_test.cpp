@@ -39,6 +39,19 @@ Means mean_of_passes(const tiny::ReadyScene& ready, const RenderOptions& options
     return out;
 }
 
+/// Checks that images agree up to noise and the bias that narrower radii show, and that both are
+/// less than a share of their mean.
+void check_same_light(const Means& gathered, const Means& paths, double share)
+{
+    // Bias that goes with the radius itself is halved in the narrowest; else it is less.
+    const double bias = 2 * std::abs(gathered.radiance.mean() - gathered.narrower.mean());
+    const double noise =
+        std::hypot(gathered.radiance.standard_error(), paths.radiance.standard_error());
+    CAPTURE(gathered.radiance.mean(), paths.radiance.mean(), bias, noise);
+    CHECK(std::abs(gathered.radiance.mean() - paths.radiance.mean()) < bias + kMostZ * noise);
+    CHECK(bias + kMostZ * noise < share * paths.radiance.mean());
+}
+
 } // namespace
 
 TEST_CASE("progressive: precomputed irradiance is right but for the photon it counts too often",
@@ -63,13 +76,7 @@ TEST_CASE("progressive: differs from paths by noise and by what narrower radii t
     const Means gathered = mean_of_passes(*ready, options, 10);
     options.integrator = Integrator::path;
     options.samples = 150;
-    const Means paths = mean_of_passes(*ready, options, 10);
-    // Bias that goes with the radius itself is halved in the narrowest; else it is less.
-    const double bias = 2 * std::abs(gathered.radiance.mean() - gathered.narrower.mean());
-    const double noise =
-        std::hypot(gathered.radiance.standard_error(), paths.radiance.standard_error());
-    CHECK(std::abs(gathered.radiance.mean() - paths.radiance.mean()) < bias + kMostZ * noise);
-    CHECK(bias + kMostZ * noise < 0.04 * paths.radiance.mean());
+    check_same_light(gathered, mean_of_passes(*ready, options, 10), 0.04);
 }
 
 TEST_CASE("progressive: photons and rays share the light that a mirror sends to brushed metal",
@@ -95,13 +102,7 @@ TEST_CASE("progressive: photons and rays share the light that a mirror sends to 
     const Means shared = mean_of_passes(*ready, options, 12);
     options.integrator = Integrator::path;
     options.samples = 4000;
-    const Means paths = mean_of_passes(*ready, options, 12);
-    const double bias = 2 * std::abs(shared.radiance.mean() - shared.narrower.mean());
-    const double noise =
-        std::hypot(shared.radiance.standard_error(), paths.radiance.standard_error());
-    CAPTURE(shared.radiance.mean(), paths.radiance.mean(), bias, noise);
-    CHECK(std::abs(shared.radiance.mean() - paths.radiance.mean()) < bias + kMostZ * noise);
-    CHECK(bias + kMostZ * noise < 0.05 * paths.radiance.mean());
+    check_same_light(shared, mean_of_passes(*ready, options, 12), 0.05);
 }
 
 TEST_CASE("progressive: at the foot of a box on a wide floor the light from the box is found",
