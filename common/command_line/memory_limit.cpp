@@ -62,9 +62,11 @@ std::optional<std::uint64_t> memory_for_a_program(std::string_view meminfo)
 
 void limit_memory()
 {
+    if (!kMayLimit)
+        return;
     std::optional<std::uint64_t> most = memory_for_a_program(text_of("/proc/meminfo"));
     rlimit limit = {};
-    if (!kMayLimit || !most || ::getrlimit(RLIMIT_DATA, &limit) != 0)
+    if (!most || ::getrlimit(RLIMIT_DATA, &limit) != 0)
         return;
     // Where the program sees the group as the root of its control groups, as in containers.
     for (const char* group :
