@@ -29,8 +29,9 @@ struct RayHit {
 /// were not there.  barycentric: as in RayHit.  Must be thread-safe.
 using Opacity = std::function<float(FaceId face, const glm::vec2& barycentric)>;
 
-/// The faces of a mesh, ready for ray casting (Embree, robust).  Read-only once built: any number
-/// of threads may cast rays.
+/// The faces of a mesh with its copies, ready for ray casting (Embree, robust).  Faces of copies
+/// are not stored again: a ray is brought to where they are stored.  Read-only once built: any
+/// number of threads may cast rays.
 class EmbreeScene {
   public:
     /// Copies what ray casting needs of the mesh.  O(n log n).  An empty mesh is never hit.
@@ -61,8 +62,9 @@ class EmbreeScene {
     void visit_near(const glm::vec3& point, float radius,
                     const std::function<void(FaceId)>& visit) const;
 
+    struct Handles; ///< Embree's
+
   private:
-    struct Handles;
     std::optional<RayHit> find_nearest(const Ray& ray, bool that_stops) const;
 
     std::unique_ptr<Handles> handles_;

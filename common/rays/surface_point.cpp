@@ -17,11 +17,17 @@ constexpr float rounding_bound(int n)
 /// Shrinks a distance so that rounding cannot carry it past its end.
 constexpr float kJustShort = 1 - 1e-4f;
 
-glm::vec3 interpolated_normal(const TriangleMesh& mesh, const glm::uvec3& c,
-                              const glm::vec3& weights, const glm::vec3& geometric_normal)
+/// Roundings of a matrix's inverse and of a point's transform in Embree.
+constexpr int kPlacing = 12;
+
+glm::vec3 interpolated_normal(const TriangleMesh& mesh, FaceId face, const glm::vec3& weights,
+                              const glm::vec3& geometric_normal)
 {
-    const glm::vec3 sum = weights.x * mesh.normals[c.x] + weights.y * mesh.normals[c.y] +
-                          weights.z * mesh.normals[c.z];
+    const glm::uvec3& c = mesh.vertices_of(face);
+    glm::vec3 sum = weights.x * mesh.normals[c.x] + weights.y * mesh.normals[c.y] +
+                    weights.z * mesh.normals[c.z];
+    if (mesh.is_copied(face)) [[unlikely]]
+        sum = glm::vec3(mesh.copy_of(face).place.direction(glm::dvec3(sum)));
     const float length2 = glm::dot(sum, sum);
     if (!(length2 > 0) || !std::isfinite(length2))
         return geometric_normal;
@@ -32,11 +38,25 @@ glm::vec3 interpolated_normal(const TriangleMesh& mesh, const glm::uvec3& c,
     return side > 0 ? normal : -normal;
 }
 
+/// Moves a point of a face to the same point of a copy.  Embree's hits may lie off the copy by what
+/// its float matrices round, both ways, in any direction; so the bound is the same for each axis.
+void place(const Similarity& copy, SurfacePoint& point)
+{
+    const glm::dvec3 stored(point.position);
+    point.position = glm::vec3(copy.point(stored));
+    const glm::dvec3 sizes = glm::abs(stored) * copy.scale + glm::abs(copy.move);
+    const double largest = std::max(sizes.x, std::max(sizes.y, sizes.z));
+    const double carried =
+        std::max(point.position_error.x, std::max(point.position_error.y, point.position_error.z));
+    point.position_error = glm::vec3(
+        static_cast<float>(rounding_bound(kPlacing) * largest + 2 * copy.scale * carried));
+}
+
 } // namespace
 
 SurfacePoint surface_point(const TriangleMesh& mesh, FaceId face, const glm::vec2& barycentric)
 {
-    const glm::uvec3 c = mesh.corners[face];
+    const glm::uvec3 c = mesh.vertices_of(face);
     const glm::vec3 weights(1 - barycentric.x - barycentric.y, barycentric.x, barycentric.y);
     const glm::vec3 a = weights.x * mesh.positions[c.x];
     const glm::vec3 b = weights.y * mesh.positions[c.y];
@@ -49,7 +69,9 @@ SurfacePoint surface_point(const TriangleMesh& mesh, FaceId face, const glm::vec
     const glm::dvec3 normal = scaled_normal(mesh, face);
     const double length = glm::length(normal);
     point.geometric_normal = length > 0 ? glm::vec3(normal / length) : glm::vec3(0, 0, 1);
-    point.shading_normal = interpolated_normal(mesh, c, weights, point.geometric_normal);
+    point.shading_normal = interpolated_normal(mesh, face, weights, point.geometric_normal);
+    if (mesh.is_copied(face)) [[unlikely]]
+        place(mesh.copy_of(face).place, point);
     return point;
 }
 

@@ -66,11 +66,17 @@ void add_geometry(Hasher& hasher, const Scene& scene)
     hasher.add(centre, metres_per_unit);
     hasher.add_array(scene.mesh.positions);
     hasher.add_array(scene.mesh.corners);
+    for (const FaceCopy& copy : scene.mesh.copies) {
+        const auto& [turn, scale, move] = copy.place;
+        hasher.add(scene.mesh.shared[copy.shared].first, scene.mesh.shared[copy.shared].count, turn,
+                   scale, move);
+    }
 }
 
 void add_rest_of_mesh(Hasher& hasher, const TriangleMesh& mesh)
 {
-    const auto& [positions, normals, attributes, corners, materials, objects, names] = mesh;
+    const auto& [positions, normals, attributes, corners, materials, objects, names, shared, copies,
+                 finder] = mesh;
     const auto& [uv, colours, tangents] = attributes;
     hasher.add_array(normals);
     for (const std::vector<glm::vec2>& set : uv)

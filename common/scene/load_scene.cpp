@@ -63,7 +63,7 @@ RawScene read_obj_as(LookChoice asked, const std::filesystem::path& path)
 
 void note_size(const RawScene& raw, SceneAudit& audit)
 {
-    audit.found.insert(audit.found.begin(), counted(raw.corners.size(), "face") + " in " +
+    audit.found.insert(audit.found.begin(), counted(raw.all_face_count(), "face") + " in " +
                                                 counted(raw.objects.size(), "object") + ", " +
                                                 counted(raw.materials.size(), "material"));
 }

@@ -48,6 +48,8 @@ struct RawScene {
     std::vector<glm::uvec3> corners;          ///< [F]
     std::vector<MaterialId> material_of_face; ///< [F]
     std::vector<ObjectId> object_of_face;     ///< [F]
+    std::vector<SharedFaces> shared;          ///< that have copies, ascending
+    std::vector<FaceCopy> copies;             ///< in the world
     std::vector<RawObject> objects;
     std::vector<Material> materials; ///< media per metre, thickness in metres
     std::vector<TextureImage> images;
@@ -62,6 +64,15 @@ struct RawScene {
     LightUnits light_units = LightUnits::spec; ///< of the file
     std::optional<SceneSweep> sweep;           ///< of the animation of which this is one moment
     SceneAudit audit;
+
+    /// Returns the number of faces with those of copies.
+    std::size_t all_face_count() const
+    {
+        std::size_t count = corners.size();
+        for (const FaceCopy& copy : copies)
+            count += shared[copy.shared].count;
+        return count;
+    }
 };
 
 /// Returns the error for bad input: "file: place: what".

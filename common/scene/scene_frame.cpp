@@ -1,6 +1,7 @@
 #include "common/scene/scene_frame.h"
 
 #include "common/math/bounds.h"
+#include "common/scene/copied_bounds.h"
 #include "common/scene/scene_names.h"
 
 #include <cmath>
@@ -40,11 +41,8 @@ double unit_for(double length)
 Bounds<glm::dvec3> box_of_faces(const RawScene& raw)
 {
     Bounds<glm::dvec3> box;
-    if (!raw.sweep) {
-        for (const glm::dvec3& p : raw.positions)
-            box.add(p);
-        return box;
-    }
+    if (!raw.sweep)
+        return bounds_with_copies<glm::dvec3>(raw.positions, raw.shared, raw.copies);
     std::vector<bool> added(raw.objects.size(), false);
     for (const ObjectId object : raw.object_of_face) {
         if (added[object])
@@ -219,7 +217,7 @@ void check_size(const RawScene& raw)
 {
     if (raw.corners.empty())
         throw scene_error(raw.path, "", "the scene has no faces; export a scene with a mesh");
-    if (raw.corners.size() >= kNone || raw.positions.size() >= kNone)
+    if (raw.all_face_count() >= kNone || raw.positions.size() >= kNone)
         throw scene_error(raw.path, "", "more than 2^32 - 2 faces or vertices; export fewer");
 }
 
@@ -233,6 +231,20 @@ void check_positions(const RawScene& raw)
                                       quote_name(raw.objects[raw.object_of_face[face]].name) +
                                       ", face " + std::to_string(face),
                                   "a corner is not finite or too far away; correct its transform");
+    const auto boxes = boxes_of_shared<glm::dvec3>(raw.positions, raw.shared);
+    for (const FaceCopy& copy : raw.copies) {
+        const Bounds<glm::dvec3> box = box_around(copy.place, boxes[copy.shared]);
+        if (!is_near(box.low) || !is_near(box.high))
+            throw scene_error(raw.path, "object " + quote_name(raw.objects[copy.object].name),
+                              "is not finite or too far away; correct its transform");
+    }
+}
+
+/// What `place`, in the world, is in a frame.
+Similarity in_frame(const Similarity& place, const SceneFrame& frame)
+{
+    return {place.turn, place.scale,
+            (place.point(frame.centre) - frame.centre) / frame.metres_per_unit};
 }
 
 } // namespace
@@ -255,6 +267,11 @@ Scene to_scene_units(RawScene& raw)
     mesh.corners = std::move(raw.corners);
     mesh.material_of_face = std::move(raw.material_of_face);
     mesh.object_of_face = std::move(raw.object_of_face);
+    mesh.shared = std::move(raw.shared);
+    mesh.copies = std::move(raw.copies);
+    for (FaceCopy& copy : mesh.copies)
+        copy.place = in_frame(copy.place, scene.frame);
+    mesh.finder = find_copies(static_cast<FaceId>(mesh.face_count()), mesh.shared, mesh.copies);
     for (const RawObject& object : raw.objects)
         mesh.object_names.push_back(object.name);
     for (const Material& material : raw.materials)
