@@ -1,7 +1,9 @@
 #include "common/file/output_file.h"
+#include "common/partition/expand_copies.h"
 #include "common/partition/partition_file.h"
 #include "common/report.h"
 #include "common/scene/print_audit.h"
+#include "common/scene/store_copies.h"
 #include "common/stopwatch.h"
 #include "preprocess/colouring/coloured_glb.h"
 #include "preprocess/colouring/partition_pictures.h"
@@ -42,36 +44,70 @@ void print_summary(const PartitionSummary& summary, double angle_deg, std::set<s
 }
 
 /// Makes the partition of a scene, reusing the previous frame's if there is one.
-void make_partition(const PreprocessArguments& arguments, const Scene& scene,
+void make_partition(const PreprocessArguments& arguments, Scene& scene,
                     std::optional<PreviousFrame>& frame, Report& report)
 {
+    const PartitionOptions options{.angle_threshold = arguments.angle_deg * std::numbers::pi / 180,
+                                   .split = arguments.split,
+                                   .weld_distance =
+                                       arguments.weld_metres / scene.frame.metres_per_unit};
+    if (!scene.mesh.copies.empty()) { // which no animation has
+        frame.emplace();
+        frame->result = build_partition_of_copies(scene, options);
+        return;
+    }
     if (frame && frame->result.partition.scene == fingerprint(scene)) {
         report.detail("frame unchanged: reusing the previous partition");
         frame->result.summary.passes.clear();
         return;
     }
-    build_partition(scene,
-                    {.angle_threshold = arguments.angle_deg * std::numbers::pi / 180,
-                     .split = arguments.split,
-                     .weld_distance = arguments.weld_metres / scene.frame.metres_per_unit},
-                    frame);
+    build_partition(scene, options, frame);
 }
 
 /// Paints the images asked for, if any, and adds the time to the summary.
 std::vector<LegendedPicture> paint_pictures(const PreprocessArguments& arguments,
-                                            const Scene& scene, PartitionResult& result,
+                                            const PartitionView& shown, PartitionSummary& summary,
                                             Report& report)
 {
     if (arguments.images.empty())
         return {};
     const Stopwatch painting;
-    const auto size = complete_size(arguments.size, scene.cameras[scene.camera].aspect);
-    std::vector<LegendedPicture> pictures = write_partition_pictures(
-        arguments.images, {scene, result.partition, arguments.candidates}, size.width, size.height);
+    const auto size = complete_size(arguments.size, shown.scene.cameras[shown.scene.camera].aspect);
+    std::vector<LegendedPicture> pictures =
+        write_partition_pictures(arguments.images, shown, size.width, size.height);
     for (const LegendedPicture& picture : pictures)
         report.wrote(picture.path);
-    result.summary.passes.push_back({"paint images", painting.seconds()});
+    summary.passes.push_back({"paint images", painting.seconds()});
     return pictures;
+}
+
+/// Writes the pictures and the coloured model asked for, if any.
+std::vector<LegendedPicture> show_stored(const PreprocessArguments& arguments, const Scene& scene,
+                                         const Partition& partition, PartitionSummary& summary,
+                                         Report& report)
+{
+    std::vector<LegendedPicture> pictures =
+        paint_pictures(arguments, {scene, partition, arguments.candidates}, summary, report);
+    if (!arguments.coloured.empty()) {
+        const Stopwatch writing;
+        write_coloured_glb(arguments.coloured, scene, partition);
+        report.wrote(arguments.coloured);
+        summary.passes.push_back({"write coloured model", writing.seconds()});
+    }
+    return pictures;
+}
+
+/// Writes what shows every face, for which all copies are stored.
+std::vector<LegendedPicture> show_partition(const PreprocessArguments& arguments,
+                                            const Scene& scene, PartitionResult& result,
+                                            Report& report)
+{
+    if (scene.mesh.copies.empty() || (arguments.images.empty() && arguments.coloured.empty()))
+        return show_stored(arguments, scene, result.partition, result.summary, report);
+    Scene stored = scene;
+    const Partition partition = expand_copies(result.partition, scene.mesh);
+    store_copies(stored.mesh);
+    return show_stored(arguments, stored, partition, result.summary, report);
 }
 
 /// What frames of an animation hand on.
@@ -94,14 +130,14 @@ int preprocess(const PreprocessArguments& arguments, SceneSource& source, Frames
     limit_threads(arguments.threads);
 
     const Stopwatch loading;
-    const LoadedScene loaded = source.at(arguments.scene_options.time, !arguments.frames.asked());
+    LoadedScene loaded = source.at(arguments.scene_options.time, !arguments.frames.asked());
     if (arguments.frames.asked() && !arguments.quiet)
         report.line("frame " + std::to_string(arguments.frames.first));
     if (!arguments.quiet)
         print_audit(report, loaded.audit, &frames.told);
     const double load_seconds = loading.seconds();
 
-    const Scene& scene = loaded.scene;
+    Scene& scene = loaded.scene;
     make_partition(arguments, scene, frame, report);
     PartitionResult& result = frame->result;
     result.summary.passes.insert(result.summary.passes.begin(), {"load scene", load_seconds});
@@ -111,14 +147,7 @@ int preprocess(const PreprocessArguments& arguments, SceneSource& source, Frames
             report.line("assumed: " + sentence);
     write_partition(arguments.output, result.partition);
     report.wrote(arguments.output);
-
-    const std::vector<LegendedPicture> pictures = paint_pictures(arguments, scene, result, report);
-    if (!arguments.coloured.empty()) {
-        const Stopwatch writing;
-        write_coloured_glb(arguments.coloured, scene, result.partition);
-        report.wrote(arguments.coloured);
-        result.summary.passes.push_back({"write coloured model", writing.seconds()});
-    }
+    const std::vector<LegendedPicture> pictures = show_partition(arguments, scene, result, report);
     if (!arguments.json.empty()) {
         write_file(arguments.json,
                    summary_json(arguments, scene, result.partition, result.summary, pictures));

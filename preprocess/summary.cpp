@@ -1,12 +1,14 @@
 #include "preprocess/summary.h"
 
 #include "common/image/picture_json.h"
+#include "preprocess/partition/summarise.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <functional>
 #include <iomanip>
+#include <map>
 #include <set>
 #include <span>
 #include <sstream>
@@ -25,14 +27,10 @@ std::string counted(std::size_t count, const std::string& noun)
 
 std::string describe_largest(const PartitionSummary& summary)
 {
-    double total = 0;
-    for (const PartitionSummary::Map& map : summary.maps)
-        total += map.area;
-    const auto largest = std::ranges::max_element(
-        summary.maps, {}, [](const PartitionSummary::Map& map) { return map.area; });
+    const PartitionSummary::Map& largest = summary.largest;
     std::ostringstream text;
-    text << "the largest, map " << largest->id << ", has " << counted(largest->faces, "face")
-         << " and " << std::fixed << std::setprecision(1) << 100 * largest->area / total
+    text << "the largest, map " << largest.id << ", has " << counted(largest.faces, "face")
+         << " and " << std::fixed << std::setprecision(1) << 100 * largest.area / summary.area
          << " % of the area";
     return text.str();
 }
@@ -41,7 +39,7 @@ std::string describe_largest(const PartitionSummary& summary)
 
 std::string describe_maps(const PartitionSummary& summary)
 {
-    return counted(summary.maps.size(), "shared map") +
+    return counted(summary.map_count, "shared map") +
            (summary.maps.empty() ? "" : "; " + describe_largest(summary));
 }
 
@@ -108,73 +106,107 @@ namespace {
 /// Maps beyond this are only counted: a file that lists ten million is of no use to anyone.
 constexpr std::size_t kMostMapsListed = 1000;
 
+/// A map that is listed.
+struct ListedMap {
+    PartitionSummary::Map map;
+    MapId stored = 0;      ///< the map itself, or that which it is a copy of
+    ObjectId copy = kNone; ///< the object that has the copy
+};
+
 /// The maps of the largest area, at most kMostMapsListed, by id.
-std::vector<PartitionSummary::Map> maps_to_list(const PartitionSummary& summary)
+std::vector<ListedMap> maps_to_list(const Scene& scene, const Partition& partition,
+                                    const PartitionSummary& summary)
 {
-    std::vector<PartitionSummary::Map> maps(std::min(summary.maps.size(), kMostMapsListed));
-    std::ranges::partial_sort_copy(summary.maps, maps, [](const auto& a, const auto& b) {
-        return a.area != b.area ? a.area > b.area : a.id < b.id;
-    });
-    std::ranges::sort(maps, {}, &PartitionSummary::Map::id);
+    std::vector<ListedMap> maps;
+    const auto keep_largest = [&](std::size_t most) {
+        if (maps.size() < most)
+            return;
+        const std::size_t kept = std::min(maps.size(), kMostMapsListed);
+        std::ranges::partial_sort(maps, maps.begin() + static_cast<std::ptrdiff_t>(kept),
+                                  [](const ListedMap& a, const ListedMap& b) {
+                                      return a.map.area != b.map.area ? a.map.area > b.map.area
+                                                                      : a.map.id < b.map.id;
+                                  });
+        maps.resize(kept);
+    };
+    const auto add = [&](const ListedMap& map) {
+        maps.push_back(map);
+        keep_largest(1024 * kMostMapsListed);
+    };
+    for (const PartitionSummary::Map& map : summary.maps)
+        add({map, map.id, kNone});
+    for_each_copied_map(summary, partition, scene.mesh,
+                        [&](const PartitionSummary::Map& map, MapId stored) {
+                            add({map, stored, kNone});
+                        });
+    keep_largest(0);
+    std::ranges::sort(maps, {}, [](const ListedMap& map) { return map.map.id; });
+    const auto& first = partition.first_map_of_copy;
+    for (ListedMap& map : maps)
+        if (map.map.id >= partition.map_count)
+            map.copy = scene.mesh
+                           .copies[static_cast<std::size_t>(
+                               std::ranges::upper_bound(first, map.map.id) - first.begin() - 1)]
+                           .object;
     return maps;
 }
 
 /// [maps] the names of what the faces of each of some maps have, in order of the names' ids, none
-/// twice.  id_of_face: [F].  maps: by id.
+/// twice.  id_of_face: [F].
 std::vector<std::vector<std::string>>
-names_by_map(const Partition& partition, std::span<const PartitionSummary::Map> maps,
+names_by_map(const Partition& partition, std::span<const ListedMap> maps,
              std::span<const std::uint32_t> id_of_face,
              const std::function<std::string(std::uint32_t)>& name)
 {
-    std::vector<std::set<std::uint32_t>> ids(maps.size());
-    for (std::size_t face = 0; face < id_of_face.size(); ++face) {
-        const auto map = std::ranges::lower_bound(maps, partition.map_of_face[face], {},
-                                                  &PartitionSummary::Map::id);
-        if (map != maps.end() && map->id == partition.map_of_face[face])
-            ids[static_cast<std::size_t>(map - maps.begin())].insert(id_of_face[face]);
-    }
+    std::map<MapId, std::set<std::uint32_t>> ids;
+    for (const ListedMap& map : maps)
+        ids[map.stored];
+    for (std::size_t face = 0; face < id_of_face.size(); ++face)
+        if (const auto map = ids.find(partition.map_of_face[face]); map != ids.end())
+            map->second.insert(id_of_face[face]);
     std::vector<std::vector<std::string>> out(maps.size());
     for (std::size_t i = 0; i < maps.size(); ++i)
-        for (const std::uint32_t id : ids[i])
+        for (const std::uint32_t id : ids[maps[i].stored])
             out[i].push_back(name(id));
     return out;
 }
 
 nlohmann::ordered_json maps_json(const Scene& scene, const Partition& partition,
-                                 std::span<const PartitionSummary::Map> maps)
+                                 std::span<const ListedMap> maps)
 {
-    const auto objects =
-        names_by_map(partition, maps, scene.mesh.object_of_face,
-                     [&](std::uint32_t id) { return scene.mesh.object_names[id]; });
+    const auto object_name = [&](std::uint32_t id) { return scene.mesh.object_names[id]; };
+    const auto objects = names_by_map(partition, maps, scene.mesh.object_of_face, object_name);
     const auto materials = names_by_map(partition, maps, scene.mesh.material_of_face,
                                         [&](std::uint32_t id) { return scene.materials[id].name; });
     const double square_metres = scene.frame.metres_per_unit * scene.frame.metres_per_unit;
     nlohmann::ordered_json out = nlohmann::ordered_json::array();
-    for (std::size_t i = 0; i < maps.size(); ++i)
-        out.push_back({{"id", maps[i].id},
-                       {"faces", maps[i].faces},
-                       {"area_m2", maps[i].area * square_metres},
-                       {"objects", objects[i]},
+    for (std::size_t i = 0; i < maps.size(); ++i) {
+        const auto [map, stored, copy] = maps[i];
+        out.push_back({{"id", map.id},
+                       {"faces", map.faces},
+                       {"area_m2", map.area * square_metres},
+                       {"objects", copy == kNone ? objects[i] : std::vector{object_name(copy)}},
                        {"materials", materials[i]}});
+    }
     return out;
 }
 
 /// The sums over all maps that are not listed.
 nlohmann::ordered_json unlisted_json(const Scene& scene, const PartitionSummary& summary,
-                                     std::span<const PartitionSummary::Map> listed)
+                                     const Partition& partition, std::span<const ListedMap> listed)
 {
     std::size_t faces = 0;
-    double area = 0;
-    for (const PartitionSummary::Map& map : summary.maps) {
-        faces += map.faces;
-        area += map.area;
-    }
-    for (const PartitionSummary::Map& map : listed) {
-        faces -= map.faces;
-        area -= map.area;
+    const auto add = [&](const PartitionSummary::Map& map, MapId = 0) { faces += map.faces; };
+    for (const PartitionSummary::Map& map : summary.maps)
+        add(map);
+    for_each_copied_map(summary, partition, scene.mesh, add);
+    double area = summary.area;
+    for (const ListedMap& map : listed) {
+        faces -= map.map.faces;
+        area -= map.map.area;
     }
     const double square_metres = scene.frame.metres_per_unit * scene.frame.metres_per_unit;
-    return {{"maps", summary.maps.size() - listed.size()},
+    return {{"maps", summary.map_count - listed.size()},
             {"faces", faces},
             {"area_m2", std::max(area, 0.0) * square_metres}};
 }
@@ -211,11 +243,11 @@ std::string summary_json(const PreprocessArguments& arguments, const Scene& scen
     json["candidates"] = summary.candidates;
     json["groups"] = summary.groups;
     json["grouped_faces"] = summary.grouped_faces;
-    json["shared_maps"] = summary.maps.size();
-    const std::vector<PartitionSummary::Map> listed = maps_to_list(summary);
+    json["shared_maps"] = summary.map_count;
+    const std::vector<ListedMap> listed = maps_to_list(scene, partition, summary);
     json["maps"] = maps_json(scene, partition, listed);
-    if (listed.size() < summary.maps.size())
-        json["unlisted_maps"] = unlisted_json(scene, summary, listed);
+    if (listed.size() < summary.map_count)
+        json["unlisted_maps"] = unlisted_json(scene, summary, partition, listed);
     json["pictures"] = nlohmann::ordered_json::array();
     for (const LegendedPicture& picture : pictures)
         json["pictures"].push_back(picture_json(picture));

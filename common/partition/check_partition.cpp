@@ -93,6 +93,64 @@ std::string defect_of_edge(const Partition& p, std::uint32_t edge)
     return {};
 }
 
+bool finite(const glm::vec3& v)
+{
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+std::string defect_of_contacts(const std::vector<MapContact>& contacts, std::uint64_t map_count)
+{
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        const MapContact& contact = contacts[i];
+        if (contact.map >= map_count || (i > 0 && contact.map < contacts[i - 1].map) ||
+            !finite(contact.a) || !finite(contact.b))
+            return "contact " + std::to_string(i) + " is not valid";
+    }
+    return {};
+}
+
+/// Of the faces of a part: they have the part's maps and no neighbours outside.
+std::string defect_of_part(const Partition& p, const SharedPart& part)
+{
+    for (FaceId face = part.first_face; face < part.first_face + part.face_count; ++face) {
+        const MapId map = p.map_of_face[face];
+        if (map != kNone && map - part.first_map >= part.map_count)
+            return "face " + std::to_string(face) + " has a map outside of its shared faces";
+        for (std::size_t c = 0; c < 3; ++c)
+            if (const std::uint32_t twin = p.opposite[std::size_t{3} * face + c];
+                twin != kNone && twin / 3 - part.first_face >= part.face_count)
+                return "face " + std::to_string(face) +
+                       " has a neighbour outside of its shared faces";
+    }
+    return {};
+}
+
+std::string defect_of_copies(const Partition& p)
+{
+    std::uint64_t next_face = 0;
+    for (const SharedPart& part : p.shared) {
+        if (part.first_face < next_face || part.face_count == 0 ||
+            std::uint64_t{part.first_face} + part.face_count > p.face_count() ||
+            std::uint64_t{part.first_map} + part.map_count > p.map_count)
+            return "its shared faces are not valid";
+        next_face = std::uint64_t{part.first_face} + part.face_count;
+        if (std::string defect = defect_of_part(p, part); !defect.empty())
+            return defect;
+    }
+    std::uint64_t faces = p.face_count(), maps = p.map_count;
+    for (const std::uint32_t copy : p.copies) {
+        if (copy >= p.shared.size())
+            return "a copy is of no shared faces";
+        faces += p.shared[copy].face_count;
+        maps += p.shared[copy].map_count;
+    }
+    if (faces >= kNone || maps >= kNone)
+        return "too many faces or maps with those of copies";
+    if (!std::ranges::is_sorted(p.apart))
+        return "its places set apart are out of order";
+    return defect_of_contacts(p.own_contacts, maps);
+}
+
 std::string defect_of_boundaries(const Partition& p)
 {
     for (std::size_t i = 0; i < p.bridged_edges.size(); ++i) {
@@ -102,16 +160,7 @@ std::string defect_of_boundaries(const Partition& p)
              p.edge_class[edge] != EdgeClass::non_manifold))
             return "bridged edge " + std::to_string(i) + " is not valid";
     }
-    const auto finite = [](const glm::vec3& v) {
-        return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-    };
-    for (std::size_t i = 0; i < p.contacts.size(); ++i) {
-        const MapContact& contact = p.contacts[i];
-        if (contact.map >= p.map_count || (i > 0 && contact.map < p.contacts[i - 1].map) ||
-            !finite(contact.a) || !finite(contact.b))
-            return "contact " + std::to_string(i) + " is not valid";
-    }
-    return {};
+    return defect_of_contacts(p.contacts, p.map_count);
 }
 
 } // namespace
@@ -131,6 +180,8 @@ std::string defect_of(const Partition& p)
     if (std::string defect = defect_of_groups(p); !defect.empty())
         return defect;
     if (std::string defect = defect_of_boundaries(p); !defect.empty())
+        return defect;
+    if (std::string defect = defect_of_copies(p); !defect.empty())
         return defect;
     for (std::uint32_t edge = 0; edge < p.edge_class.size(); ++edge)
         if (const std::string defect = defect_of_edge(p, edge); !defect.empty())

@@ -28,13 +28,25 @@ struct MapContact {
     bool operator==(const MapContact&) const = default;
 };
 
+/// Shared faces (TriangleMesh::shared) and their maps, which have no other faces.
+struct SharedPart {
+    FaceId first_face = 0;
+    std::uint32_t face_count = 0;
+    MapId first_map = 0;
+    std::uint32_t map_count = 0;
+
+    bool operator==(const SharedPart&) const = default;
+};
+
 /// Says which faces may share photons; made by preprocess, read by render.  All arrays are by
-/// FaceId of the scene whose fingerprint it holds.  An edge of face f is numbered 3 f + c and runs
-/// from corner c to corner (c + 1) mod 3.
+/// stored face of the scene whose fingerprint it holds.  An edge of face f is numbered 3 f + c and
+/// runs from corner c to corner (c + 1) mod 3.  Copies of shared faces have maps of their own,
+/// which follow the stored ones copy by copy; functions take any face or map.
 struct Partition {
     Fingerprint scene;
     double angle_threshold = 0.0;      ///< radians
-    std::uint32_t map_count = 0;       ///< shared maps: ids 0..map_count-1 by lowest face
+    std::uint32_t map_count = 0;       ///< shared maps of stored faces: ids 0..map_count-1 by
+                                       ///<     lowest face
     std::vector<MapId> map_of_face;    ///< [F]; kNone for a degenerate face
     std::vector<EdgeClass> edge_class; ///< [3F]
     std::vector<std::uint32_t>
@@ -60,10 +72,55 @@ struct Partition {
                                      ///<     exact_group_radius
     std::vector<std::uint32_t> bridged_edges; ///< ascending; border and non-manifold edges beyond
                                               ///<     which their map goes on: no boundary
-    std::vector<MapContact> contacts;         ///< by map; boundaries where no edge is
+    std::vector<MapContact> contacts;         ///< by map; boundaries where no edge is, of shared
+                                              ///<     faces those that all their copies have
     float position_error = 0.0f; ///< bound of a point's distance from its face, scene units
 
+    std::vector<std::uint32_t> apart;  ///< ascending; places of shared faces to be stored on their
+                                       ///<     own before all else, as set_apart says
+    std::vector<SharedPart> shared;    ///< as in the mesh
+    std::vector<std::uint32_t> copies; ///< [copies] of which shared part
+    std::vector<MapContact> own_contacts; ///< by map: those of one copy, or of shared faces where
+                                          ///<     they are stored, with what stands about it
+    CopyFinder finder;                    ///< of the copies
+    std::vector<MapId> first_map_of_copy; ///< [copies]
+
+    /// Returns the number of stored faces.
     std::size_t face_count() const { return map_of_face.size(); }
+    /// Returns the number of faces and maps with those of copies.
+    std::size_t all_face_count() const { return copies.empty() ? face_count() : finder.end(); }
+    MapId all_map_count() const
+    {
+        return copies.empty() ? map_count
+                              : first_map_of_copy.back() + shared[copies.back()].map_count;
+    }
+    FaceId stored_face(FaceId face) const
+    {
+        if (face < map_of_face.size()) [[likely]]
+            return face;
+        const std::uint32_t copy = finder.copy_of(face);
+        return shared[copies[copy]].first_face + (face - finder.first_face(copy));
+    }
+    /// Returns the map of a face; kNone for a degenerate one.
+    MapId map_of(FaceId face) const
+    {
+        if (face < map_of_face.size()) [[likely]]
+            return map_of_face[face];
+        const std::uint32_t copy = finder.copy_of(face);
+        const SharedPart& part = shared[copies[copy]];
+        const MapId map = map_of_face[part.first_face + (face - finder.first_face(copy))];
+        return map == kNone ? kNone : first_map_of_copy[copy] + (map - part.first_map);
+    }
+    bool is_closed(FaceId face) const { return closed[stored_face(face)] != 0; }
+    bool is_flipped(FaceId face) const { return flipped[stored_face(face)] != 0; }
 };
+
+/// Returns the shared part that has a map of stored faces; kNone: it is of no shared faces. Cost:
+/// logarithmic.
+std::uint32_t part_of_map(const Partition& partition, MapId map);
+
+/// Sets what follows from the shared parts and the copies.  The faces and maps of all must be fewer
+/// than kNone.
+void index_copies(Partition& partition);
 
 } // namespace hipmap

@@ -4,6 +4,7 @@
 #include "common/input_error.h"
 #include "common/partition/check_partition.h"
 #include "common/partition/partition_generated.h"
+#include "common/scene/store_copies.h"
 
 #include <flatbuffers/flatbuffers.h>
 #include <xxhash.h>
@@ -19,7 +20,7 @@
 namespace hipmap {
 namespace {
 
-constexpr std::uint32_t kVersion = 4;
+constexpr std::uint32_t kVersion = 5;
 
 /// A longer chunk is refused.  FlatBuffers offsets are 31 bits, and its Release builder writes past
 /// them without a word.
@@ -50,18 +51,29 @@ void append_array(std::vector<T>& to, const flatbuffers::Vector<Stored>* from)
 }
 
 /// Contacts lie in two arrays of the file; arrays that do not fit each other give none.
-void append_contacts(std::vector<MapContact>& contacts, const file::Partition& stored)
+void append_contacts(std::vector<MapContact>& contacts,
+                     const flatbuffers::Vector<std::uint32_t>* stored_maps,
+                     const flatbuffers::Vector<float>* stored_points)
 {
     std::vector<MapId> maps;
     std::vector<float> points;
-    append_array(maps, stored.contact_map());
-    append_array(points, stored.contact_points());
+    append_array(maps, stored_maps);
+    append_array(points, stored_points);
     if (points.size() != 6 * maps.size())
         return;
     for (std::size_t i = 0; i < maps.size(); ++i) {
         const float* p = &points[6 * i];
         contacts.push_back({maps[i], {p[0], p[1], p[2]}, {p[3], p[4], p[5]}});
     }
+}
+
+/// Parts lie in one array of the file, which is not cut within one.
+void append_shared(std::vector<SharedPart>& shared, const file::Partition& stored)
+{
+    std::vector<std::uint32_t> numbers;
+    append_array(numbers, stored.shared());
+    for (std::size_t i = 0; i + 4 <= numbers.size(); i += 4)
+        shared.push_back({numbers[i], numbers[i + 1], numbers[i + 2], numbers[i + 3]});
 }
 
 /// Appends the arrays of a chunk, and takes the rest from it.
@@ -81,10 +93,14 @@ void append_chunk(Partition& p, const file::Partition& stored)
     append_array(p.self_distance, stored.clearance());
     p.position_error = stored.position_error();
     append_array(p.bridged_edges, stored.bridged_edges());
-    append_contacts(p.contacts, stored);
+    append_contacts(p.contacts, stored.contact_map(), stored.contact_points());
     p.group_count = stored.group_count();
     append_array(p.group_of_face, stored.group_of_face());
     append_array(p.group_radius, stored.group_radius());
+    append_array(p.apart, stored.apart());
+    append_shared(p.shared, stored);
+    append_array(p.copies, stored.copies());
+    append_contacts(p.own_contacts, stored.own_contact_map(), stored.own_contact_points());
 }
 
 /// Makes room for the arrays of a file, so that they do not grow chunk by chunk.
@@ -109,6 +125,35 @@ struct ChunkPlace {
     }
 };
 
+/// The contacts of a chunk as the file has them.
+struct StoredContacts {
+    flatbuffers::Offset<flatbuffers::Vector<std::uint32_t>> maps;
+    flatbuffers::Offset<flatbuffers::Vector<float>> points;
+};
+
+StoredContacts pack_contacts(flatbuffers::FlatBufferBuilder& builder,
+                             std::span<const MapContact> contacts)
+{
+    std::vector<MapId> maps;
+    std::vector<float> points;
+    for (const MapContact& contact : contacts) {
+        maps.push_back(contact.map);
+        for (const glm::vec3& end : {contact.a, contact.b})
+            points.insert(points.end(), {end.x, end.y, end.z});
+    }
+    return {builder.CreateVector(maps), builder.CreateVector(points)};
+}
+
+flatbuffers::Offset<flatbuffers::Vector<std::uint32_t>>
+pack_shared(flatbuffers::FlatBufferBuilder& builder, std::span<const SharedPart> shared)
+{
+    std::vector<std::uint32_t> numbers;
+    for (const SharedPart& part : shared)
+        numbers.insert(numbers.end(),
+                       {part.first_face, part.face_count, part.first_map, part.map_count});
+    return builder.CreateVector(numbers);
+}
+
 flatbuffers::Offset<file::Partition> pack(flatbuffers::FlatBufferBuilder& builder,
                                           const Partition& p, std::uint64_t checksum,
                                           const ChunkPlace& place)
@@ -129,22 +174,19 @@ flatbuffers::Offset<file::Partition> pack(flatbuffers::FlatBufferBuilder& builde
     const auto kept_edges = stored(p.kept_edges);
     const auto self_distance = stored(p.self_distance);
     const auto bridged = stored(p.bridged_edges);
-    std::vector<MapId> maps;
-    std::vector<float> points;
-    for (const MapContact& contact : place.of(p.contacts)) {
-        maps.push_back(contact.map);
-        for (const glm::vec3& end : {contact.a, contact.b})
-            points.insert(points.end(), {end.x, end.y, end.z});
-    }
-    const auto contact_map = builder.CreateVector(maps);
-    const auto contact_points = builder.CreateVector(points);
+    const StoredContacts contacts = pack_contacts(builder, place.of(p.contacts));
     const auto group_of_face = stored(p.group_of_face);
     const auto group_radius = stored(p.group_radius);
+    const auto apart = stored(p.apart);
+    const auto shared = pack_shared(builder, place.of(p.shared));
+    const auto copies = stored(p.copies);
+    const StoredContacts own = pack_contacts(builder, place.of(p.own_contacts));
     return file::CreatePartition(
         builder, kVersion, checksum, p.scene.words[0], p.scene.words[1], p.angle_threshold,
         p.map_count, map_of_face, edge_class, opposite, flipped, closed, reach, candidate,
-        kept_edges, self_distance, p.position_error, bridged, contact_map, contact_points,
-        p.group_count, group_of_face, group_radius, static_cast<std::uint32_t>(place.count));
+        kept_edges, self_distance, p.position_error, bridged, contacts.maps, contacts.points,
+        p.group_count, group_of_face, group_radius, static_cast<std::uint32_t>(place.count), apart,
+        shared, copies, own.maps, own.points);
 }
 
 InputError unreadable(const std::filesystem::path& path, const std::string& what)
@@ -216,6 +258,12 @@ std::uint64_t partition_checksum(const Partition& p)
     add(std::array{p.group_count});
     add(p.group_of_face);
     add(p.group_radius);
+    if (!p.apart.empty() || !p.copies.empty()) {
+        add(p.apart);
+        add(p.shared);
+        add(p.copies);
+        add(p.own_contacts);
+    }
     return XXH3_64bits_digest(state.get());
 }
 
@@ -223,7 +271,8 @@ void write_partition(const std::filesystem::path& path, const Partition& p, std:
 {
     constexpr std::size_t kBytesPerContact = sizeof(MapId) + 6 * sizeof(float);
     const std::size_t bytes = p.face_count() * kBytesPerFace +
-                              p.contacts.size() * kBytesPerContact +
+                              (p.contacts.size() + p.own_contacts.size()) * kBytesPerContact +
+                              (p.apart.size() + p.copies.size()) * sizeof(std::uint32_t) +
                               p.bridged_edges.size() * sizeof(std::uint32_t);
     const std::uint64_t checksum = partition_checksum(p);
     ChunkPlace place{0, bytes / chunk_bytes + 1};
@@ -257,6 +306,7 @@ Partition read_partition(const std::filesystem::path& path)
         throw unreadable(path, "the partition file is truncated or damaged");
     if (const std::string defect = defect_of(partition); !defect.empty())
         throw unreadable(path, "the partition file is damaged: " + defect);
+    index_copies(partition);
     if (checksum != partition_checksum(partition))
         throw unreadable(path, "the partition file is damaged: its checksum is wrong");
     return partition;
@@ -265,8 +315,8 @@ Partition read_partition(const std::filesystem::path& path)
 void check_partition_of(const Partition& partition, const Scene& scene,
                         const std::filesystem::path& path)
 {
-    const std::size_t mine = partition.face_count();
-    const std::size_t theirs = scene.mesh.face_count();
+    const std::size_t mine = partition.all_face_count();
+    const std::size_t theirs = scene.mesh.all_face_count();
     if (mine == theirs && partition.scene == fingerprint(scene))
         return;
     const std::string faces =
@@ -274,6 +324,26 @@ void check_partition_of(const Partition& partition, const Scene& scene,
                        : std::to_string(mine) + " faces, the scene has " + std::to_string(theirs);
     throw InputError(path.string() + ": made for another scene (" + faces +
                      "); run preprocess on this scene again");
+}
+
+void set_apart_for(const Partition& partition, TriangleMesh& mesh,
+                   const std::filesystem::path& path)
+{
+    const std::size_t places = mesh.shared.size() + mesh.copies.size();
+    bool fits = partition.apart.empty() || partition.apart.back() < places;
+    if (fits)
+        set_apart(mesh, partition.apart);
+    fits = fits && partition.face_count() == mesh.face_count() &&
+           partition.shared.size() == mesh.shared.size() &&
+           partition.copies.size() == mesh.copies.size();
+    for (std::size_t i = 0; fits && i < mesh.shared.size(); ++i)
+        fits = partition.shared[i].first_face == mesh.shared[i].first &&
+               partition.shared[i].face_count == mesh.shared[i].count;
+    for (std::size_t i = 0; fits && i < mesh.copies.size(); ++i)
+        fits = partition.copies[i] == mesh.copies[i].shared;
+    if (!fits)
+        throw InputError(path.string() + ": made for another scene (its instances are others); "
+                                         "run preprocess on this scene again");
 }
 
 } // namespace hipmap

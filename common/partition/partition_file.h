@@ -29,4 +29,9 @@ std::uint64_t partition_checksum(const Partition& partition);
 void check_partition_of(const Partition& partition, const Scene& scene,
                         const std::filesystem::path& path);
 
+/// Stores faces of the scene of a partition where the partition expects them (set_apart).  Throws
+/// InputError, naming `path`, if its copies are not those of the scene.
+void set_apart_for(const Partition& partition, TriangleMesh& mesh,
+                   const std::filesystem::path& path);
+
 } // namespace hipmap

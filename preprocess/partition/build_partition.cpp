@@ -1,7 +1,9 @@
 #include "preprocess/partition/build_partition.h"
 
 #include "common/input_error.h"
+#include "common/scene/store_copies.h"
 #include "common/stopwatch.h"
+#include "preprocess/partition/copy_contacts.h"
 #include "preprocess/partition/group_candidates.h"
 #include "preprocess/partition/local_candidates.h"
 #include "preprocess/partition/patches.h"
@@ -12,6 +14,8 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <memory>
+#include <numeric>
 #include <string>
 
 namespace hipmap {
@@ -30,6 +34,11 @@ class PartitionBuilder {
     void join_maps();
     void look_around_maps();
     void add_contacts();
+    /// Adds copies to the partition.  Returns false if shared faces have neighbours outside.
+    bool add_copies();
+
+    /// The partition as far as it is.
+    const Partition& partition() const { return out_; }
 
     /// The partition.
     PartitionResult finish();
@@ -258,9 +267,28 @@ void PartitionBuilder::add_contacts()
     const std::size_t given_up = timed("find contacts", [&] { return find_all_contacts(); });
     found_all_contacts_ = given_up == 0;
     summary_.given_up += given_up;
-    for (const MadeContact& made : contacts_)
-        out_.contacts.push_back(made.contact);
+    for (const MadeContact& made : contacts_) {
+        const std::uint32_t part = part_of_map(out_, made.contact.map);
+        const bool own = part != kNone && part != part_of_map(out_, made.by);
+        (own ? out_.own_contacts : out_.contacts).push_back(made.contact);
+    }
     sort_contacts(out_.contacts);
+    if (!out_.copies.empty())
+        timed("find contacts of copies", [&] {
+            add_copy_contacts(mesh_, out_);
+            return true;
+        });
+}
+
+bool PartitionBuilder::add_copies()
+{
+    out_.shared = find_shared_parts(mesh_, out_);
+    for (const FaceCopy& copy : mesh_.copies)
+        out_.copies.push_back(copy.shared);
+    if (out_.shared.size() != mesh_.shared.size())
+        return false;
+    index_copies(out_);
+    return true;
 }
 
 PartitionResult PartitionBuilder::finish()
@@ -280,15 +308,41 @@ PreviousFrame PartitionBuilder::leave()
             {}};
 }
 
-void build(PartitionBuilder& builder, const TriangleMesh& mesh)
+void check_size(const TriangleMesh& mesh)
 {
     if (mesh.face_count() > kNone / 3 || mesh.positions.size() >= kNone)
         throw InputError("the scene has " + std::to_string(mesh.face_count()) +
                          " faces, too many to number their edges; split it");
+}
+
+/// Returns false, without a partition, if copies have to be stored first.
+bool build(PartitionBuilder& builder, const TriangleMesh& mesh)
+{
+    check_size(mesh);
     builder.join_faces();
     builder.join_maps();
+    if (!builder.add_copies())
+        return false;
     builder.look_around_maps();
     builder.add_contacts();
+    return true;
+}
+
+std::vector<std::uint32_t> all_places(const TriangleMesh& mesh)
+{
+    std::vector<std::uint32_t> out(mesh.shared.size() + mesh.copies.size());
+    std::iota(out.begin(), out.end(), 0u);
+    return out;
+}
+
+/// The places of shared faces and copies that may be one surface with others.
+std::vector<std::uint32_t> find_joined_places(const Scene& scene, const PartitionOptions& options)
+{
+    check_size(scene.mesh);
+    PartitionBuilder builder(scene, options, nullptr);
+    builder.join_faces();
+    builder.join_maps();
+    return find_joined_places(scene.mesh, builder.partition());
 }
 
 } // namespace
@@ -298,6 +352,30 @@ PartitionResult build_partition(const Scene& scene, const PartitionOptions& opti
     PartitionBuilder builder(scene, options, nullptr);
     build(builder, scene.mesh);
     return builder.finish();
+}
+
+PartitionResult build_partition_of_copies(Scene& scene, const PartitionOptions& options)
+{
+    const Fingerprint loaded = fingerprint(scene);
+    const TriangleMesh mesh = scene.mesh;
+    const Stopwatch watch;
+    std::vector<std::uint32_t> apart =
+        options.weld_distance > 0 ? all_places(mesh) : find_joined_places(scene, options);
+    const PartitionPass joining{"find joined instances", watch.seconds()};
+    set_apart(scene.mesh, apart);
+    auto builder = std::make_unique<PartitionBuilder>(scene, options, nullptr);
+    if (!build(*builder, scene.mesh)) {
+        apart = all_places(mesh);
+        scene.mesh = mesh;
+        set_apart(scene.mesh, apart);
+        builder = std::make_unique<PartitionBuilder>(scene, options, nullptr);
+        build(*builder, scene.mesh);
+    }
+    PartitionResult out = builder->finish();
+    out.partition.scene = loaded;
+    out.partition.apart = std::move(apart);
+    out.summary.passes.insert(out.summary.passes.begin(), joining);
+    return out;
 }
 
 void build_partition(const Scene& scene, const PartitionOptions& options,

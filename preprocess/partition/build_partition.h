@@ -31,7 +31,7 @@ struct PartitionSummary {
         std::size_t faces = 0;
         double area = 0.0; ///< square scene units
     };
-    std::size_t faces = 0;
+    std::size_t faces = 0; ///< with those of copies, as all that faces and edges are counted by
     std::size_t vertices = 0;
     std::size_t welded_vertices = 0;
     std::array<std::size_t, 5> edges{}; ///< by EdgeClass; shared edges count once
@@ -44,7 +44,10 @@ struct PartitionSummary {
     std::size_t groups = 0;        ///< candidates for group maps
     std::size_t grouped_faces = 0; ///< faces of them all
     std::size_t closed_faces = 0;
-    std::vector<Map> maps; ///< by id
+    std::vector<Map> maps;     ///< of stored faces, by id
+    std::size_t map_count = 0; ///< with those of copies, as the others below
+    double area = 0.0;         ///< of all maps, square scene units
+    Map largest;
     MeshDefects defects;
     std::vector<PartitionPass> passes; ///< in order
 };
@@ -58,5 +61,11 @@ struct PartitionResult {
 /// Same scene and options, same partition, at any thread count.  Near linear.
 /// Throws InputError if the scene has more faces than edges can be numbered.
 PartitionResult build_partition(const Scene& scene, const PartitionOptions& options);
+
+/// Decides the same for a scene with copies (TriangleMesh::copies): what only depends on shared
+/// faces is found once for all of their copies.  Shared faces and copies that may be one surface
+/// with others, and all of them if vertices are welded over a distance, are set apart in the scene
+/// first.  Memory and time: those of the stored faces, and of faces of copies near others.
+PartitionResult build_partition_of_copies(Scene& scene, const PartitionOptions& options);
 
 } // namespace hipmap

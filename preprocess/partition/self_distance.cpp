@@ -1,5 +1,7 @@
 #include "preprocess/partition/self_distance.h"
 
+#include "common/math/bounds.h"
+#include "common/scene/store_copies.h"
 #include "preprocess/partition/face_surroundings.h"
 
 #include <tbb/blocked_range.h>
@@ -142,9 +144,11 @@ void LeafSelfDistances::find(const FaceTree::Range& leaf, SelfDistances& out)
 
 float position_error_of(const TriangleMesh& mesh)
 {
-    float largest = 0;
-    for (const glm::vec3& p : mesh.positions)
-        largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    const Bounds<glm::vec3> box = bounds_of(mesh);
+    if (box.empty())
+        return 0;
+    const glm::vec3 away = glm::max(glm::abs(box.low), glm::abs(box.high));
+    const float largest = std::max({away.x, away.y, away.z});
     return static_cast<float>(kPositionError * largest);
 }
 

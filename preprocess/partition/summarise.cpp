@@ -5,13 +5,64 @@
 namespace hipmap {
 namespace {
 
-void count_edges(PartitionSummary& summary, const Partition& partition)
+/// How often stored faces stand in the scene.
+class Times {
+  public:
+    explicit Times(const Partition& partition) : partition_(partition)
+    {
+        of_part_.assign(partition.shared.size(), 1);
+        for (const std::uint32_t copy : partition.copies)
+            ++of_part_[copy];
+    }
+
+    /// Returns the sum over faces of a number times how often the face stands in the scene.
+    template <typename NumberOf>
+    std::size_t sum(const NumberOf& number_of) const
+    {
+        std::size_t out = 0;
+        FaceId face = 0;
+        const auto add = [&](FaceId end, std::size_t times) {
+            for (; face < end; ++face)
+                out += times * number_of(face);
+        };
+        for (std::size_t i = 0; i < of_part_.size(); ++i) {
+            const SharedPart& part = partition_.shared[i];
+            add(part.first_face, 1);
+            add(part.first_face + part.face_count, of_part_[i]);
+        }
+        add(static_cast<FaceId>(partition_.face_count()), 1);
+        return out;
+    }
+
+    /// part: kNone: of faces that are not shared.
+    std::size_t of_part(std::uint32_t part) const { return part == kNone ? 1 : of_part_[part]; }
+
+  private:
+    const Partition& partition_;
+    std::vector<std::size_t> of_part_;
+};
+
+void count_edges(PartitionSummary& summary, const Partition& partition, const Times& times)
 {
-    for (std::uint32_t edge = 0; edge < partition.edge_class.size(); ++edge)
-        if (partition.opposite[edge] == kNone || edge < partition.opposite[edge])
-            ++summary.edges[static_cast<std::size_t>(partition.edge_class[edge])];
-    summary.edges[static_cast<std::size_t>(EdgeClass::non_manifold)] =
-        summary.defects.non_manifold_edges + summary.defects.cut_edges;
+    for (std::size_t kind = 0; kind < summary.edges.size(); ++kind)
+        summary.edges[kind] += times.sum([&](FaceId face) {
+            std::size_t count = 0;
+            for (std::uint32_t edge = 3 * face; edge < 3 * face + 3; ++edge)
+                count += partition.edge_class[edge] == static_cast<EdgeClass>(kind) &&
+                         (partition.opposite[edge] == kNone || edge < partition.opposite[edge]);
+            return count;
+        });
+    if (partition.copies.empty())
+        summary.edges[static_cast<std::size_t>(EdgeClass::non_manifold)] =
+            summary.defects.non_manifold_edges + summary.defects.cut_edges;
+}
+
+void add_map(PartitionSummary& summary, const PartitionSummary::Map& map)
+{
+    ++summary.map_count;
+    summary.area += map.area;
+    if (map.area > summary.largest.area)
+        summary.largest = map;
 }
 
 void measure_maps(PartitionSummary& summary, const Partition& partition, const TriangleMesh& mesh)
@@ -26,6 +77,10 @@ void measure_maps(PartitionSummary& summary, const Partition& partition, const T
         ++map.faces;
         map.area += face_area(mesh, face);
     }
+    for (const PartitionSummary::Map& map : summary.maps)
+        add_map(summary, map);
+    for_each_copied_map(summary, partition, mesh,
+                        [&](const PartitionSummary::Map& map, MapId) { add_map(summary, map); });
 }
 
 } // namespace
@@ -34,16 +89,22 @@ void summarise(const TriangleMesh& mesh, PartitionResult& result)
 {
     const Partition& partition = result.partition;
     PartitionSummary& summary = result.summary;
-    summary.faces = mesh.face_count();
-    summary.contacts = partition.contacts.size();
-    summary.bridged_edges = partition.bridged_edges.size();
-    summary.candidates = static_cast<std::size_t>(std::ranges::count(partition.candidate, 1));
+    const Times times(partition);
+    summary.faces = mesh.all_face_count();
+    summary.contacts = partition.own_contacts.size();
+    for (const MapContact& contact : partition.contacts)
+        summary.contacts += times.of_part(part_of_map(partition, contact.map));
+    summary.bridged_edges = times.sum([&](FaceId face) {
+        const auto first = std::ranges::lower_bound(partition.bridged_edges, 3 * face);
+        return static_cast<std::size_t>(
+            std::ranges::lower_bound(partition.bridged_edges, 3 * face + 3) - first);
+    });
+    summary.candidates = times.sum([&](FaceId face) { return partition.candidate[face]; });
     summary.groups = partition.group_count;
     summary.grouped_faces =
-        mesh.face_count() -
-        static_cast<std::size_t>(std::ranges::count(partition.group_of_face, kNone));
-    summary.closed_faces = static_cast<std::size_t>(std::ranges::count(partition.closed, 1));
-    count_edges(summary, partition);
+        times.sum([&](FaceId face) { return partition.group_of_face[face] != kNone; });
+    summary.closed_faces = times.sum([&](FaceId face) { return partition.closed[face]; });
+    count_edges(summary, partition, times);
     measure_maps(summary, partition, mesh);
 }
 

@@ -9,4 +9,22 @@ namespace hipmap {
 /// `defects`.  Linear, one thread.
 void summarise(const TriangleMesh& mesh, PartitionResult& result);
 
+/// Calls visit(map, stored map) for each map of each copy, in order of their ids.  summary.maps is
+/// set.
+template <typename Visit>
+void for_each_copied_map(const PartitionSummary& summary, const Partition& partition,
+                         const TriangleMesh& mesh, const Visit& visit)
+{
+    for (std::size_t i = 0; i < partition.copies.size(); ++i) {
+        const SharedPart& part = partition.shared[partition.copies[i]];
+        const double scale = mesh.copies[i].place.scale;
+        for (MapId k = 0; k < part.map_count; ++k) {
+            const PartitionSummary::Map& stored = summary.maps[part.first_map + k];
+            visit(PartitionSummary::Map{partition.first_map_of_copy[i] + k, stored.faces,
+                                        scale * scale * stored.area},
+                  stored.id);
+        }
+    }
+}
+
 } // namespace hipmap

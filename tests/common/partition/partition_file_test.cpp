@@ -93,6 +93,25 @@ void require_same(const Partition& read, const Partition& written)
     CHECK(read.group_count == written.group_count);
     CHECK(read.group_of_face == written.group_of_face);
     CHECK(read.group_radius == written.group_radius);
+    CHECK(read.apart == written.apart);
+    CHECK(read.shared == written.shared);
+    CHECK(read.copies == written.copies);
+    CHECK(read.own_contacts == written.own_contacts);
+    CHECK(read.first_map_of_copy == written.first_map_of_copy);
+    CHECK(read.all_face_count() == written.all_face_count());
+    CHECK(read.all_map_count() == written.all_map_count());
+}
+
+/// The sample with two copies of its first three faces.
+Partition copied_sample(const Scene& scene)
+{
+    Partition p = sample(scene);
+    p.apart = {1, 3};
+    p.shared = {{0, 3, 0, 2}};
+    p.copies = {0, 0};
+    p.own_contacts = {{1, {1, 0, 3}, {4, 5, 0}}, {4, {0, 0, 0}, {0, -1, 0}}};
+    index_copies(p);
+    return p;
 }
 
 } // namespace
@@ -105,6 +124,47 @@ TEST_CASE("partition file: every field survives, in one chunk or in many", "[par
     for (const std::size_t chunk_bytes : {kChunkBytes, std::size_t{100}, std::size_t{10}}) {
         write_partition(path, written, chunk_bytes);
         require_same(read_partition(path), written);
+    }
+}
+
+TEST_CASE("partition file: copies survive, in one chunk or in many", "[partition][copies]")
+{
+    const TemporaryFolder folder;
+    const Partition written = copied_sample(scene_of(4));
+    CHECK(written.all_face_count() == 10);
+    CHECK(written.all_map_count() == 6);
+    CHECK(written.map_of(6) == 3);
+    CHECK(written.map_of(9) == 5);
+    const std::filesystem::path path = folder.path / "a.hpm";
+    for (const std::size_t chunk_bytes : {kChunkBytes, std::size_t{100}, std::size_t{10}}) {
+        write_partition(path, written, chunk_bytes);
+        require_same(read_partition(path), written);
+    }
+}
+
+TEST_CASE("partition file: copies that cannot be are refused", "[partition][copies]")
+{
+    const TemporaryFolder folder;
+    const std::filesystem::path path = folder.path / "a.hpm";
+    const auto breaks = std::vector<std::function<void(Partition&)>>{
+        [](Partition& p) { p.shared[0].face_count = 2; }, // a neighbour is outside
+        [](Partition& p) { p.shared[0].face_count = 5; }, // beyond the last face
+        [](Partition& p) { p.shared[0].face_count = 0; },
+        [](Partition& p) { p.shared[0].map_count = 1; }, // a map is outside
+        [](Partition& p) { p.shared[0].map_count = 3; },
+        [](Partition& p) { p.shared.push_back(p.shared[0]); }, // overlaps
+        [](Partition& p) { p.copies[1] = 1; },
+        [](Partition& p) {
+            p.apart = {3, 1};
+        },
+        [](Partition& p) { p.own_contacts[1].map = 6; },
+        [](Partition& p) { p.own_contacts[1].map = 0; }, // out of order
+        [](Partition& p) { p.own_contacts[0].a.x = std::numeric_limits<float>::infinity(); }};
+    for (const auto& damage : breaks) {
+        Partition p = copied_sample(scene_of(4));
+        damage(p);
+        write_partition(path, p);
+        CHECK(error_of([&] { read_partition(path); }).find("damaged") != std::string::npos);
     }
 }
 
