@@ -16,6 +16,7 @@ constexpr double kGib = 1 << 30;
 
 /// Bytes by measure, docs/memory.md.
 constexpr double kProgram = 48 * kMib;
+constexpr double kCopy = 3400;     ///< of shared faces, and its node in the file
 constexpr double kFace = 240;      ///< mesh, partition, ray tracing structure, borders of maps
 constexpr double kPassPixel = 250; ///< tiles and images of a pass, estimates of the error
 constexpr double kSkyPixel = 32;
@@ -40,6 +41,7 @@ double scene_bytes(const PreparedFrame& frame)
 {
     const Scene& scene = frame.loaded.scene;
     double out = kFace * static_cast<double>(scene.mesh.face_count()) +
+                 kCopy * static_cast<double>(scene.mesh.copies.size()) +
                  kSkyPixel * static_cast<double>(frame.sky.radiance.pixels.size());
     for (const TextureImage& image : scene.images)
         out += static_cast<double>(image.rgba.size());

@@ -1,6 +1,8 @@
 #include "render/prepare_frame.h"
 
+#include "common/partition/expand_copies.h"
 #include "common/partition/partition_file.h"
+#include "common/scene/store_copies.h"
 #include "common/stopwatch.h"
 #include "render/effects/drop_effects.h"
 #include "render/fit_memory.h"
@@ -103,6 +105,16 @@ std::optional<RenderState> find_state(const RenderArguments& arguments,
     }
 }
 
+/// Stores faces as the partition and the options expect them.
+void store_faces(const RenderArguments& arguments, TriangleMesh& mesh, Partition& partition)
+{
+    set_apart_for(partition, mesh, arguments.partition);
+    if (mesh.copies.empty() || asks_for_shared(arguments.render.dissertation))
+        return;
+    partition = expand_copies(partition, mesh);
+    store_copies(mesh);
+}
+
 } // namespace
 
 LoadedScene load_at(const RenderArguments& arguments, SceneSource& source,
@@ -135,6 +147,7 @@ PreparedFrame prepare_frame(const RenderArguments& request, SceneSource& source)
     check_partition_of(out.partition, scene, arguments.partition);
     out.motion = find_motion(scene, shutter_time(arguments),
                              [&](double time) { return load_at(arguments, source, time).scene; });
+    store_faces(arguments, scene.mesh, out.partition);
     part_touching_faces(scene, out.partition);
     out.effects = plan_run(arguments, scene, out.partition, out.motion.names);
     if (arguments.explain)

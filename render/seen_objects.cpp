@@ -20,7 +20,7 @@ std::string describe_seen(const RenderScene& scene, const RenderOptions& options
         const glm::vec2 point =
             glm::vec2(pixels.x0, pixels.y0) + at * glm::vec2(pixels.width(), pixels.height());
         if (const auto hit = scene.rays.nearest(image_ray(scene, options, point, glm::vec2(0.0f))))
-            ++met[mesh.object_of_face[hit->face]];
+            ++met[mesh.object_of(hit->face)];
     }
     std::vector<std::pair<int, ObjectId>> order;
     for (const auto& [object, rays] : met)

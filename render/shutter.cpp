@@ -24,7 +24,7 @@ void add_moved_objects(const TriangleMesh& then, const TriangleMesh& now,
 {
     std::vector<bool> added(then.object_names.size(), false);
     for (FaceId face = 0; face < then.face_count(); ++face) {
-        const ObjectId object = then.object_of_face[face];
+        const ObjectId object = then.object_of(face);
         for (int c = 0; c < 3 && !added[object]; ++c)
             if (then.positions[then.corners[face][c]] != now.positions[now.corners[face][c]]) {
                 added[object] = true;

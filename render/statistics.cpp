@@ -96,7 +96,7 @@ Json seconds_json(const PreparedFrame& frame, const RenderedFrame& rendered,
 Json scene_json(const RenderArguments& arguments, const Scene& scene)
 {
     return {{"file", arguments.scene.string()},
-            {"faces", scene.mesh.face_count()},
+            {"faces", scene.mesh.all_face_count()},
             {"materials", scene.materials.size()},
             {"lights", named_lights(scene.lights).size()},
             {"camera", scene.cameras[scene.camera].name},
@@ -255,7 +255,7 @@ std::string statistics_json(const PreparedFrame& frame, const RenderedFrame& ren
     json["version"] = HIPMAP_VERSION;
     json["scene"] = scene_json(arguments, scene);
     json["partition"] = {{"file", arguments.partition.string()},
-                         {"shared_maps", frame.partition.map_count}};
+                         {"shared_maps", frame.partition.all_map_count()}};
     json["audit"] = audit_json(frame.loaded.audit);
     json["image"] = image_json(state.film.width, state.film.height, arguments.files.images,
                                written.exposure_ev);

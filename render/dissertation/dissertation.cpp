@@ -30,14 +30,6 @@ const DissertationMaps* dissertation_maps(const ChosenMaps& maps)
     return owned == nullptr ? nullptr : owned->get();
 }
 
-/// Whether the options ask for no more than shared maps.
-bool asks_for_shared(const DissertationOptions& asked)
-{
-    return (asked.mode == MapMode::shared || asked.mode == MapMode::none) &&
-           asked.estimate == EstimateForm::clipped && asked.tree == TreeKind::wide &&
-           asked.irradiance == GatheredIrradiance::estimated;
-}
-
 /// Searches maps with their levels and kd-trees.
 struct LevelledSearch {
     const DissertationMaps& maps;
@@ -137,6 +129,13 @@ RadiusEstimates estimate_from_all(const DissertationMaps& maps, const MapSurface
 }
 
 } // namespace
+
+bool asks_for_shared(const DissertationOptions& asked)
+{
+    return (asked.mode == MapMode::shared || asked.mode == MapMode::none) &&
+           asked.estimate == EstimateForm::clipped && asked.tree == TreeKind::wide &&
+           asked.irradiance == GatheredIrradiance::estimated;
+}
 
 LevelSearches& LevelSearches::operator+=(const LevelSearches& other)
 {

@@ -115,6 +115,9 @@ struct ChosenScratch {
 ChosenMaps build_chosen_maps(const std::vector<Photon>& photons, const MapSurfaces& surfaces,
                              const MapOptions& options, const DissertationOptions& asked);
 
+/// Returns whether the options ask for no more than shared maps.
+bool asks_for_shared(const DissertationOptions& asked);
+
 /// Returns the options without map levels: searches within a radius read the shared maps alone.
 DissertationOptions without_levels(DissertationOptions options);
 

@@ -171,7 +171,7 @@ Finding find_anisotropy(const SceneFacts& facts)
     std::vector<std::uint8_t> directed(facts.scene.materials.size(), 0);
     const glm::vec2 middle(1.0f / 3);
     for (FaceId face = 0; face < mesh.face_count(); ++face) {
-        const MaterialId material = mesh.material_of_face[face];
+        const MaterialId material = mesh.material_of(face);
         if (directed[material] == 0 && facts.bsdfs[material].is_directed)
             directed[material] =
                 anisotropy_tangent(facts.scene, surface_point(mesh, face, middle), middle)

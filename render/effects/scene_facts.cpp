@@ -26,11 +26,11 @@ SceneFacts gather_facts(const Scene& scene, const Partition& partition)
     facts.worn.assign(materials, 0);
     facts.solid.assign(materials, 0);
     for (FaceId face = 0; face < scene.mesh.face_count(); ++face) {
-        const MaterialId material = scene.mesh.material_of_face[face];
+        const MaterialId material = scene.mesh.material_of(face);
         if (!(face_area(scene.mesh, face) > 0))
             continue;
         facts.worn[material] = 1;
-        if (partition.closed[face] != 0)
+        if (partition.is_closed(face))
             facts.solid[material] = 1;
         facts.has_light = facts.has_light || !is_black(scene.materials[material].emission) ||
                           !is_black(scene.materials[material].medium_emission);

@@ -154,13 +154,18 @@ bool helps(const GatherGuide& tree)
                                [](const DirectionGuide& guide) { return guide.by_lobes < 1; });
 }
 
-GatherGuide join(const std::vector<GatherGuide>& trees)
+/// sides: [trees].
+GatherGuide join(const std::vector<GatherGuide>& trees, std::span<const std::uint64_t> sides)
 {
     GatherGuide out;
-    for (const GatherGuide& tree : trees) {
+    for (std::size_t i = 0; i < trees.size(); ++i) {
+        const GatherGuide& tree = trees[i];
+        if (tree.nodes.empty())
+            continue;
         const auto node0 = static_cast<std::uint32_t>(out.nodes.size());
         const auto first = static_cast<std::uint32_t>(out.directions.size());
-        out.roots.push_back(tree.nodes.empty() ? kNone : node0);
+        out.sides.push_back(sides[i]);
+        out.roots.push_back(node0);
         for (GatherGuide::Node node : tree.nodes) {
             node.next += node.axis == GatherGuide::kLeaf ? first : node0;
             out.nodes.push_back(node);
@@ -170,24 +175,33 @@ GatherGuide join(const std::vector<GatherGuide>& trees)
     return out;
 }
 
-/// Puts the records of each side of a map behind one another; returns where each side ends.
-std::vector<std::size_t> sort_by_side(const Partition& partition,
-                                      std::vector<GatherRecord>& records)
+/// Sides of maps that have records.
+struct RecordedSides {
+    std::vector<std::uint64_t> sides; ///< ascending
+    std::vector<std::size_t> ends;    ///< [sides] of their records
+};
+
+/// Puts the records of each side of a map behind one another.
+RecordedSides sort_by_side(const Partition& partition, std::vector<GatherRecord>& records)
 {
     const auto side_of = [&](const GatherRecord& record) {
-        return std::size_t{2} * partition.map_of_face[record.face] + record.side;
+        return std::uint64_t{2} * partition.map_of(record.face) + record.side;
     };
     std::erase_if(records, [&](const GatherRecord& record) {
-        return record.face == kNone || partition.map_of_face[record.face] == kNone ||
+        return record.face == kNone || partition.map_of(record.face) == kNone ||
                !(record.pdf > 0) || !std::isfinite(record.light);
     });
     std::ranges::stable_sort(records, {}, side_of);
-    std::vector<std::size_t> ends;
-    for (const GatherRecord& record : records) {
-        ends.resize(std::max(ends.size(), side_of(record) + 1), ends.empty() ? 0 : ends.back());
-        ++ends.back();
+    RecordedSides out;
+    for (std::size_t i = 0; i < records.size(); ++i) {
+        if (const std::uint64_t side = side_of(records[i]);
+            out.sides.empty() || out.sides.back() != side) {
+            out.sides.push_back(side);
+            out.ends.push_back(i);
+        }
+        ++out.ends.back();
     }
-    return ends;
+    return out;
 }
 
 } // namespace
@@ -195,13 +209,14 @@ std::vector<std::size_t> sort_by_side(const Partition& partition,
 const DirectionGuide* directions_at(const GatherGuide& guide, const Partition& partition,
                                     const PhotonQuery& query)
 {
-    const std::uint32_t map = partition.map_of_face[query.face];
-    const std::size_t root = std::size_t{2} * map + query.side;
-    if (map == kNone || root >= guide.roots.size())
+    const std::uint32_t map = partition.map_of(query.face);
+    if (map == kNone)
         return nullptr;
-    std::uint32_t here = guide.roots[root];
-    if (here == kNone)
+    const std::uint64_t side = std::uint64_t{2} * map + query.side;
+    const auto side_at = std::ranges::lower_bound(guide.sides, side);
+    if (side_at == guide.sides.end() || *side_at != side)
         return nullptr;
+    std::uint32_t here = guide.roots[static_cast<std::size_t>(side_at - guide.sides.begin())];
     for (;;) {
         const GatherGuide::Node& node = guide.nodes[here];
         if (node.axis == GatherGuide::kLeaf) {
@@ -214,7 +229,8 @@ const DirectionGuide* directions_at(const GatherGuide& guide, const Partition& p
 
 GatherGuide learn_directions(const Partition& partition, std::vector<GatherRecord>& records)
 {
-    const std::vector<std::size_t> ends = sort_by_side(partition, records);
+    const auto [sides, all_ends] = sort_by_side(partition, records);
+    const std::vector<std::size_t>& ends = all_ends; // lambdas capture no bindings
     std::vector<GatherGuide> trees(ends.size());
     tbb::parallel_for(std::size_t{0}, ends.size(), [&](std::size_t i) {
         const std::size_t begin = i == 0 ? 0 : ends[i - 1];
@@ -226,7 +242,7 @@ GatherGuide learn_directions(const Partition& partition, std::vector<GatherRecor
         if (helps(tree))
             trees[i] = std::move(tree);
     });
-    return join(trees);
+    return join(trees, sides);
 }
 
 std::uint64_t checksum(const GatherGuide& guide)

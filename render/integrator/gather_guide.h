@@ -20,7 +20,8 @@ struct GatherGuide {
         std::uint32_t axis = kLeaf; ///< coordinate that is split; kLeaf: none
         std::uint32_t next = 0;     ///< upper child; of a leaf its place in `directions`
     };
-    std::vector<std::uint32_t> roots; ///< [2 * shared maps + side] in `nodes`; kNone: no guide
+    std::vector<std::uint64_t> sides; ///< ascending; 2 * shared map + side of those with a guide
+    std::vector<std::uint32_t> roots; ///< [sides] in `nodes`
     std::vector<Node> nodes;
     std::vector<DirectionGuide> directions;
 };

@@ -11,7 +11,7 @@ namespace hipmap {
 
 PhotonQuery query_at(const Photon& photon, const MapSurfaces& surfaces)
 {
-    const glm::vec3& up = surfaces.normals[photon.face];
+    const glm::vec3 up = surfaces.normal(photon.face);
     return {photon.position, photon.side == 0 ? up : -up, photon.face, photon.side};
 }
 

@@ -4,6 +4,7 @@
 #include "common/math/frame.h"
 #include "common/math/sampling.h"
 #include "common/rays/surface_point.h"
+#include "common/scene/store_copies.h"
 #include "render/integrator/sampled_source.h"
 
 namespace hipmap {
@@ -12,9 +13,7 @@ namespace {
 
 float reach_in(const TriangleMesh& mesh)
 {
-    Bounds<glm::vec3> bounds;
-    for (const glm::vec3& position : mesh.positions)
-        bounds.add(position);
+    const Bounds<glm::vec3> bounds = bounds_of(mesh);
     return bounds.empty() ? 0 : kOcclusionReach * glm::length(bounds.extent());
 }
 

@@ -43,18 +43,17 @@ glm::vec4 one(float value)
 /// Numbers of objects and materials start at 1, as 0 is nothing.
 glm::vec4 object_number(const FirstSurface& surface)
 {
-    return one(static_cast<float>(surface.scene.mesh().object_of_face[surface.at.point.face] + 1));
+    return one(static_cast<float>(surface.scene.mesh().object_of(surface.at.point.face) + 1));
 }
 
 glm::vec4 material_number(const FirstSurface& surface)
 {
-    return one(
-        static_cast<float>(surface.scene.mesh().material_of_face[surface.at.point.face] + 1));
+    return one(static_cast<float>(surface.scene.mesh().material_of(surface.at.point.face) + 1));
 }
 
 glm::vec4 map_number(const FirstSurface& surface)
 {
-    const MapId map = surface.scene.partition.map_of_face[surface.at.point.face];
+    const MapId map = surface.scene.partition.map_of(surface.at.point.face);
     return one(map == kNone ? kNoMap : static_cast<float>(map));
 }
 

@@ -2,6 +2,7 @@
 
 #include "common/math/bounds.h"
 #include "common/math/sampling.h"
+#include "common/scene/store_copies.h"
 
 #include <map>
 #include <utility>
@@ -12,10 +13,7 @@ namespace {
 
 SceneSphere sphere_around(const TriangleMesh& mesh)
 {
-    Bounds<glm::vec3> box;
-    for (const glm::uvec3& corners : mesh.corners)
-        for (int c = 0; c < 3; ++c)
-            box.add(mesh.positions[corners[c]]);
+    const Bounds<glm::vec3> box = bounds_of(mesh);
     return box.empty() ? SceneSphere{}
                        : SceneSphere{box.centre(), 0.5f * glm::length(box.extent())};
 }
@@ -81,7 +79,7 @@ void add_emissive_meshes(const SurfaceEmission& surfaces, const std::vector<Face
 {
     std::map<ObjectId, std::vector<FacePower>> objects;
     for (const FacePower& face : faces)
-        objects[surfaces.mesh->object_of_face[face.face]].push_back(face);
+        objects[surfaces.mesh->object_of(face.face)].push_back(face);
     for (const auto& [object, its_faces] : objects)
         lights.push_back(make_emissive_mesh(surfaces, its_faces));
 }

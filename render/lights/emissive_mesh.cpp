@@ -56,8 +56,8 @@ LightBounds bounds_of_face(const EmissiveMesh& light, FaceId face)
 {
     const TriangleMesh& mesh = *light.emission->mesh;
     LightBounds out;
-    for (int c = 0; c < 3; ++c)
-        out.box.add(mesh.positions[mesh.corners[face][c]]);
+    for (const glm::vec3& corner : mesh.triangle(face))
+        out.box.add(corner);
     out.axis = glm::vec3(glm::normalize(scaled_normal(mesh, face)));
     out.both_sides = light.emission->of_face(face).both_sides;
     out.power = light.area_pdf[face - light.faces.front()] * face_area(mesh, face);

@@ -26,7 +26,7 @@ struct SurfaceEmission {
     /// Returns the radiance of a face of any material, averaged over the face.
     std::function<Rgb(FaceId face)> mean;
 
-    const OfMaterial& of_face(FaceId face) const { return materials[mesh->material_of_face[face]]; }
+    const OfMaterial& of_face(FaceId face) const { return materials[mesh->material_of(face)]; }
 };
 
 /// The power that a face emits to all sides, W / metres_per_unit^2, above zero.

@@ -37,24 +37,25 @@ struct SharedSearch {
 } // namespace
 
 MapSurfaces::MapSurfaces(const TriangleMesh& of_mesh, const Partition& of_partition)
-    : mesh(of_mesh), partition(of_partition), boundaries(of_mesh, of_partition)
+    : mesh(of_mesh), partition(of_partition), boundaries(of_mesh, of_partition),
+      own_boundaries(of_partition)
 {
     normals.reserve(mesh.face_count());
     std::vector<double> area(partition.map_count, 0.0);
     for (FaceId face = 0; face < mesh.face_count(); ++face) {
         const glm::dvec3 normal = scaled_normal(mesh, face);
         const double length = glm::length(normal);
-        const double sign = partition.flipped[face] != 0 ? -1 : 1;
+        const double sign = partition.is_flipped(face) ? -1 : 1;
         normals.push_back(length > 0 ? glm::vec3(normal * (sign / length)) : glm::vec3(0));
-        if (partition.map_of_face[face] != kNone)
-            area[partition.map_of_face[face]] += length / 2;
+        if (partition.map_of(face) != kNone)
+            area[partition.map_of(face)] += length / 2;
     }
     map_area.assign(area.begin(), area.end());
 }
 
 float even_radius(const PhotonMaps& maps, const MapSurfaces& surfaces, const PhotonQuery& query)
 {
-    if (surfaces.partition.map_of_face[query.face] == kNone)
+    if (surfaces.partition.map_of(query.face) == kNone)
         return std::numeric_limits<float>::infinity();
     const PhotonMap* map = map_of_query(maps, surfaces.partition, query);
     if (map == nullptr)

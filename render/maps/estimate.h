@@ -11,6 +11,7 @@ struct EstimateScratch {
     SearchScratch search;
     OutlineScratch outline;
     std::vector<BoundarySegment> segments; ///< that `disc` is looked at past
+    std::vector<BoundarySegment> own;      ///< those of OwnBoundaries among them
     VisibleDisc disc;
     bool near_boundary = false; ///< the last estimate was, so that the next may need a list
 };
@@ -20,14 +21,30 @@ struct EstimateScratch {
 struct MapSurfaces {
     const TriangleMesh& mesh;
     const Partition& partition;
-    MapBoundaries boundaries;
+    MapBoundaries boundaries; ///< of stored faces
+    OwnBoundaries own_boundaries;
     std::vector<glm::vec3> normals; ///< [F] unit, towards side 0; zero for a face without area
-    std::vector<float> map_area;    ///< [shared maps] square scene units
+    std::vector<float> map_area;    ///< [shared maps of stored faces] square scene units
 
     MapSurfaces(const TriangleMesh& of_mesh, const Partition& of_partition);
 
     /// Returns the area of the map of a face, which must have one; square scene units.
-    float area_at(FaceId face) const { return map_area[partition.map_of_face[face]]; }
+    float area_at(FaceId face) const
+    {
+        const float area = map_area[partition.map_of_face[partition.stored_face(face)]];
+        if (!mesh.is_copied(face)) [[likely]]
+            return area;
+        const double scale = mesh.copy_of(face).place.scale;
+        return static_cast<float>(scale * scale * area);
+    }
+    /// Returns the normal of any face, as `normals` has it.
+    glm::vec3 normal(FaceId face) const
+    {
+        if (!mesh.is_copied(face)) [[likely]]
+            return normals[face];
+        const glm::dvec3 stored(normals[mesh.stored_face(face)]);
+        return glm::vec3(mesh.copy_of(face).place.direction(stored));
+    }
 };
 
 /// Returns the radius within which k photons would lie if the photons of the query's map were

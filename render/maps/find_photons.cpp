@@ -12,7 +12,7 @@ SearchStatistics& SearchStatistics::operator+=(const SearchStatistics& other)
 const PhotonMap* map_of_query(const PhotonMaps& maps, const Partition& partition,
                               const PhotonQuery& query)
 {
-    const MapId id = partition.map_of_face[query.face];
+    const MapId id = partition.map_of(query.face);
     return id == kNone ? nullptr : maps.map_at(id, query.side);
 }
 

@@ -1,9 +1,56 @@
 #include "render/maps/gather.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace hipmap {
+
+namespace {
+
+/// Outlines the boundary that a copy has as its shared faces do, from where they are stored.
+float outline_copied(const MapSurfaces& surfaces, const PhotonQuery& query, float radius,
+                     EstimateScratch& scratch)
+{
+    const Similarity& place = surfaces.mesh.copy_of(query.face).place;
+    const FaceId stored = surfaces.mesh.stored_face(query.face);
+    const float stored_radius = static_cast<float>(radius / place.scale);
+    if (!(stored_radius > 0) || !std::isfinite(stored_radius))
+        return 0;
+    const float seen = outline_boundary(surfaces.boundaries,
+                                        {surfaces.partition.map_of_face[stored],
+                                         glm::vec3(place.point_back(glm::dvec3(query.position))),
+                                         surfaces.normals[stored], stored_radius},
+                                        scratch.outline, scratch.segments);
+    for (BoundarySegment& segment : scratch.segments)
+        for (glm::vec3* end : {&segment.a, &segment.b})
+            *end = glm::vec3(place.point(glm::dvec3(*end)));
+    return seen == stored_radius ? radius
+                                 : std::min(radius, static_cast<float>(seen * place.scale));
+}
+
+/// Writes the outline of all boundaries of the query's map to scratch.segments.
+float outline_all(const MapSurfaces& surfaces, const PhotonQuery& query, float radius,
+                  EstimateScratch& scratch)
+{
+    const MapId map = surfaces.partition.map_of(query.face);
+    const auto outline = [&](const MapBoundaries& boundaries, MapId id, auto& out) {
+        return outline_boundary(boundaries,
+                                {id, query.position, surfaces.normal(query.face), radius},
+                                scratch.outline, out);
+    };
+    const float seen = surfaces.mesh.is_copied(query.face)
+                           ? outline_copied(surfaces, query, radius, scratch)
+                           : outline(surfaces.boundaries, map, scratch.segments);
+    const MapId own = surfaces.own_boundaries.place(map);
+    if (own == kNone)
+        return seen;
+    const float seen_own = outline(surfaces.own_boundaries.boundaries, own, scratch.own);
+    scratch.segments.insert(scratch.segments.end(), scratch.own.begin(), scratch.own.end());
+    return std::min(seen, seen_own);
+}
+
+} // namespace
 
 glm::dvec3 power_in_lobes(const MetPhoton& photon, const PhotonQuery& query)
 {
@@ -18,7 +65,7 @@ glm::dvec3 projected_power(const MetPhoton& photon, const PhotonQuery& query,
     const FaceId face = photon.map.faces[photon.slot];
     if (face == query.face)
         return power;
-    const float cosine = glm::dot(surfaces.normals[face], surfaces.normals[query.face]);
+    const float cosine = glm::dot(surfaces.normal(face), surfaces.normal(query.face));
     return power * double{std::max(0.0f, cosine)};
 }
 
@@ -38,15 +85,10 @@ double disc_area(float radius)
 float look_around(const MapSurfaces& surfaces, const PhotonQuery& query, float radius,
                   EstimateScratch& scratch)
 {
-    const MapId map = surfaces.partition.map_of_face[query.face];
-    const float seen = outline_boundary(surfaces.boundaries,
-                                        {map, query.position, surfaces.normals[query.face], radius},
-                                        scratch.outline, scratch.segments);
+    const float seen = outline_all(surfaces, query, radius, scratch);
     if (!(seen > 0))
         return 0;
-    const glm::uvec3 c = surfaces.mesh.corners[query.face];
-    const std::vector<glm::vec3>& p = surfaces.mesh.positions;
-    scratch.disc.look({{p[c.x], p[c.y], p[c.z]}, query.position, seen}, scratch.segments);
+    scratch.disc.look({surfaces.mesh.triangle(query.face), query.position, seen}, scratch.segments);
     return seen;
 }
 

@@ -22,12 +22,12 @@ bool is_boundary(EdgeClass edge_class)
 /// The map whose boundary this edge (3 face + corner) adds to, or kNone.
 MapId map_bounded_by(const Partition& partition, std::uint32_t edge)
 {
-    const MapId map = partition.map_of_face[edge / 3];
+    const MapId map = partition.map_of(edge / 3);
     if (!is_boundary(partition.edge_class[edge]))
         return kNone;
     const std::uint32_t beyond = partition.opposite[edge];
     const bool listed_before = beyond != kNone && beyond < edge &&
-                               partition.map_of_face[beyond / 3] == map &&
+                               partition.map_of(beyond / 3) == map &&
                                is_boundary(partition.edge_class[beyond]);
     return listed_before ? kNone : map;
 }
@@ -86,24 +86,45 @@ double distance2_to_box(const glm::vec3& point, const glm::vec3& low, const glm:
 }
 
 MapBoundaries::MapBoundaries(const TriangleMesh& mesh, const Partition& partition)
-    : ranges_(partition.map_count + std::size_t{1})
 {
     assert(partition.face_count() == mesh.face_count());
-    std::vector<std::uint32_t> next(partition.map_count + std::size_t{1}, 0);
-    for_each_segment(mesh, partition, [&](MapId map, const BoundarySegment&) { ++next[map]; });
+    build(partition.map_count, partition.position_error,
+          [&](const auto& visit) { for_each_segment(mesh, partition, visit); });
+}
+
+MapBoundaries::MapBoundaries(std::span<const MapContact> contacts, float rounding)
+{
+    const auto for_each = [&](const auto& visit) {
+        MapId place = kNone;
+        for (std::size_t i = 0; i < contacts.size(); ++i) {
+            place += i == 0 || contacts[i].map != contacts[i - 1].map ? 1 : 0;
+            visit(place, BoundarySegment{contacts[i].a, contacts[i].b});
+        }
+    };
+    std::size_t count = 0;
+    for_each([&](MapId place, const BoundarySegment&) { count = place + std::size_t{1}; });
+    build(count, rounding, for_each);
+}
+
+template <typename ForEach>
+void MapBoundaries::build(std::size_t map_count, float rounding, const ForEach& for_each)
+{
+    ranges_.resize(map_count + 1);
+    std::vector<std::uint32_t> next(map_count + 1, 0);
+    for_each([&](MapId map, const BoundarySegment&) { ++next[map]; });
     std::uint32_t total = 0;
     for (std::uint32_t& first : next)
         total += std::exchange(first, total);
     segments_.resize(total);
-    for_each_segment(mesh, partition, [&](MapId map, const BoundarySegment& segment) {
+    for_each([&](MapId map, const BoundarySegment& segment) {
         segments_[next[map]++] = segment; // so that it ends where the next map begins
     });
 
     std::uint32_t kept = 0;
-    for (std::size_t map = 0; map < partition.map_count; ++map) {
+    for (std::size_t map = 0; map < map_count; ++map) {
         const std::uint32_t from = map == 0 ? 0 : next[map - 1];
-        const auto chains = join_straight_chains(
-            std::span(segments_).subspan(from, next[map] - from), partition.position_error);
+        const auto chains =
+            join_straight_chains(std::span(segments_).subspan(from, next[map] - from), rounding);
         const std::uint32_t begin = kept;
         for (const BoundarySegment& segment : chains)
             segments_[kept++] = segment;
@@ -113,6 +134,14 @@ MapBoundaries::MapBoundaries(const TriangleMesh& mesh, const Partition& partitio
     segments_.resize(kept);
     segments_.shrink_to_fit();
     nodes_.shrink_to_fit();
+}
+
+OwnBoundaries::OwnBoundaries(const Partition& partition)
+    : boundaries(partition.own_contacts, partition.position_error)
+{
+    for (const MapContact& contact : partition.own_contacts)
+        if (maps.empty() || maps.back() != contact.map)
+            maps.push_back(contact.map);
 }
 
 std::uint32_t MapBoundaries::build_tree(std::uint32_t begin, std::uint32_t end)

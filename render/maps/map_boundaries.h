@@ -6,6 +6,7 @@
 
 #include <glm/glm.hpp>
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -16,7 +17,8 @@ namespace hipmap {
 /// Returns the square distance to an axis-aligned box, square scene units; 0 within it.
 double distance2_to_box(const glm::vec3& point, const glm::vec3& low, const glm::vec3& high);
 
-/// The boundaries of the shared maps, by map: the edges across which no photon is gathered.
+/// The boundaries of the shared maps of stored faces, by map: the edges across which no photon is
+/// gathered.
 ///
 /// The boundary of a map is every unconnected, border and non-manifold edge of its faces.  An edge
 /// with the same map on both sides counts too, listed once if both faces know of each other: the
@@ -32,6 +34,10 @@ class MapBoundaries {
     /// Builds the boundaries.  partition: of this very mesh.  Copies what it needs of both. Cost:
     /// O(n log n) for n segments in one map, linear in the number of maps.
     MapBoundaries(const TriangleMesh& mesh, const Partition& partition);
+
+    /// Builds the boundaries of the maps of some contacts, by map; a map is known by its place
+    /// among those that have contacts.  rounding: the partition's position error.
+    MapBoundaries(std::span<const MapContact> contacts, float rounding);
 
     /// Returns the whole boundary of a map; empty for a closed surface.
     std::span<const BoundarySegment> of(MapId map) const;
@@ -61,6 +67,9 @@ class MapBoundaries {
         std::uint32_t node;    ///< root, if the map has a tree
     };
 
+    /// for_each(visit) calls visit(map, segment) for all segments, the same twice.
+    template <typename ForEach>
+    void build(std::size_t map_count, float rounding, const ForEach& for_each);
     std::uint32_t build_tree(std::uint32_t begin, std::uint32_t end);
     void append_near(std::uint32_t begin, std::uint32_t end, const glm::vec3& point, double radius2,
                      std::vector<BoundarySegment>& out) const;
@@ -68,6 +77,23 @@ class MapBoundaries {
     std::vector<BoundarySegment> segments_; ///< map by map
     std::vector<MapRange> ranges_;          ///< [map_count + 1]
     std::vector<Node> nodes_;
+};
+
+/// The boundaries that maps of copies have with what stands about them, and maps of shared faces
+/// where they are stored.  Read-only.
+struct OwnBoundaries {
+    std::vector<MapId> maps;  ///< ascending
+    MapBoundaries boundaries; ///< by place in `maps`
+
+    explicit OwnBoundaries(const Partition& partition);
+
+    /// Returns the place of a map; kNone: it has none.
+    MapId place(MapId map) const
+    {
+        const auto found = std::ranges::lower_bound(maps, map);
+        return found == maps.end() || *found != map ? kNone
+                                                    : static_cast<MapId>(found - maps.begin());
+    }
 };
 
 } // namespace hipmap

@@ -4,6 +4,7 @@
 #include "render/maps/packed_direction.h"
 #include "render/maps/photon_powers.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -42,6 +43,8 @@ struct PhotonMaps {
     std::vector<PhotonMap> maps;
     std::vector<std::uint32_t> map_of; ///< by map_index: the place in `maps`; kNone: no photon.
                                        ///< Empty without photons
+    std::vector<std::uint64_t> held;   ///< ascending; the map_index of each of `maps` instead of
+                                       ///< map_of, where few of very many maps hold photons
 
     /// Returns the index into map_of.
     static std::size_t map_index(MapId map, std::uint8_t side)
@@ -51,7 +54,12 @@ struct PhotonMaps {
     /// Returns the index into `maps`; kNone if there is no photon.
     std::uint32_t place(MapId map, std::uint8_t side) const
     {
-        return map_of.empty() ? kNone : map_of[map_index(map, side)];
+        if (!map_of.empty()) [[likely]]
+            return map_of[map_index(map, side)];
+        const auto found = std::ranges::lower_bound(held, map_index(map, side));
+        return found == held.end() || *found != map_index(map, side)
+                   ? kNone
+                   : static_cast<std::uint32_t>(found - held.begin());
     }
     /// Returns the map; null if there is no photon.
     const PhotonMap* map_at(MapId map, std::uint8_t side) const

@@ -46,6 +46,7 @@ RadiusField build_radius_field(const PhotonMaps& photons, const MapSurfaces& sur
     out.sparse = sparse;
     out.index.options = photons.options;
     out.index.map_of = photons.map_of;
+    out.index.held = photons.held;
     for (const PhotonMap& map : photons.maps)
         out.maps.push_back(build_radius_map(
             map, photons.options.neighbours, surfaces.area_at(map.faces[0]), [&map] {
@@ -58,7 +59,7 @@ RadiusField build_radius_field(const PhotonMaps& photons, const MapSurfaces& sur
 
 float radius_at(const RadiusField& field, const MapSurfaces& surfaces, const PhotonQuery& query)
 {
-    const MapId id = surfaces.partition.map_of_face[query.face];
+    const MapId id = surfaces.partition.map_of(query.face);
     if (id == kNone)
         return std::numeric_limits<float>::infinity();
     const std::uint32_t place = field.index.place(id, query.side);
@@ -66,7 +67,7 @@ float radius_at(const RadiusField& field, const MapSurfaces& surfaces, const Pho
         (place == kNone || field.maps[place].sparse))
         return std::numeric_limits<float>::infinity();
     if (place == kNone) // as if there were one photon
-        return filter_radius(surfaces.map_area[id], field.index.options.neighbours, 1);
+        return filter_radius(surfaces.area_at(query.face), field.index.options.neighbours, 1);
     const RadiusField::Map& map = field.maps[place];
     if (tree_search::is_nowhere(query.position))
         return map.even_radius;

@@ -1,6 +1,7 @@
 #include "render/media/media_set.h"
 
 #include "common/math/bounds.h"
+#include "common/scene/store_copies.h"
 #include "render/media/material_insides.h"
 
 #include <algorithm>
@@ -13,20 +14,17 @@ constexpr int kMostFaces = 4096; ///< on the way out of a scene
 
 bool bounds_an_inside(const MediaSet& media, FaceId face)
 {
-    return media.partition.closed[face] != 0 &&
-           media.has_inside[media.mesh.material_of_face[face]] != 0;
+    return media.partition.is_closed(face) && media.has_inside[media.mesh.material_of(face)] != 0;
 }
 
 void find_spaces(MediaSet& media)
 {
-    Bounds<glm::vec3> all, with_inside;
+    const Bounds<glm::vec3> all = bounds_of(media.mesh);
+    Bounds<glm::vec3> with_inside; // no copies have one
     for (FaceId face = 0; face < media.mesh.face_count(); ++face)
-        for (int c = 0; c < 3; ++c) {
-            const glm::vec3& corner = media.mesh.positions[media.mesh.corners[face][c]];
-            all.add(corner);
-            if (bounds_an_inside(media, face))
+        if (bounds_an_inside(media, face))
+            for (const glm::vec3& corner : media.mesh.triangle(face))
                 with_inside.add(corner);
-        }
     if (!all.empty()) {
         media.centre = all.centre();
         media.radius = 0.5f * glm::length(all.extent());
@@ -54,8 +52,8 @@ std::optional<MediaSet> collect_media(const Scene& scene, const Partition& parti
 {
     std::vector<std::uint8_t> closed(scene.materials.size(), 0), worn = closed;
     for (FaceId face = 0; face < scene.mesh.face_count(); ++face) {
-        worn[scene.mesh.material_of_face[face]] = 1;
-        closed[scene.mesh.material_of_face[face]] |= partition.closed[face];
+        worn[scene.mesh.material_of(face)] = 1;
+        closed[scene.mesh.material_of(face)] |= partition.is_closed(face);
     }
     MediaSet out{.mesh = scene.mesh, .partition = partition, .rays = rays, .around = scene.around};
     out.nested = scene.nested_dielectrics;
@@ -87,7 +85,7 @@ void cross(const MediaSet& media, FaceId face, bool front, MediumStack& inside)
 {
     if (!bounds_an_inside(media, face))
         return;
-    const MaterialId material = media.mesh.material_of_face[face];
+    const MaterialId material = media.mesh.material_of(face);
     if (front)
         inside.enter(material, media.priority);
     else
@@ -104,10 +102,10 @@ MaterialId dielectric_at(const MediaSet& media, const MediumStack& inside)
 
 bool is_surface(const MediaSet& media, FaceId face, bool front, const MediumStack& inside)
 {
-    const MaterialId material = media.mesh.material_of_face[face];
+    const MaterialId material = media.mesh.material_of(face);
     if (!has_surface(media, face))
         return false;
-    if (!media.nested || media.bends[material] == 0 || media.partition.closed[face] == 0)
+    if (!media.nested || media.bends[material] == 0 || !media.partition.is_closed(face))
         return true;
     MediumStack behind = inside;
     cross(media, face, front, behind);
@@ -135,7 +133,7 @@ MediumStack medium_stack_at(const MediaSet& media, const glm::vec3& point)
         const std::size_t before = passed.count;
         cross(media, hit->face, front, passed);
         if (!front && passed.count == before && bounds_an_inside(media, hit->face))
-            left.push_back(media.mesh.material_of_face[hit->face]);
+            left.push_back(media.mesh.material_of(hit->face));
         ray.origin = offset_origin(at, ray.direction);
     }
     MediumStack out;

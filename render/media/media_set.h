@@ -53,7 +53,7 @@ std::optional<MediaSet> collect_media(const Scene& scene, const Partition& parti
 
 inline bool has_surface(const MediaSet& media, FaceId face)
 {
-    return media.has_surface[media.mesh.material_of_face[face]] != 0;
+    return media.has_surface[media.mesh.material_of(face)] != 0;
 }
 
 /// Updates `inside` for a ray that crosses a face.  front: from its front to its back.

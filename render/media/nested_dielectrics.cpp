@@ -26,8 +26,8 @@ Boundaries collect(const Scene& scene, const Partition& partition)
 {
     Boundaries out;
     for (FaceId face = 0; face < scene.mesh.face_count(); ++face) {
-        const Material& material = scene.materials[scene.mesh.material_of_face[face]];
-        if (partition.closed[face] == 0 || !is_dielectric(material) ||
+        const Material& material = scene.materials[scene.mesh.material_of(face)];
+        if (!partition.is_closed(face) || !is_dielectric(material) ||
             !(face_area(scene.mesh, face) > 0))
             continue;
         out.faces.push_back(face);
@@ -151,7 +151,7 @@ std::vector<std::uint8_t> nested_dielectrics(const Scene& scene, const Partition
         around[i] = around_front(boundaries.mesh, rays, asked[i]);
     });
     const auto material_of = [&](FaceId boundary) {
-        return scene.mesh.material_of_face[boundaries.faces[boundary]];
+        return scene.mesh.material_of(boundaries.faces[boundary]);
     };
     for (std::size_t i = 0; i < asked.size(); ++i)
         if (around[i] != kNone)

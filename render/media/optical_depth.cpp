@@ -1,6 +1,7 @@
 #include "render/media/optical_depth.h"
 
 #include "common/math/bounds.h"
+#include "common/scene/store_copies.h"
 
 #include <algorithm>
 #include <array>
@@ -121,13 +122,11 @@ PlacedDensity place(const DensityGrid* grid, const Bounds<glm::vec3>& box)
 std::vector<PlacedDensity> place_densities(const Scene& scene, const Partition& partition)
 {
     std::vector<Bounds<glm::vec3>> boxes(scene.materials.size() + 1);
+    boxes.back() = bounds_of(scene.mesh);
     for (FaceId face = 0; face < scene.mesh.face_count(); ++face)
-        for (int c = 0; c < 3; ++c) {
-            const glm::vec3& corner = scene.mesh.positions[scene.mesh.corners[face][c]];
-            boxes.back().add(corner);
-            if (partition.closed[face] != 0)
-                boxes[scene.mesh.material_of_face[face]].add(corner);
-        }
+        if (partition.is_closed(face)) // no copies have media
+            for (const glm::vec3& corner : scene.mesh.triangle(face))
+                boxes[scene.mesh.material_of(face)].add(corner);
     std::vector<PlacedDensity> out;
     for (std::size_t m = 0; m < scene.materials.size(); ++m)
         out.push_back(place(scene.materials[m].density.get(), boxes[m]));

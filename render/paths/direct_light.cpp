@@ -234,7 +234,7 @@ Rgb bsdf_sampled_light(const RenderScene& scene, const Interaction& at, RandomSe
                                         : met_lights_in_media(scene, ray, inside, source));
     if (!hit)
         return on_way + throughput * met_environment(scene, ray.direction, source);
-    const Bsdf& bsdf = scene.bsdfs[scene.mesh().material_of_face[hit->face]];
+    const Bsdf& bsdf = scene.bsdfs[scene.mesh().material_of(hit->face)];
     if (is_black(bsdf.emission))
         return on_way;
     const SurfacePoint light = surface_point(scene.mesh(), hit->face, hit->barycentric);

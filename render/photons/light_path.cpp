@@ -192,8 +192,8 @@ void pass_face(const RenderScene& scene, const Interaction& at, const Wanted& wa
                LightPath& path, TracedPhotons& out)
 {
     const FaceId face = at.point.face;
-    const Bsdf& worn = scene.bsdfs[scene.mesh().material_of_face[face]];
-    if ((at.bsdf().gathers || worn.gathers) && scene.partition.map_of_face[face] != kNone) {
+    const Bsdf& worn = scene.bsdfs[scene.mesh().material_of(face)];
+    if ((at.bsdf().gathers || worn.gathers) && scene.partition.map_of(face) != kNone) {
         LightPath passing = path;
         store(at, passing, scene.directional, wanted, out);
     }
@@ -218,12 +218,12 @@ void trace(const RenderScene& scene, const Wanted& wanted, RandomSequence& rando
             continue;
         }
         find_index(scene, at, path.nanometres, path.power, random);
-        if (at.bsdf().gathers && scene.partition.map_of_face[hit->face] != kNone)
+        if (at.bsdf().gathers && scene.partition.map_of(hit->face) != kNone)
             store(at, path, scene.directional, wanted, out);
         else if (at.bsdf().gathers)
             path.last = kNoPhoton;
         if (wanted.glossy && at.follows() && path.behind == LightPathClass::caustic &&
-            !is_black(path.radiance) && scene.partition.map_of_face[hit->face] != kNone)
+            !is_black(path.radiance) && scene.partition.map_of(hit->face) != kNone)
             store_glossy(at, path, out);
         if (!scatter(scene, at, path, random, out.power))
             return;

@@ -24,7 +24,7 @@ std::optional<glm::vec3> anisotropy_tangent(const Scene& scene, const SurfacePoi
                                             const glm::vec2& barycentric)
 {
     const TriangleMesh& mesh = scene.mesh;
-    const Material& material = scene.materials[mesh.material_of_face[point.face]];
+    const Material& material = scene.materials[mesh.material_of(point.face)];
     const std::optional<TextureAxes> axes =
         texture_axes(mesh, leading_slot(material), point, barycentric);
     if (!axes)

@@ -68,7 +68,7 @@ Interaction interact(const RenderScene& scene, const Ray& ray, const RayHit& hit
 {
     Interaction out;
     out.point = surface_point(scene.mesh(), hit.face, hit.barycentric);
-    const MaterialId material = scene.mesh().material_of_face[hit.face];
+    const MaterialId material = scene.mesh().material_of(hit.face);
     out.worn = &scene.bsdfs[material];
     out.back = -ray.direction;
     out.front = glm::dot(out.back, out.point.geometric_normal) >= 0;
@@ -83,8 +83,8 @@ Interaction interact(const RenderScene& scene, const Ray& ray, const RayHit& hit
     if (!scene.is_plain(material)) [[unlikely]]
         add_details(scene, hit, material, sign, out);
     out.ior = out.bsdf().ior;
-    out.solid = scene.partition.closed[hit.face] != 0;
-    const bool flipped = scene.partition.flipped[hit.face] != 0;
+    out.solid = scene.partition.is_closed(hit.face);
+    const bool flipped = scene.partition.is_flipped(hit.face);
     out.side = out.front == flipped ? 1 : 0;
     return out;
 }

@@ -10,7 +10,7 @@ glm::vec3 mapped_normal(const Scene& scene, const SurfacePoint& point, const glm
 {
     const TriangleMesh& mesh = scene.mesh;
     const glm::vec3& normal = point.shading_normal;
-    const Material& material = scene.materials[mesh.material_of_face[point.face]];
+    const Material& material = scene.materials[mesh.material_of(point.face)];
     const TextureSlot* slot = find_texture(material.textures, use);
     if (slot == nullptr || mesh.attributes.uv[slot->uv_set].empty())
         return normal;

@@ -18,7 +18,7 @@ bool is_see_through(const TextureImage& image)
 
 float covered_share(const Scene& scene, FaceId face, const glm::vec2& barycentric)
 {
-    const Material& material = scene.materials[scene.mesh.material_of_face[face]];
+    const Material& material = scene.materials[scene.mesh.material_of(face)];
     const float alpha = alpha_at(scene, face, barycentric);
     if (material.alpha_mode == AlphaMode::mask)
         return alpha >= material.alpha_cutoff ? 1.0f : 0.0f;
@@ -48,9 +48,8 @@ Opacity opacity_of(const Scene& scene)
     if (std::none_of(worn.begin(), worn.end(), [&](MaterialId m) { return partly[m] != 0; }))
         return {};
     return [&scene, partly = std::move(partly)](FaceId face, const glm::vec2& barycentric) {
-        return partly[scene.mesh.material_of_face[face]] == 0
-                   ? 1.0f
-                   : covered_share(scene, face, barycentric);
+        return partly[scene.mesh.material_of(face)] == 0 ? 1.0f
+                                                         : covered_share(scene, face, barycentric);
     };
 }
 

@@ -47,8 +47,9 @@ struct Triangle {
 
     Triangle(const TriangleMesh& mesh, FaceId face)
     {
-        for (int c = 0; c < 3; ++c)
-            corners[c] = glm::dvec3(mesh.positions[mesh.corners[face][c]]);
+        const auto in_scene = mesh.triangle(face);
+        for (std::size_t c = 0; c < 3; ++c)
+            corners[c] = glm::dvec3(in_scene[c]);
         const glm::dvec3 n = scaled_normal(mesh, face);
         if (glm::length(n) > 0)
             normal = glm::normalize(n);
@@ -118,7 +119,7 @@ using Place = std::tuple<ObjectId, float, float, float>;
 Place place_of(const TriangleMesh& mesh, FaceId face, int corner)
 {
     const glm::vec3 p = mesh.positions[mesh.corners[face][corner]] + 0.0f; // -0 is 0
-    return {mesh.object_of_face[face], p.x, p.y, p.z};
+    return {mesh.object_of(face), p.x, p.y, p.z};
 }
 
 /// Adds a direction that none of those before has.
@@ -161,11 +162,11 @@ std::size_t part_touching_faces(Scene& scene, const Partition& partition)
         ways.push_back(ways_of(scene, material));
     std::vector<FaceId> asked;
     const auto way_of = [&](FaceId face) {
-        const Ways& both = ways[mesh.material_of_face[face]];
-        return partition.closed[face] != 0 ? both.closed : both.open;
+        const Ways& both = ways[mesh.material_of(face)];
+        return partition.is_closed(face) ? both.closed : both.open;
     };
     for (FaceId face = 0; face < mesh.face_count(); ++face)
-        if (way_of(face) != Way::none && partition.map_of_face[face] != kNone)
+        if (way_of(face) != Way::none && partition.map_of(face) != kNone)
             asked.push_back(face);
     if (asked.empty())
         return 0;

@@ -25,7 +25,7 @@ SurfaceEmission surface_emission_of(const RenderScene& scene)
         return scene.opacity ? radiance * scene.opacity(face, barycentric) : radiance;
     };
     out.mean = [&scene](FaceId face) {
-        const MaterialId material = scene.mesh().material_of_face[face];
+        const MaterialId material = scene.mesh().material_of(face);
         return scene.varying[material] == 0 ? scene.bsdfs[material].emission
                                             : mean_emission(scene.scene, face);
     };
@@ -60,7 +60,7 @@ RenderScene::RenderScene(const Scene& from_scene, const Partition& from_partitio
 
 Rgb emission_at(const RenderScene& scene, FaceId face, const glm::vec2& barycentric)
 {
-    const MaterialId material = scene.mesh().material_of_face[face];
+    const MaterialId material = scene.mesh().material_of(face);
     const Rgb& factor = scene.bsdfs[material].emission;
     return scene.varying[material] == 0 || is_black(factor)
                ? factor

@@ -19,16 +19,16 @@ static_assert(std::size_t{1} << kHalvings <= kMostTargets);
 
 glm::vec3 centroid(const TriangleMesh& mesh, FaceId face)
 {
-    const glm::uvec3 c = mesh.corners[face];
-    return (mesh.positions[c.x] + mesh.positions[c.y] + mesh.positions[c.z]) / 3.0f;
+    const auto [a, b, c] = mesh.triangle(face);
+    return (a + b + c) / 3.0f;
 }
 
 Bounds<glm::vec3> box_of(const TriangleMesh& mesh, std::span<const FaceId> faces)
 {
     Bounds<glm::vec3> box;
     for (const FaceId face : faces)
-        for (int c = 0; c < 3; ++c)
-            box.add(mesh.positions[mesh.corners[face][c]]);
+        for (const glm::vec3& corner : mesh.triangle(face))
+            box.add(corner);
     return box;
 }
 
@@ -36,9 +36,8 @@ TargetSphere sphere_around(const TriangleMesh& mesh, std::span<const FaceId> fac
 {
     TargetSphere out{box_of(mesh, faces).centre()};
     for (const FaceId face : faces)
-        for (int c = 0; c < 3; ++c)
-            out.radius = std::max(out.radius,
-                                  glm::distance(out.centre, mesh.positions[mesh.corners[face][c]]));
+        for (const glm::vec3& corner : mesh.triangle(face))
+            out.radius = std::max(out.radius, glm::distance(out.centre, corner));
     out.radius *= kMargin;
     return out;
 }
@@ -76,12 +75,19 @@ std::vector<TargetSphere> cover(const TriangleMesh& mesh, std::span<FaceId> face
 std::vector<TargetSphere> find_specular_targets(const Scene& scene, const std::vector<Bsdf>& bsdfs)
 {
     const TriangleMesh& mesh = scene.mesh;
+    std::vector<std::uint8_t> specular;
+    for (std::size_t m = 0; m < scene.materials.size(); ++m)
+        specular.push_back(may_be_specular(scene.materials[m], bsdfs[m]));
     std::vector<FaceId> faces;
-    for (FaceId face = 0; face < mesh.face_count(); ++face) {
-        const MaterialId material = mesh.material_of_face[face];
-        if (may_be_specular(scene.materials[material], bsdfs[material]))
-            faces.push_back(face);
-    }
+    const auto add = [&](FaceId first, FaceId end) {
+        for (FaceId face = first; face < end; ++face)
+            if (specular[mesh.material_of(face)] != 0)
+                faces.push_back(face);
+    };
+    add(0, static_cast<FaceId>(mesh.face_count()));
+    for (std::uint32_t i = 0; i < mesh.copies.size() && !faces.empty(); ++i)
+        add(mesh.finder.first_face(i),
+            mesh.finder.first_face(i) + mesh.shared[mesh.copies[i].shared].count);
     std::vector<TargetSphere> out;
     if (!faces.empty())
         out = cover(mesh, faces, kHalvings);

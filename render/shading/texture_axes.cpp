@@ -15,8 +15,10 @@ std::optional<TextureAxes> authored_axes(const TriangleMesh& mesh, const Surface
     const std::vector<glm::vec4>& tangents = mesh.attributes.tangents;
     if (tangents.empty())
         return std::nullopt;
-    const glm::vec4 tangent = interpolate(tangents, mesh.corners[point.face], barycentric);
-    const glm::vec3 right(tangent);
+    const glm::vec4 tangent = interpolate(tangents, mesh.vertices_of(point.face), barycentric);
+    glm::vec3 right(tangent);
+    if (mesh.is_copied(point.face)) [[unlikely]]
+        right = glm::vec3(mesh.copy_of(point.face).place.direction(glm::dvec3(right)));
     if (!(glm::dot(right, right) > 0))
         return std::nullopt;
     const glm::vec3 up = glm::cross(point.shading_normal, right);
@@ -30,11 +32,12 @@ std::optional<TextureAxes> axes_on_face(const TriangleMesh& mesh, const TextureS
     const std::vector<glm::vec2>& uv = mesh.attributes.uv[slot.uv_set];
     if (uv.empty())
         return std::nullopt;
-    const glm::uvec3 c = mesh.corners[face];
+    const glm::uvec3 c = mesh.vertices_of(face);
+    const auto corners = mesh.triangle(face);
     const glm::mat2 turn(slot.uv_transform);
     const glm::vec2 s = turn * (uv[c.y] - uv[c.x]), t = turn * (uv[c.z] - uv[c.x]);
-    const glm::vec3 a = mesh.positions[c.y] - mesh.positions[c.x];
-    const glm::vec3 b = mesh.positions[c.z] - mesh.positions[c.x];
+    const glm::vec3 a = corners[1] - corners[0];
+    const glm::vec3 b = corners[2] - corners[0];
     const float area = s.x * t.y - s.y * t.x;
     if (!(area != 0) || !std::isfinite(area))
         return std::nullopt;

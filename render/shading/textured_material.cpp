@@ -14,7 +14,7 @@ namespace {
 glm::vec4 read_texture(const Scene& scene, FaceId face, const glm::vec2& barycentric,
                        TextureUse use)
 {
-    const Material& material = scene.materials[scene.mesh.material_of_face[face]];
+    const Material& material = scene.materials[scene.mesh.material_of(face)];
     const TextureSlot* slot = find_texture(material.textures, use);
     if (slot == nullptr || scene.mesh.attributes.uv[slot->uv_set].empty())
         return glm::vec4(1);
@@ -23,19 +23,19 @@ glm::vec4 read_texture(const Scene& scene, FaceId face, const glm::vec2& barycen
 
 glm::vec4 vertex_colour(const Scene& scene, FaceId face, const glm::vec2& barycentric)
 {
-    return interpolate(scene.mesh.attributes.colours, scene.mesh.corners[face], barycentric);
+    return interpolate(scene.mesh.attributes.colours, scene.mesh.vertices_of(face), barycentric);
 }
 
 /// Returns the number of pixels of its texture that a face covers, clamped to 16 to 4096.
 std::size_t points_on(const Scene& scene, FaceId face, TextureUse use)
 {
     constexpr double kFewest = 16, kMost = 4096;
-    const Material& material = scene.materials[scene.mesh.material_of_face[face]];
+    const Material& material = scene.materials[scene.mesh.material_of(face)];
     const TextureSlot* slot = find_texture(material.textures, use);
     if (slot == nullptr || scene.mesh.attributes.uv[slot->uv_set].empty())
         return static_cast<std::size_t>(kFewest);
     const std::vector<glm::vec2>& uv = scene.mesh.attributes.uv[slot->uv_set];
-    const glm::uvec3 c = scene.mesh.corners[face];
+    const glm::uvec3 c = scene.mesh.vertices_of(face);
     const glm::mat2 turn(slot->uv_transform);
     const glm::dvec2 a(turn * (uv[c.y] - uv[c.x])), b(turn * (uv[c.z] - uv[c.x]));
     const TextureImage& image = scene.images[slot->image];
@@ -48,8 +48,8 @@ std::size_t points_on(const Scene& scene, FaceId face, TextureUse use)
 glm::vec4 read_slot(const Scene& scene, const TextureSlot& slot, FaceId face,
                     const glm::vec2& barycentric)
 {
-    const glm::vec2 uv =
-        interpolate(scene.mesh.attributes.uv[slot.uv_set], scene.mesh.corners[face], barycentric);
+    const glm::vec2 uv = interpolate(scene.mesh.attributes.uv[slot.uv_set],
+                                     scene.mesh.vertices_of(face), barycentric);
     return sample_texture(scene.images[slot.image], slot.sampler,
                           slot.uv_transform * glm::vec3(uv, 1));
 }
@@ -117,15 +117,15 @@ std::vector<std::uint8_t> varying_materials(const Scene& scene)
     const std::vector<glm::vec4>& colours = scene.mesh.attributes.colours;
     for (FaceId face = 0; face < scene.mesh.face_count() && !colours.empty(); ++face)
         for (int c = 0; c < 3; ++c)
-            if (Rgb(colours[scene.mesh.corners[face][c]]) != Rgb(1))
-                out[scene.mesh.material_of_face[face]] = 1;
+            if (Rgb(colours[scene.mesh.vertices_of(face)[c]]) != Rgb(1))
+                out[scene.mesh.material_of(face)] = 1;
     return out;
 }
 
 MaterialPoint material_at(const Scene& scene, FaceId face, const glm::vec2& barycentric)
 {
     const auto read = [&](TextureUse use) { return read_texture(scene, face, barycentric, use); };
-    const Material& material = scene.materials[scene.mesh.material_of_face[face]];
+    const Material& material = scene.materials[scene.mesh.material_of(face)];
     MaterialPoint out = material_factors(material);
     const glm::vec4 metallic_roughness = read(TextureUse::metallic_roughness);
     out.base_color *= Rgb(read(TextureUse::base_color));
@@ -165,7 +165,7 @@ Rgb mean_emission(const Scene& scene, FaceId face)
 
 float alpha_at(const Scene& scene, FaceId face, const glm::vec2& barycentric)
 {
-    float alpha = scene.materials[scene.mesh.material_of_face[face]].alpha *
+    float alpha = scene.materials[scene.mesh.material_of(face)].alpha *
                   read_texture(scene, face, barycentric, TextureUse::base_color).w;
     if (!scene.mesh.attributes.colours.empty())
         alpha *= vertex_colour(scene, face, barycentric).w;
