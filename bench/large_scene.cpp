@@ -1,7 +1,9 @@
 // Writes large scenes as .glb files, to measure what preprocess and render cost by size.
 //
 //     large_scene terrain|objects|soup TRIANGLES OUT.glb
-//     large_scene forest TREES OUT.glb [TRIANGLES OF A TREE]
+//     large_scene forest|wood TREES OUT.glb [TRIANGLES OF A TREE]
+//
+// The trees of a forest stand free; those of a wood are rooted in hills, which their trunks cut.
 
 #include "common/command_line/command_line.h"
 #include "common/file/output_file.h"
@@ -14,6 +16,7 @@
 
 #include <cmath>
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -152,16 +155,24 @@ std::string triple(const glm::vec3& v)
     return "[" + number(v.x) + "," + number(v.y) + "," + number(v.z) + "]";
 }
 
+/// The height of the ground of a wood.
+float hill(float x, float z)
+{
+    return 0.5f * std::sin(0.31f * x) * std::sin(0.23f * z);
+}
+
 /// The nodes of trees on a square of as many square metres, each its own size and turn.
-std::string tree_nodes(std::uint32_t trees)
+std::string tree_nodes(std::uint32_t trees, bool rooted)
 {
     Random random(3);
     const auto side = static_cast<std::uint32_t>(std::ceil(std::sqrt(trees)));
     std::string nodes;
     for (std::uint32_t i = 0; i < trees; ++i) {
         const glm::vec3 jitter = random.point();
-        const glm::vec3 place(static_cast<float>(i % side) + 0.3f * jitter.x, 0.0f,
-                              static_cast<float>(i / side) + 0.3f * jitter.z);
+        glm::vec3 place(static_cast<float>(i % side) + 0.3f * jitter.x, 0.0f,
+                        static_cast<float>(i / side) + 0.3f * jitter.z);
+        if (rooted)
+            place.y = hill(place.x, place.z) - 0.1f;
         const float half_turn = glm::pi<float>() * random.next();
         const float size = 0.8f + 0.4f * jitter.y;
         nodes += (i > 0 ? ",{\"mesh\":0,\"translation\":" : "{\"mesh\":0,\"translation\":") +
@@ -171,39 +182,70 @@ std::string tree_nodes(std::uint32_t trees)
     return nodes;
 }
 
-std::string header_json(const Mesh& mesh, const std::string& nodes, std::size_t node_count)
+/// What a file says of one mesh, of which the data begins at `offset`.
+struct MeshJson {
+    std::string mesh, accessors, views;
+};
+
+MeshJson mesh_json(const Mesh& mesh, std::size_t index, std::size_t offset)
 {
     glm::vec3 low(1e30f), high(-1e30f);
     for (const glm::vec3& p : mesh.positions) {
         low = glm::min(low, p);
         high = glm::max(high, p);
     }
+    const std::size_t positions = mesh.positions.size() * sizeof(glm::vec3);
+    const std::size_t indices = mesh.corners.size() * sizeof(glm::uvec3);
+    const std::string at = std::to_string(2 * index), next = std::to_string(2 * index + 1);
+    return {R"({"primitives":[{"attributes":{"POSITION":)" + at + R"(},"indices":)" + next +
+                R"(,"material":0}]})",
+            R"({"bufferView":)" + at + R"(,"componentType":5126,"type":"VEC3","count":)" +
+                std::to_string(mesh.positions.size()) + R"(,"min":)" + triple(low) + R"(,"max":)" +
+                triple(high) + R"(},{"bufferView":)" + next +
+                R"(,"componentType":5125,"type":"SCALAR","count":)" +
+                std::to_string(3 * mesh.corners.size()) + "}",
+            R"({"buffer":0,"byteOffset":)" + std::to_string(offset) + R"(,"byteLength":)" +
+                std::to_string(positions) + R"(},{"buffer":0,"byteOffset":)" +
+                std::to_string(offset + positions) + R"(,"byteLength":)" + std::to_string(indices) +
+                "}"};
+}
+
+std::size_t bytes_of(const Mesh& mesh)
+{
+    return mesh.positions.size() * sizeof(glm::vec3) + mesh.corners.size() * sizeof(glm::uvec3);
+}
+
+std::string header_json(std::span<const Mesh> meshes, const std::string& nodes,
+                        std::size_t node_count)
+{
     std::string roots;
     for (std::size_t i = 0; i < node_count; ++i)
         roots += (i > 0 ? "," : "") + std::to_string(i);
-    const std::size_t positions = mesh.positions.size() * sizeof(glm::vec3);
-    const std::size_t indices = mesh.corners.size() * sizeof(glm::uvec3);
+    MeshJson all;
+    std::size_t offset = 0;
+    for (std::size_t i = 0; i < meshes.size(); ++i) {
+        const MeshJson one = mesh_json(meshes[i], i, offset);
+        const char* const comma = i > 0 ? "," : "";
+        all.mesh += comma + one.mesh;
+        all.accessors += comma + one.accessors;
+        all.views += comma + one.views;
+        offset += bytes_of(meshes[i]);
+    }
     return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[)" + roots +
            R"(]}],"nodes":[)" + nodes +
            R"(],"materials":[{"pbrMetallicRoughness":{"metallicFactor":0,)"
-           R"("baseColorFactor":[0.6,0.6,0.6,1]},"doubleSided":true}],)"
-           R"("meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1,"material":0}]}],)"
-           R"("accessors":[{"bufferView":0,"componentType":5126,"type":"VEC3","count":)" +
-           std::to_string(mesh.positions.size()) + R"(,"min":)" + triple(low) + R"(,"max":)" +
-           triple(high) + R"(},{"bufferView":1,"componentType":5125,"type":"SCALAR","count":)" +
-           std::to_string(3 * mesh.corners.size()) +
-           R"(}],"bufferViews":[{"buffer":0,"byteLength":)" + std::to_string(positions) +
-           R"(},{"buffer":0,"byteOffset":)" + std::to_string(positions) + R"(,"byteLength":)" +
-           std::to_string(indices) + R"(}],"buffers":[{"byteLength":)" +
-           std::to_string(positions + indices) + "}]}";
+           R"("baseColorFactor":[0.6,0.6,0.6,1]},"doubleSided":true}],"meshes":[)" +
+           all.mesh + R"(],"accessors":[)" + all.accessors + R"(],"bufferViews":[)" + all.views +
+           R"(],"buffers":[{"byteLength":)" + std::to_string(offset) + "}]}";
 }
 
-void write_glb(const std::filesystem::path& path, const Mesh& mesh, std::string json)
+void write_glb(const std::filesystem::path& path, std::span<const Mesh> meshes, std::string json)
 {
     json.resize((json.size() + 3) / 4 * 4, ' ');
-    const auto positions = std::as_bytes(std::span(mesh.positions));
-    const auto corners = std::as_bytes(std::span(mesh.corners));
-    const std::size_t total = 28 + json.size() + positions.size() + corners.size();
+    std::size_t data = 0;
+    for (const Mesh& mesh : meshes)
+        data += bytes_of(mesh);
+    const std::size_t total = 28 + json.size() + data;
     if (total > 0xffffffffu)
         throw InputError(path.string() +
                          ": a .glb file holds at most 4 GiB; write fewer triangles");
@@ -216,25 +258,43 @@ void write_glb(const std::filesystem::path& path, const Mesh& mesh, std::string 
     };
     words({0x46546c67, 2, total, json.size(), 0x4e4f534a});
     file.write(std::as_bytes(std::span(json)));
-    words({positions.size() + corners.size(), 0x004e4942});
-    file.write(positions);
-    file.write(corners);
+    words({data, 0x004e4942});
+    for (const Mesh& mesh : meshes) {
+        file.write(std::as_bytes(std::span(mesh.positions)));
+        file.write(std::as_bytes(std::span(mesh.corners)));
+    }
     file.commit();
+}
+
+/// Trees on level ground, or, if they are rooted, on hills that their trunks go into.
+void write_trees(const std::filesystem::path& path, std::uint32_t trees, double tree_triangles,
+                 bool rooted)
+{
+    std::vector<Mesh> meshes{tree(tree_triangles)};
+    std::string nodes = tree_nodes(trees, rooted);
+    if (rooted) {
+        const float side = std::ceil(std::sqrt(static_cast<float>(trees)));
+        const auto squares = static_cast<std::uint32_t>(std::min(1000.0f, side));
+        append_grid(meshes.emplace_back(), squares, squares, [side](float u, float v) {
+            const float x = (side + 2) * u - 1, z = (side + 2) * v - 1;
+            return glm::vec3(x, hill(x, z), z);
+        });
+        nodes += R"(,{"mesh":1})";
+    }
+    write_glb(path, meshes, header_json(meshes, nodes, trees + (rooted ? 1u : 0u)));
 }
 
 int large_scene(const std::string& kind, double count, const std::filesystem::path& path,
                 double tree_triangles)
 {
-    if (kind == "forest") {
-        const Mesh mesh = tree(tree_triangles);
-        const auto trees = static_cast<std::uint32_t>(count);
-        write_glb(path, mesh, header_json(mesh, tree_nodes(trees), trees));
+    if (kind == "forest" || kind == "wood") {
+        write_trees(path, static_cast<std::uint32_t>(count), tree_triangles, kind == "wood");
         return kExitDone;
     }
-    const Mesh mesh = kind == "terrain"   ? terrain(count)
-                      : kind == "objects" ? objects(count)
-                                          : soup(count);
-    write_glb(path, mesh, header_json(mesh, R"({"mesh":0})", 1));
+    const std::vector<Mesh> meshes{kind == "terrain"   ? terrain(count)
+                                   : kind == "objects" ? objects(count)
+                                                       : soup(count)};
+    write_glb(path, meshes, header_json(meshes, R"({"mesh":0})", 1));
     return kExitDone;
 }
 
@@ -251,8 +311,8 @@ int main(int argc, char** argv)
         CLI::App app("Writes a large scene.", "large_scene");
         app.add_option("KIND", kind, "What to write")
             ->required()
-            ->check(CLI::IsMember({"terrain", "objects", "soup", "forest"}));
-        app.add_option("COUNT", count, "Triangles, or trees of a forest")
+            ->check(CLI::IsMember({"terrain", "objects", "soup", "forest", "wood"}));
+        app.add_option("COUNT", count, "Triangles, or trees of a forest or wood")
             ->required()
             ->check(hipmap::finite_in(12, 2e8));
         app.add_option("OUT", path, "The .glb file")->required();

@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 """Measures preprocess and render on large scenes, and writes the tables of docs/large_scenes.md.
 
-    bench/large_scenes.py FOLDER_OF_TOOLS WORK_FOLDER [--millions M...] [--to docs/large_scenes.md]
+    bench/large_scenes.py FOLDER_OF_TOOLS WORK_FOLDER [--millions M...] [--only triangles|instances]
+                          [--to docs/large_scenes.md]
 
 Scenes come from the program large_scene.  A triangle needs 60 bytes of disk and 200 bytes of memory.  The text between
-<!-- table --> and <!-- end --> in the file is replaced.
+<!-- triangles --> or <!-- instances --> and <!-- end --> in the file is replaced.
 """
 
 import argparse
@@ -142,21 +143,49 @@ def table_of_bytes(bench):
     return lines
 
 
+def table_of_instances(bench):
+    """Trees that are instances of one mesh, which stand free or are rooted in hills."""
+    lines = header("trees of 10,000 triangles", "triangles", "maps", "preprocess: s", "GB at the peak",
+                   "MB of the partition file", "render: s", "GB at the peak")
+    for kind in ("forest", "wood"):
+        for count in (100, 1000, 10_000, 100_000):
+            scene = bench.write_scene(kind, count)
+            made, shown = bench.preprocess(scene), bench.render(scene)
+            lines.append(row(f"{count:,}" + (", rooted" if kind == "wood" else ""),
+                             f"{made.facts['faces'] / 1e6:.0f} M", f"{made.facts['shared_maps'] / 1e6:.2f} M",
+                             f"{made.seconds:.1f}", f"{made.peak / 1e9:.2f}",
+                             f"{os.path.getsize(bench.path('scene.hpm')) / 1e6:.1f}", f"{shown.seconds:.1f}",
+                             f"{shown.peak / 1e9:.2f}"))
+            print(lines[-1], flush=True)
+            os.remove(scene)
+    return lines
+
+
+def table_of_triangles(bench, millions):
+    return [*table_of_kinds(bench), "", *table_of_threads(bench), "", *table_of_bytes(bench), "",
+            *table_of_sizes(bench, millions)]
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("tools")
     parser.add_argument("folder")
     parser.add_argument("--millions", type=float, nargs="+", default=[1, 10, 30, 90])
+    parser.add_argument("--only", choices=("triangles", "instances"))
     parser.add_argument("--to")
     arguments = parser.parse_args()
     bench = Bench(arguments.tools, arguments.folder)
-    text = "\n".join([*table_of_kinds(bench), "", *table_of_threads(bench), "", *table_of_bytes(bench), "",
-                      *table_of_sizes(bench, arguments.millions)])
-    if arguments.to:
+    tables = {"triangles": lambda: table_of_triangles(bench, arguments.millions),
+              "instances": lambda: table_of_instances(bench)}
+    for name in [arguments.only] if arguments.only else tables:
+        text = "\n".join(tables[name]())
+        if not arguments.to:
+            continue
         with open(arguments.to, encoding="utf-8") as file:
             page = file.read()
         with open(arguments.to, "w", encoding="utf-8") as file:
-            file.write(re.sub(r"(<!-- table -->\n).*(\n<!-- end -->)", lambda m: m[1] + text + m[2], page, flags=re.S))
+            file.write(re.sub(rf"(<!-- {name} -->\n).*?(\n<!-- end -->)", lambda m, new=text: m[1] + new + m[2], page,
+                              flags=re.S))
 
 
 if __name__ == "__main__":

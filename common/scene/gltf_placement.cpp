@@ -4,6 +4,7 @@
 #include "common/scene/gltf_material.h"
 #include "common/scene/gltf_mesh.h"
 #include "common/scene/gltf_pose.h"
+#include "common/scene/gltf_sharing.h"
 #include "common/scene/gltf_skin.h"
 #include "common/scene/placement.h"
 #include "common/scene/scene_names.h"
@@ -11,6 +12,7 @@
 #include <unistd.h>
 
 #include <optional>
+#include <utility>
 
 namespace hipmap {
 
@@ -73,20 +75,25 @@ void append(const GltfPrimitive& primitive, MaterialId material, const Placement
 /// Reads each mesh once and places it at every node that uses it.
 class MeshPlacer {
   public:
-    MeshPlacer(const tinygltf::Model& model, const WantedAttributes& wanted, RawScene& scene)
+    MeshPlacer(const tinygltf::Model& model, const WantedAttributes& wanted,
+               std::uint64_t least_copied, RawScene& scene)
         : model_(model), scene_(scene), skins_(read_gltf_skins(model, scene.path)),
-          reader_(model, wanted, scene), meshes_(model.meshes.size())
+          reader_(model, wanted, scene), meshes_(model.meshes.size()), sharing_(model, scene),
+          least_copied_(least_copied)
     {
     }
 
     void place(const std::vector<PlacedNode>& nodes)
     {
         to_world_ = transforms_by_node(nodes, model_.nodes.size());
+        if (least_copied_ != kNever)
+            allow_copies(nodes);
         reserve(nodes);
         for (const PlacedNode& at : nodes)
             if (at.visible && model_.nodes[at.node].mesh >= 0)
                 place_mesh(at);
         append_attributes({}, scene_.positions.size(), {}, scene_.attributes);
+        drop_unshared(scene_.shared, scene_.copies);
         if (!skinned_.empty())
             scene_.audit.found.push_back("armature (skin) of " + list_names(skinned_));
         if (!shaped_.empty())
@@ -122,10 +129,43 @@ class MeshPlacer {
                 without_material_.push_back(name);
         const std::vector<glm::dmat4> joints = joints_of(node, name);
         const MeshPose pose{morph_weights(model_, node), joints};
-        for (const glm::dmat4& to_world : place_instances(model_, at, scene_.path)) {
-            const Placement placement = placement_of(to_world);
-            for (const GltfPrimitive& primitive : mesh_of(node.mesh))
-                append_posed(primitive, pose, placement);
+        const bool shared = sharing_.is_allowed(node);
+        for (const glm::dmat4& to_world : place_instances(model_, at, scene_.path))
+            if (!shared || !sharing_.add_copy(node.mesh, to_world, scene_))
+                place_instance(node, pose, to_world);
+    }
+
+    void place_instance(const tinygltf::Node& node, const MeshPose& pose,
+                        const glm::dmat4& to_world)
+    {
+        const auto face = static_cast<FaceId>(scene_.corners.size());
+        const auto vertex = static_cast<std::uint32_t>(scene_.positions.size());
+        const Placement placement = placement_of(to_world);
+        for (const GltfPrimitive& primitive : mesh_of(node.mesh))
+            append_posed(primitive, pose, placement);
+        if (sharing_.is_allowed(node))
+            sharing_.add_stored(node.mesh, to_world,
+                                {face, static_cast<FaceId>(scene_.corners.size()) - face, vertex,
+                                 static_cast<std::uint32_t>(scene_.positions.size()) - vertex},
+                                scene_);
+    }
+
+    /// Allows copies of meshes whose instances would add enough faces.
+    void allow_copies(const std::vector<PlacedNode>& nodes)
+    {
+        std::vector<std::uint64_t> instances(meshes_.size(), 0);
+        for (const PlacedNode& at : nodes)
+            if (at.visible && sharing_.may_share(model_.nodes[at.node]))
+                instances[static_cast<std::size_t>(model_.nodes[at.node].mesh)] +=
+                    count_instances(model_, at.node, scene_.path);
+        for (std::size_t mesh = 0; mesh < instances.size(); ++mesh) {
+            if (instances[mesh] < 2)
+                continue;
+            std::uint64_t faces = 0;
+            for (const GltfPrimitive& primitive : mesh_of(static_cast<int>(mesh)))
+                faces += primitive.corners.size();
+            if (instances[mesh] < kNone && (instances[mesh] - 1) * faces >= least_copied_)
+                sharing_.allow(static_cast<int>(mesh));
         }
     }
 
@@ -172,38 +212,52 @@ class MeshPlacer {
         return default_material_;
     }
 
+    /// Faces, vertices and instances of a scene.
+    struct Amount {
+        std::uint64_t faces = 0, vertices = 0; ///< stored
+        std::uint64_t instances = 0;
+        std::uint64_t all_faces = 0; ///< with copies
+    };
+
     /// Makes room for all, once it is known to fit.
     void reserve(const std::vector<PlacedNode>& nodes)
     {
-        std::uint64_t faces = 0, vertices = 0;
+        Amount all;
+        std::vector<std::uint8_t> stored(meshes_.size(), 0);
         for (const PlacedNode& at : nodes) {
-            const int mesh = model_.nodes[at.node].mesh;
-            if (mesh < 0 || !at.visible)
+            const tinygltf::Node& node = model_.nodes[at.node];
+            if (node.mesh < 0 || !at.visible)
                 continue;
             const std::uint64_t instances = count_instances(model_, at.node, scene_.path);
-            check_amount(instances, faces, vertices);
-            for (const GltfPrimitive& primitive : mesh_of(mesh)) {
+            all.instances += instances;
+            check_amount(all);
+            // Of copies one is stored, as far as is known now.
+            const bool is_first =
+                std::exchange(stored[static_cast<std::size_t>(node.mesh)], 1) == 0;
+            const std::uint64_t times = sharing_.is_allowed(node) ? is_first : instances;
+            for (const GltfPrimitive& primitive : mesh_of(node.mesh)) {
                 // Factors below 2^32, so nothing wraps.
-                faces += instances * primitive.corners.size();
-                vertices += instances * primitive.positions.size();
-                check_amount(instances, faces, vertices);
+                all.faces += times * primitive.corners.size();
+                all.vertices += times * primitive.positions.size();
+                all.all_faces += instances * primitive.corners.size();
+                check_amount(all);
             }
         }
-        scene_.positions.reserve(vertices);
-        scene_.normals.reserve(vertices);
-        scene_.corners.reserve(faces);
-        scene_.material_of_face.reserve(faces);
-        scene_.object_of_face.reserve(faces);
+        scene_.positions.reserve(all.vertices);
+        scene_.normals.reserve(all.vertices);
+        scene_.corners.reserve(all.faces);
+        scene_.material_of_face.reserve(all.faces);
+        scene_.object_of_face.reserve(all.faces);
     }
 
-    void check_amount(std::uint64_t instances, std::uint64_t faces, std::uint64_t vertices) const
+    void check_amount(const Amount& all) const
     {
-        if (instances >= kNone || faces >= kNone || vertices >= kNone)
+        if (all.instances >= kNone || all.all_faces >= kNone || all.vertices >= kNone)
             throw scene_error(scene_.path, "",
                               "more than 2^32 - 2 faces or vertices; export fewer instances");
-        const double bytes = static_cast<double>(faces) * kBytesPerFace +
-                             static_cast<double>(vertices) * kBytesPerVertex +
-                             static_cast<double>(instances) * kBytesPerInstance;
+        const double bytes = static_cast<double>(all.faces) * kBytesPerFace +
+                             static_cast<double>(all.vertices) * kBytesPerVertex +
+                             static_cast<double>(all.instances) * kBytesPerInstance;
         if (bytes > physical_memory())
             throw scene_error(scene_.path, "",
                               "its faces and instances need " + short_number(bytes / 1e9) +
@@ -216,6 +270,8 @@ class MeshPlacer {
     std::vector<const glm::dmat4*> to_world_; ///< by node, borrowed while placing
     GltfMeshReader reader_;
     std::vector<std::optional<std::vector<GltfPrimitive>>> meshes_;
+    GltfSharing sharing_;
+    std::uint64_t least_copied_;                                   ///< faces
     std::vector<std::string> without_material_, skinned_, shaped_; ///< names of objects
     MaterialId default_material_ = kNone;
 };
@@ -223,9 +279,9 @@ class MeshPlacer {
 } // namespace
 
 void place_meshes(const tinygltf::Model& model, const std::vector<PlacedNode>& nodes,
-                  const WantedAttributes& wanted, RawScene& scene)
+                  const WantedAttributes& wanted, std::uint64_t least_copied, RawScene& scene)
 {
-    MeshPlacer(model, wanted, scene).place(nodes);
+    MeshPlacer(model, wanted, least_copied, scene).place(nodes);
 }
 
 } // namespace hipmap

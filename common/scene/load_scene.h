@@ -21,6 +21,9 @@ struct SceneOptions {
     std::string camera;               ///< name; empty: the first
     LookChoice look = LookChoice::automatic;
     std::optional<double> time; ///< of the animation, s; none: as the file places its nodes
+    /// Instances of a mesh become copies in TriangleMesh where they would otherwise add so many
+    /// faces: fewer take little memory.
+    std::uint64_t least_copied_faces = 100'000;
 };
 
 /// What loading found in a scene file, what it assumed, and what it lost, as sentences.
@@ -48,7 +51,8 @@ class SceneSource {
     /// Returns the scene at `time` of its animation, in seconds; none: as the file places it.  The
     /// scene is moved into its SceneFrame, which is the same at all times, and completed with a
     /// camera that frames everything and a uniform grey sky where it has no camera or no light.
-    /// The faces and their order are the same at all times.  Throws InputError: a number that is
+    /// The faces and their order are the same at all times, and instances of a file with an
+    /// animation are stored one by one.  Throws InputError: a number that is
     /// not finite, no face at all, an unknown camera or excluded name.  last: no other time will be
     /// asked for, which saves memory.  Not for several threads at once.
     LoadedScene at(std::optional<double> time, bool last = false);

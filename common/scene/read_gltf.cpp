@@ -109,6 +109,8 @@ GltfSource::GltfSource(const std::filesystem::path& path, const SceneOptions& op
     timeless_.light_units = options.light_units;
     read_gltf_materials(document_, model_, timeless_);
     animation_ = read_gltf_animation(document_, model_, timeless_.audit);
+    const bool has_copies = animation_.channels.empty() && options.exclude.empty();
+    least_copied_ = has_copies ? options.least_copied_faces : kNever;
 }
 
 RawScene GltfSource::at(std::optional<double> time, bool last)
@@ -122,7 +124,7 @@ RawScene GltfSource::at(std::optional<double> time, bool last)
     if (time)
         pose_nodes(animation_, *time, model_);
     const std::vector<PlacedNode> nodes = place_nodes(model_, scene.path);
-    place_meshes(model_, nodes, find_wanted_attributes(document_), scene);
+    place_meshes(model_, nodes, find_wanted_attributes(document_), least_copied_, scene);
     add_lights_and_cameras(document_, model_, nodes, scene);
     read_world_extras(document_, scene);
     note_scenes(model_, scene.audit);

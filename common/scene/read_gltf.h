@@ -33,7 +33,8 @@ class GltfSource {
     GltfAnimation animation_;
     std::optional<SceneSweep> sweep_;
     bool swept_ = false;
-    bool by_blender_ = false; ///< Blender's exporter wrote the file
+    std::uint64_t least_copied_ = 0; ///< faces
+    bool by_blender_ = false;        ///< Blender's exporter wrote the file
 };
 
 } // namespace hipmap
