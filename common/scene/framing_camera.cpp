@@ -49,19 +49,19 @@ const View& choose_view(const TriangleMesh& mesh)
     std::vector<FaceSum> of_shared;
     for (const SharedFaces& faces : mesh.shared)
         of_shared.push_back(sum_of(mesh, faces.first, faces.count));
-    auto [facing, area] = sum_of(mesh, 0, static_cast<FaceId>(mesh.face_count()));
+    FaceSum all = sum_of(mesh, 0, static_cast<FaceId>(mesh.face_count()));
     for (const FaceCopy& copy : mesh.copies) {
         const double scale2 = copy.place.scale * copy.place.scale;
         const FaceSum& sum = of_shared[copy.shared];
-        facing += scale2 * copy.place.direction(sum.facing);
-        area += scale2 * sum.area;
+        all.facing += scale2 * copy.place.direction(sum.facing);
+        all.area += scale2 * sum.area;
     }
-    facing.y = 0; // the view is from above in any case
-    if (!(glm::length(facing) > kOneSided * area))
+    all.facing.y = 0; // the view is from above in any case
+    if (!(glm::length(all.facing) > kOneSided * all.area))
         return kViews[0];
     return *std::max_element(
         std::begin(kViews), std::end(kViews), [&](const View& a, const View& b) {
-            return glm::dot(facing, a.towards_eye) < glm::dot(facing, b.towards_eye);
+            return glm::dot(all.facing, a.towards_eye) < glm::dot(all.facing, b.towards_eye);
         });
 }
 
