@@ -15,7 +15,7 @@ constexpr double kMib = 1 << 20;
 constexpr double kGib = 1 << 30;
 
 /// Bytes by measure, docs/memory.md.
-constexpr double kProgram = 48 * kMib;
+constexpr double kProgram = 54 * kMib;
 constexpr double kCopy = 3400;     ///< of shared faces, and its node in the file
 constexpr double kFace = 240;      ///< mesh, partition, ray tracing structure, borders of maps
 constexpr double kPassPixel = 250; ///< tiles and images of a pass, estimates of the error

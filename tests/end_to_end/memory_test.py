@@ -55,7 +55,7 @@ class Memory(ToolsTestCase):
     def test_a_limit_that_the_rest_exceeds_is_an_error_that_says_how_much_it_needs(self):
         output = "-o", self.path("x.png")
         self.refuse("render", *self.options(*output, "--memory", 0.01), naming="scene and image alone need 0.0")
-        self.refuse("render", *self.options(*output, "--memory", 0.049, "--photons", 100_000),
+        self.refuse("render", *self.options(*output, "--memory", 0.055, "--photons", 100_000),
                     naming="as few as 10,000 light paths need 0.0")
 
 
