@@ -85,7 +85,8 @@ std::vector<ErrorCost> error_costs(const RenderState& state, double target)
     std::vector<ErrorCost> costs;
     if (checks.empty() || !(checks.back().error.error > 0))
         return costs;
-    std::vector<double> errors = {0.2, 0.1, 0.05, 0.02, 0.01, 0.005, checks.back().error.error / 2};
+    std::vector<double> errors = {0.3,  0.2,  0.1,   0.05,
+                                  0.02, 0.01, 0.005, checks.back().error.error / 2};
     if (target > 0)
         errors.insert(errors.end(), {target, target / 2});
     std::sort(errors.begin(), errors.end(), std::greater<>());

@@ -48,8 +48,11 @@ void complete_arguments(RenderArguments& arguments)
                          "--quote or --explain");
     if (!may_end(arguments.stops))
         arguments.stops.passes = kDefaultPasses;
-    if (arguments.quote)
+    if (arguments.quote) {
         arguments.stops.passes = std::min(arguments.stops.passes, kBatches);
+        arguments.stops.quoted_error =
+            arguments.stops.error > 0 ? arguments.stops.error : kQuotedError;
+    }
     std::uint32_t& local_min = arguments.render.dissertation.local_min;
     if (local_min == kLocalMinOpen)
         local_min = kLocalMinPerNeighbour * arguments.render.maps.neighbours;

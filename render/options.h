@@ -20,6 +20,9 @@ namespace hipmap {
 /// The number of passes of a render that no other rule ends.
 inline constexpr std::uint64_t kDefaultPasses = 16;
 
+/// The error that --quote compares costs at where --error is not given.
+inline constexpr double kQuotedError = 0.01;
+
 /// Bounds of the light paths of a pass where --photons is not given.
 inline constexpr std::uint64_t kFewestDefaultPhotons = 200'000;
 inline constexpr std::uint64_t kMostDefaultPhotons = 2'000'000;

@@ -126,11 +126,12 @@ LoadedScene load_at(const RenderArguments& arguments, SceneSource& source,
     return loaded;
 }
 
-Scene load_moment(const PreparedFrame& frame, SceneSource& source, double time)
+Scene load_moment(const PreparedFrame& frame, const EffectPlan& effects, SceneSource& source,
+                  double time)
 {
     Scene now = load_at(frame.arguments, source, time).scene;
     part_touching_faces(now, frame.partition);
-    drop_effects(now, frame.effects);
+    drop_effects(now, effects);
     return now;
 }
 

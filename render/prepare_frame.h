@@ -29,9 +29,10 @@ struct PreparedFrame {
 LoadedScene load_at(const RenderArguments& arguments, SceneSource& source,
                     std::optional<double> time);
 
-/// Loads the scene at another moment of a frame, with the frame's partition and plan.  Throws as
-/// load_at.
-Scene load_moment(const PreparedFrame& frame, SceneSource& source, double time);
+/// Loads the scene at another moment of a frame, with the frame's partition and what `effects`
+/// leave of it.  Throws as load_at.
+Scene load_moment(const PreparedFrame& frame, const EffectPlan& effects, SceneSource& source,
+                  double time);
 
 /// Reads and plans the frame that `request` names, and the state to resume if its file exists.
 /// With --explain sky, settings and state stay empty.  Throws as load_at, read_partition,

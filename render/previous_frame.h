@@ -6,6 +6,7 @@
 #include "render/integrator/run_passes.h"
 #include "render/layers/layer.h"
 #include "render/lights/environment_map.h"
+#include "render/quoted_change.h"
 
 #include <optional>
 #include <set>
@@ -21,8 +22,9 @@ struct RenderedFrame {
     double seconds_rays = 0;        ///< building the ray tracing structure
     std::vector<LayerImage> layers; ///< of surfaces, those that were requested
     std::optional<Fireflies> fireflies;
-    std::string seen;          ///< of a black image: what the camera looks at
-    std::uint64_t resumed = 0; ///< passes that a state or the previous frame had
+    std::string seen;           ///< of a black image: what the camera looks at
+    std::optional<Quote> quote; ///< what other settings would cost; with --quote
+    std::uint64_t resumed = 0;  ///< passes that a state or the previous frame had
 };
 
 /// Where a frame stands among all frames of a run.

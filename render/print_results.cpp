@@ -101,6 +101,9 @@ void print_error(const RenderArguments& arguments, const RenderedFrame& frame, R
             line += ", " + grouped(static_cast<std::uint64_t>(cost.photons)) + " light paths";
         report.line(line);
     }
+    if (frame.quote)
+        for (const std::string& line : describe(*frame.quote))
+            report.line(line);
     report.line("memory at any of these errors: " + std::to_string(peak_memory() >> 20) + " MiB");
 }
 

@@ -4,11 +4,11 @@
 #include "common/stopwatch.h"
 #include "render/describe_error.h"
 #include "render/film/fireflies.h"
-#include "render/integrator/integrators.h"
-#include "render/integrator/moving_source.h"
+#include "render/frame_source.h"
 #include "render/layers/surface_layers.h"
 #include "render/live_images.h"
 #include "render/many/run_ranks.h"
+#include "render/quote.h"
 #include "render/seen_objects.h"
 
 namespace hipmap {
@@ -128,19 +128,6 @@ RunResult run_and_save(const RenderArguments& arguments, const PassSource& sourc
     return out;
 }
 
-/// Passes of the scene as it is, or of its moments while the shutter is open.
-PassSource make_source(const PreparedFrame& frame, const RenderScene& scene, SceneSource& source,
-                       RenderStatistics& statistics, PhotonCache* cache)
-{
-    const RenderOptions& options = frame.arguments.render;
-    if (!frame.effects.has(Effect::motion_blur))
-        return make_pass_source(scene, options, statistics, cache);
-    const auto at = [&, shutter = shutter_time(frame.arguments)](double share) {
-        return load_moment(frame, source, shutter.at(share));
-    };
-    return make_moving_source({scene, at}, options, statistics);
-}
-
 bool shows_nothing(const Image& image)
 {
     return std::ranges::all_of(image.pixels, [](const Rgb& pixel) { return is_black(pixel); });
@@ -181,7 +168,10 @@ RenderedFrame render_passes(PreparedFrame& frame, SceneSource& source, PreviousF
     const Stopwatch building;
     const RenderScene scene(frame.loaded.scene, frame.partition, std::move(frame.sky));
     out.seconds_rays = building.seconds();
-    const PassSource passes = make_source(frame, scene, source, out.statistics, cache);
+    const FramePasses own = {frame, source, frame.effects, frame.arguments.render};
+    const Stopwatch pilots;
+    const PassSource passes = make_frame_source(own, scene, out.statistics, cache);
+    const double seconds_pilots = pilots.seconds();
     out.state = begin_or_resume(frame, passes);
     out.resumed = count(out.state.film.passes);
     const FramePlace* const place = place_of(previous);
@@ -198,6 +188,8 @@ RenderedFrame render_passes(PreparedFrame& frame, SceneSource& source, PreviousF
                               out.state, control.ranks);
     surfaces();
     look_at_image(scene, frame.arguments.render, out);
+    if (frame.arguments.quote && control.ranks == nullptr)
+        out.quote = make_quote({own, scene, out, seconds_pilots}, control.stop);
     if (place != nullptr)
         report.end_quietly();
     else

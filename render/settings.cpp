@@ -309,7 +309,8 @@ std::vector<OptionRow> end_rows(RenderArguments& arguments)
          .section = kEndSection,
          .field = flag_field(arguments.quote),
          .help =
-             "Render a few passes and print what smaller errors would cost; --state keeps them"},
+             "Render two to eight passes and print what errors would cost, with other integrators "
+             "and without effects too; --state keeps the passes"},
         {.name = "state",
          .section = kEndSection,
          .field = file_field(arguments.files.state),

@@ -151,20 +151,30 @@ Json fireflies_json(const std::optional<Fireflies>& found)
             {"error_without", found->error_without}};
 }
 
+Json cost_json(const ErrorCost& cost)
+{
+    return {{"error", cost.error},
+            {"passes", cost.passes},
+            {"seconds", cost.seconds},
+            {"photons", cost.photons}};
+}
+
+const char* name_of_bias(BiasKnowledge bias)
+{
+    static constexpr const char* kNames[] = {"none", "unknown", "from radii"};
+    return kNames[static_cast<int>(bias)];
+}
+
 /// target: of the error; 0 for none.
 Json error_json(const RenderState& state, const std::optional<Fireflies>& fireflies, double target)
 {
-    static const char* const kBias[] = {"none", "unknown", "from radii"};
     Json checks = Json::array(), costs = Json::array();
     for (const ErrorCheck& check : state.checks)
         checks.push_back(check_json(check));
     for (const ErrorCost& cost : error_costs(state, target))
-        costs.push_back({{"error", cost.error},
-                         {"passes", cost.passes},
-                         {"seconds", cost.seconds},
-                         {"photons", cost.photons}});
+        costs.push_back(cost_json(cost));
     const ErrorLaw law = error_law(state.checks, state.radius_decay);
-    return {{"bias", kBias[static_cast<int>(state.film.bias)]},
+    return {{"bias", name_of_bias(state.film.bias)},
             {"checks", checks},
             {"fireflies", fireflies_json(fireflies)},
             {"law",
@@ -176,6 +186,25 @@ Json error_json(const RenderState& state, const std::optional<Fireflies>& firefl
               {"bias_power", law.bias_power}}},
             {"prices", costs},
             {"memory", peak_memory()}};
+}
+
+Json quote_json(const Quote& quote)
+{
+    Json integrators = Json::array(), effects = Json::array();
+    for (const QuotedIntegrator& other : quote.integrators) {
+        integrators.push_back({{"option", other.option}, {"bias", name_of_bias(other.bias)}});
+        integrators.back().update(cost_json(other.cost));
+    }
+    for (const QuotedEffect& effect : quote.effects)
+        effects.push_back({{"option", effect.option},
+                           {"seconds_saved", effect.seconds_saved},
+                           {"error2_added", effect.added.square},
+                           {"error2_spread", effect.added.spread}});
+    return {{"error", quote.error},
+            {"integrators", integrators},
+            {"effects", effects},
+            {"not_compared", quote.not_compared},
+            {"seconds", quote.seconds}};
 }
 
 Json audit_json(const SceneAudit& audit)
@@ -265,6 +294,8 @@ std::string statistics_json(const PreparedFrame& frame, const RenderedFrame& ren
     json["passes_done"] = count(state.film.passes);
     json["ended_by"] = ended_by(rendered.result.reason);
     json["error"] = error_json(state, rendered.fireflies, arguments.stops.error);
+    if (rendered.quote)
+        json["quote"] = quote_json(*rendered.quote);
     json["saturated"] = state.film.saturated;
     json["seconds"] = seconds_json(frame, rendered, written);
     json["processor_seconds"] = {{"photons", render.processor_photons},

@@ -98,6 +98,11 @@ std::string_view name_of(Effect effect)
     return kRows[static_cast<std::size_t>(effect)].name;
 }
 
+bool can_be_left_out(Effect effect)
+{
+    return kRows[static_cast<std::size_t>(effect)].can_be_left_out;
+}
+
 std::string text_of(const std::vector<EffectSwitch>& switches)
 {
     std::string out;

@@ -42,6 +42,9 @@ inline constexpr std::size_t kEffects = 23;
 /// Returns the name of an effect as the user writes it.
 std::string_view name_of(Effect effect);
 
+/// Returns whether --effects can leave an effect out.
+bool can_be_left_out(Effect effect);
+
 /// An effect to leave out, or to keep.
 struct EffectSwitch {
     Effect effect = Effect::indirect;

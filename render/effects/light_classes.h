@@ -7,6 +7,8 @@ namespace hipmap {
 struct LightClasses {
     bool caustic = true;  ///< that specular surfaces bring to it, and all that comes of it later
     bool indirect = true; ///< that such surfaces send to each other
+
+    bool operator==(const LightClasses&) const = default;
 };
 
 } // namespace hipmap

@@ -38,7 +38,7 @@ struct ErrorCost {
 std::uint64_t next_look(std::uint64_t passes);
 
 /// Returns the first number of passes above `passes` at which a render may end because of its
-/// error: from 8 on, since the first of many estimates to be low may be low by luck.
+/// error: from kFewestBatches on, since the first of many estimates to be low may be low by luck.
 std::uint64_t next_check(std::uint64_t passes);
 
 /// Fits the law to the parts of the error at the last check.  alpha: of docs/error.md (1).  No

@@ -37,6 +37,8 @@ class Run {
             return StopReason::passes;
         if (error_is_met(state_, rules_.error))
             return StopReason::error;
+        if (rules_.quoted_error > 0 && predicts_enough(state_, rules_.quoted_error))
+            return StopReason::passes;
         // No pass is begun that would not be over in time.
         if (!times_.whole.empty() && watch_.seconds() + times_.slowest() > rules_.seconds)
             return StopReason::time;
@@ -150,6 +152,16 @@ class Run {
 };
 
 } // namespace
+
+bool predicts_enough(const RenderState& state, double error)
+{
+    const std::uint64_t passes = count(state.film.passes);
+    if (state.checks.empty() || state.checks.back().passes != passes)
+        return false;
+    const ErrorLaw law = error_law(state.checks, state.radius_decay);
+    const double share = static_cast<double>(passes) / passes_for(law, error);
+    return passes >= kBatches || share > kQuotePassShare;
+}
 
 RenderState begin_state(const PassSource& source, std::vector<Setting> settings)
 {

@@ -14,7 +14,16 @@ struct StopRules {
     double seconds =
         std::numeric_limits<double>::infinity(); ///< of this run; a pass is done anyhow
     double error = 0;                            ///< 0.05: 5 %; looked at after next_check() passes
+    double quoted_error = 0; ///< stop once the time to this error is known well enough; 0: do not
 };
+
+/// The share of the predicted time to an error that passes may take which only make the prediction
+/// better.
+inline constexpr double kQuotePassShare = 0.02;
+
+/// Returns whether the passes of a state are enough to predict the time to `error`, for what more
+/// of them would cost: never fewer than two, nor more than kBatches.
+bool predicts_enough(const RenderState& state, double error);
 
 enum class StopReason : std::uint8_t { passes, time, error, caller };
 

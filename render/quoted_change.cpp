@@ -1,0 +1,61 @@
+#include "render/quoted_change.h"
+
+#include "common/report.h"
+#include "render/describe_error.h"
+
+#include <cmath>
+
+namespace hipmap {
+
+namespace {
+
+/// Standard deviations below which a difference is not seen.
+constexpr double kSeen = 2;
+
+std::string describe(const QuotedIntegrator& other, double error)
+{
+    std::string out = other.option + ": " + percent(error) + " error ";
+    if (other.bias == BiasKnowledge::unknown)
+        out += "of noise alone ";
+    return out + describe_need(other.cost);
+}
+
+std::string describe_saving(double seconds, double error)
+{
+    const std::string way = " on the way to " + percent(error) + " error";
+    if (!std::isfinite(seconds))
+        return "saves an unknown time" + way;
+    return (seconds < 0 ? "takes " : "saves ") + brief_time(std::abs(seconds)) +
+           (seconds < 0 ? " more" : "") + way;
+}
+
+std::string describe_added(const FilmDifference& added)
+{
+    const double least = kSeen * added.spread, square = std::max(added.square, 0.0);
+    if (square > least)
+        return "adds about " + percent(std::sqrt(square)) + " error";
+    if (!std::isfinite(least))
+        return "adds an unknown error";
+    return "adds less than " + percent(std::sqrt(square + least)) + " error";
+}
+
+} // namespace
+
+std::vector<std::string> describe(const Quote& quote)
+{
+    std::vector<std::string> out;
+    for (const QuotedIntegrator& other : quote.integrators)
+        out.push_back(describe(other, quote.error));
+    for (const QuotedEffect& effect : quote.effects)
+        out.push_back(effect.option + ": " + describe_saving(effect.seconds_saved, quote.error) +
+                      ", and " + describe_added(effect.added));
+    std::string left;
+    for (const std::string& option : quote.not_compared)
+        left += (left.empty() ? "" : ", ") + option;
+    if (!left.empty())
+        out.push_back("not compared, for lack of time: " + left +
+                      "; a smaller --error, which takes longer, leaves more of it");
+    return out;
+}
+
+} // namespace hipmap

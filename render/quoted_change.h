@@ -1,0 +1,37 @@
+#pragma once
+
+#include "render/film/error_cost.h"
+#include "render/film/film_difference.h"
+
+#include <string>
+#include <vector>
+
+namespace hipmap {
+
+/// Another integrator, and what the error of the quote would cost with it.
+struct QuotedIntegrator {
+    std::string option; ///< "--integrator path"
+    ErrorCost cost;
+    BiasKnowledge bias = BiasKnowledge::unknown; ///< unknown: the cost is that of noise alone
+};
+
+/// An effect that could be left out, and what that would do.
+struct QuotedEffect {
+    std::string option;       ///< "--effects=-caustics"
+    double seconds_saved = 0; ///< on the way to the error of the quote; below zero: it costs time
+    FilmDifference added;     ///< to the error, squared
+};
+
+/// What other settings would cost, measured by small images.
+struct Quote {
+    double error = 0; ///< at which times are compared
+    std::vector<QuotedIntegrator> integrators;
+    std::vector<QuotedEffect> effects;
+    std::vector<std::string> not_compared; ///< options for which there was no time
+    double seconds = 0;                    ///< that the comparison took
+};
+
+/// Describes a quote, a line for each option.
+std::vector<std::string> describe(const Quote& quote);
+
+} // namespace hipmap
