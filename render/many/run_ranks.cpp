@@ -32,12 +32,15 @@ std::vector<std::uint64_t> words_of(const Film& film)
     return out;
 }
 
+/// Adds the words of a film to those of another, whose ranges of passes may be in any order then:
+/// many processes have many ranges, and to put each in its place at once takes time by their
+/// square.
 void add_words(const std::vector<std::uint64_t>& words, Film& film)
 {
     film.saturated += words[0];
     const std::size_t lost = 2 + 2 * words[1];
     for (std::size_t i = 2; i < lost; i += 2)
-        film.passes = united(film.passes, {{{words[i], words[i + 1]}}});
+        film.passes.ranges.push_back({words[i], words[i + 1]});
     for (std::size_t i = lost; i < words.size(); i += 2)
         film.lost[words[i]] += static_cast<std::uint32_t>(words[i + 1]);
 }
@@ -56,6 +59,7 @@ void collect(Film& round, Film* into, Ranks& ranks)
         round.lost = {};
         for (const std::vector<std::uint64_t>& of_rank : words)
             add_words(of_rank, round);
+        round.passes = united({}, round.passes);
         merge_film(*into, round);
     }
     round = empty_like(round);
