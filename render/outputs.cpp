@@ -184,7 +184,7 @@ WrittenFiles write_images(const OutputFiles& files, const Image& image, const Re
     out.exposure_ev = write_each(files, image, state, report);
     if (!files.error_image.empty())
         out.error_image = write_or_warn(files.error_image, state, report);
-    out.seconds = writing.seconds();
+    out.writing.add(writing);
     out.warnings = report.warnings();
     return out;
 }

@@ -16,7 +16,7 @@ namespace hipmap {
 struct WrittenFiles {
     float exposure_ev = 0; ///< of 8-bit images
     std::optional<LegendedPicture> error_image;
-    double seconds = 0;       ///< writing them
+    Spent writing;
     std::size_t warnings = 0; ///< of the whole run until then
 };
 

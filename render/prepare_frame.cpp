@@ -158,8 +158,10 @@ PreparedFrame prepare_frame(const RenderArguments& request, SceneSource& source)
     out.settings = settings_of(arguments, scene, out.partition, out.sky);
     if (out.effects.has(Effect::motion_blur))
         out.settings.push_back(out.motion.setting);
+    out.reading.add(reading);
+    const Stopwatch reading_state;
     out.found = find_state(arguments, out.settings, out.loaded.audit);
-    out.seconds = reading.seconds();
+    out.reading_state.add(reading_state);
     return out;
 }
 

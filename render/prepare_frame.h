@@ -21,7 +21,8 @@ struct PreparedFrame {
     EnvironmentMap sky;
     std::vector<Setting> settings;    ///< all that its passes depend on
     std::optional<RenderState> found; ///< state to resume
-    double seconds = 0;               ///< reading all of it
+    Spent reading;                    ///< all of it but the state
+    Spent reading_state;
 };
 
 /// Loads the scene at a time of its animation, changed as the options say.  Throws as

@@ -19,7 +19,8 @@ struct RenderedFrame {
     RenderState state;
     RunResult result;
     RenderStatistics statistics;
-    double seconds_rays = 0;        ///< building the ray tracing structure
+    Spent rays;                     ///< building the ray tracing structure
+    Spent pilots;                   ///< what the passes share, found before the first
     std::vector<LayerImage> layers; ///< of surfaces, those that were requested
     std::optional<Fireflies> fireflies;
     std::string seen;           ///< of a black image: what the camera looks at

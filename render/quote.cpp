@@ -137,7 +137,7 @@ class Comparison {
             return;
         whole_ = error_cost(state.checks, error_law(state.checks, state.radius_decay), quote_.error,
                             state.photons_per_pass);
-        room_ = kQuoteShare * whole_.seconds - state.seconds - frame.seconds_pilots;
+        room_ = kQuoteShare * whole_.seconds - state.seconds - frame.rendered.pilots.seconds;
     }
 
     Quote compare()
@@ -160,8 +160,8 @@ class Comparison {
     {
         const RenderState& state = frame_.rendered.state;
         const std::uint64_t passes = std::max<std::uint64_t>(count(state.film.passes), 1);
-        const double seconds =
-            frame_.seconds_pilots + kSketchPasses * state.seconds / static_cast<double>(passes);
+        const double seconds = frame_.rendered.pilots.seconds +
+                               kSketchPasses * state.seconds / static_cast<double>(passes);
         const double photons = static_cast<double>(frame_.passes.options.photons) /
                                static_cast<double>(std::max<std::uint64_t>(options_.photons, 1));
         return seconds / std::min(pixels_, std::max(photons, 1.0));
@@ -188,7 +188,7 @@ class Comparison {
     std::optional<Sketch> sketch(const Change& change)
     {
         const double expected =
-            as_is_.seconds + (change.of_scene ? frame_.rendered.seconds_rays : 0.0);
+            as_is_.seconds + (change.of_scene ? frame_.rendered.rays.seconds : 0.0);
         const bool room = frame_.passes.frame.arguments.memory_gib == 0 || !change.of_scene;
         if (stop_)
             return std::nullopt;

@@ -15,7 +15,6 @@ struct QuotedFrame {
     const FramePasses& passes;
     const RenderScene& scene;
     const RenderedFrame& rendered;
-    double seconds_pilots = 0; ///< that making the source of its passes took
 };
 
 /// Compares other integrators, and leaving out each effect that is on, with the frame as it is:

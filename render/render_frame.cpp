@@ -115,16 +115,20 @@ RunResult run_and_save(const RenderArguments& arguments, const PassSource& sourc
                        RunControl control, RenderState& state, Ranks* ranks)
 {
     std::uint64_t saved = count(state.film.passes);
+    Spent writing;
     control.save = [&](const RenderState& now) {
         // A state is written only for passes that it does not hold yet.
         if (arguments.files.state.empty() || count(now.film.passes) == saved)
             return;
+        const Stopwatch watch;
         write_state(arguments.files.state, now);
+        writing.add(watch);
         saved = count(now.film.passes);
     };
     RunResult out = ranks != nullptr ? run_ranks(source, arguments.stops, control, state, *ranks)
                                      : run_passes(source, arguments.stops, control, state);
     together(ranks, [&] { control.save(state); });
+    out.costs.state = writing;
     return out;
 }
 
@@ -167,11 +171,11 @@ RenderedFrame render_passes(PreparedFrame& frame, SceneSource& source, PreviousF
     RenderedFrame out;
     const Stopwatch building;
     const RenderScene scene(frame.loaded.scene, frame.partition, std::move(frame.sky));
-    out.seconds_rays = building.seconds();
+    out.rays.add(building);
     const FramePasses own = {frame, source, frame.effects, frame.arguments.render};
-    const Stopwatch pilots;
+    const Stopwatch piloting;
     const PassSource passes = make_frame_source(own, scene, out.statistics, cache);
-    const double seconds_pilots = pilots.seconds();
+    out.pilots.add(piloting);
     out.state = begin_or_resume(frame, passes);
     out.resumed = count(out.state.film.passes);
     const FramePlace* const place = place_of(previous);
@@ -189,7 +193,7 @@ RenderedFrame render_passes(PreparedFrame& frame, SceneSource& source, PreviousF
     surfaces();
     look_at_image(scene, frame.arguments.render, out);
     if (frame.arguments.quote && control.ranks == nullptr)
-        out.quote = make_quote({own, scene, out, seconds_pilots}, control.stop);
+        out.quote = make_quote({own, scene, out}, control.stop);
     if (place != nullptr)
         report.end_quietly();
     else
@@ -223,7 +227,9 @@ RenderedFrame render_frame(PreparedFrame& frame, SceneSource& source, PreviousFr
                 write_state(frame.arguments.files.state, out.state);
         });
         out.resumed = count(out.state.film.passes);
-        out.seconds_rays = 0;
+        out.rays = {};
+        out.pilots = {};
+        out.result.costs = {};
         return out;
     }
     RenderedFrame out = render_passes(frame, source, previous, control, report);

@@ -85,12 +85,41 @@ Json seconds_json(const PreparedFrame& frame, const RenderedFrame& rendered,
                   const WrittenFiles& written)
 {
     const RenderStatistics& render = rendered.statistics;
-    return {{"scene", frame.seconds},
-            {"rays", rendered.seconds_rays},
-            {"photons", render.seconds_photons},
-            {"maps", render.seconds_maps},
-            {"image", render.seconds_image},
-            {"write", written.seconds}};
+    const RunCosts& costs = rendered.result.costs;
+    Json json = {{"scene", frame.reading.seconds},
+                 {"rays", rendered.rays.seconds},
+                 {"pilots", rendered.pilots.seconds},
+                 {"photons", render.seconds_photons},
+                 {"maps", render.seconds_maps},
+                 {"image", render.seconds_image},
+                 {"film", costs.film.seconds},
+                 {"state", frame.reading_state.seconds + costs.state.seconds},
+                 {"write", written.writing.seconds}};
+    if (costs.rounds > 0) {
+        json["wait"] = costs.wait.seconds;
+        json["add"] = costs.add.seconds;
+    }
+    return json;
+}
+
+Json processor_seconds_json(const PreparedFrame& frame, const RenderedFrame& rendered,
+                            const WrittenFiles& written)
+{
+    const RenderStatistics& render = rendered.statistics;
+    const RunCosts& costs = rendered.result.costs;
+    Json json = {{"scene", frame.reading.processor},
+                 {"rays", rendered.rays.processor},
+                 {"pilots", rendered.pilots.processor},
+                 {"photons", render.processor_photons},
+                 {"maps", render.processor_maps},
+                 {"image", render.processor_image},
+                 {"film", costs.film.processor},
+                 {"state", frame.reading_state.processor + costs.state.processor},
+                 {"write", written.writing.processor},
+                 {"process", Stopwatch::processor_seconds_of_process()}};
+    if (costs.rounds > 0)
+        json["add"] = costs.add.processor;
+    return json;
 }
 
 Json scene_json(const RenderArguments& arguments, const Scene& scene)
@@ -298,9 +327,9 @@ std::string statistics_json(const PreparedFrame& frame, const RenderedFrame& ren
         json["quote"] = quote_json(*rendered.quote);
     json["saturated"] = state.film.saturated;
     json["seconds"] = seconds_json(frame, rendered, written);
-    json["processor_seconds"] = {{"photons", render.processor_photons},
-                                 {"maps", render.processor_maps},
-                                 {"image", render.processor_image}};
+    json["processor_seconds"] = processor_seconds_json(frame, rendered, written);
+    if (rendered.result.costs.rounds > 0)
+        json["rounds"] = rendered.result.costs.rounds;
     json["photons"] = photons_json(render, arguments.render);
     json["power_W"] = power_json(render.power, scene);
     json["dropped_samples"] = render.dropped_samples;
@@ -329,7 +358,7 @@ std::string merged_statistics_json(const MergeArguments& arguments, const Merged
     json["passes_done"] = count(state.film.passes);
     json["error"] = error_json(state, fireflies, 0);
     json["saturated"] = state.film.saturated;
-    json["seconds"] = {{"passes", state.seconds}, {"write", written.seconds}};
+    json["seconds"] = {{"passes", state.seconds}, {"write", written.writing.seconds}};
     json["warnings"] = written.warnings;
     return text_of(json);
 }

@@ -4,8 +4,10 @@ from markup import duration, element, escape, section
 
 NAMES = {
     "preprocess": "Partition", "scene": "Read scene and partition", "rays": "Build ray tracing",
+    "pilots": "Pilots",
     "photons": "Trace photons", "maps": "Build photon maps", "image": "Eye paths and gathering",
-    "write": "Write images", "passes": "Passes",
+    "film": "Add passes up", "wait": "Wait for other processes", "add": "Add films up",
+    "state": "Read and write states", "write": "Write images", "passes": "Passes",
 }
 
 

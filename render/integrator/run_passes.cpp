@@ -57,6 +57,7 @@ class Run {
 
     void add(std::uint64_t pass, const PassImages& images, double seconds)
     {
+        const Stopwatch adding;
         add_pass(state_.film, pass, images);
         state_.seconds += seconds;
         times_.whole.push_back(seconds);
@@ -64,6 +65,7 @@ class Run {
             look_at_error(state_);
             next_look_ = next_look(passes());
         }
+        film_.add(adding);
     }
 
     void save_if_due()
@@ -76,6 +78,8 @@ class Run {
         saving_ = saving.seconds();
         saved_ = watch_.seconds();
     }
+
+    const Spent& film() const { return film_; }
 
   private:
     std::uint64_t passes() const { return count(state_.film.passes); }
@@ -147,6 +151,7 @@ class Run {
     const std::uint64_t begun_;
     std::uint64_t next_look_ = next_look(begun_);
     PassTimes times_;
+    Spent film_;
     std::optional<double> needed_;
     double saved_ = 0, saving_ = 0; ///< s
 };
@@ -208,11 +213,14 @@ RunResult run_passes(const PassSource& source, const StopRules& rules, const Run
         run.save_if_due();
     }
     out.reason = *reason;
+    out.costs.film = run.film();
+    const Stopwatch ending;
     look_at_error(state);
     if (!state.film.passes.ranges.empty())
         out.image = film_image(state.film);
     else if (out.image.pixels.empty())
         out.image = Image(source.width, source.height);
+    out.costs.film.add(ending);
     return out;
 }
 

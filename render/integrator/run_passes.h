@@ -1,5 +1,6 @@
 #pragma once
 
+#include "common/stopwatch.h"
 #include "render/film/render_state.h"
 #include "render/integrator/pass_source.h"
 
@@ -48,10 +49,20 @@ struct RunControl {
     std::function<void(const RenderState&)> pass;
 };
 
+/// What a run took besides rendering passes.
+struct RunCosts {
+    Spent film;               ///< adding passes to the film, and estimating the error
+    Spent state;              ///< writing states
+    Spent wait;               ///< for the slowest process, at the ends of rounds
+    Spent add;                ///< adding up the films of processes, at the ends of rounds
+    std::uint64_t rounds = 0; ///< of several processes
+};
+
 struct RunResult {
     StopReason reason = StopReason::passes;
     /// Mean of the whole passes, radiance, W/(m2 sr); stopped in the first, the pixels done.
     Image image;
+    RunCosts costs; ///< without those of `save`
 };
 
 /// Makes a state without passes, for a new render.

@@ -12,6 +12,12 @@ namespace {
 /// The answer of the lead whether another round begins, as from_lead carries it.
 constexpr std::uint64_t kAnotherRound = 100;
 
+/// What a process renders between two sums, and what it took besides rendering.
+struct Round {
+    Film film;
+    RunCosts costs; ///< of all rounds
+};
+
 Film empty_like(const Film& film)
 {
     Film out = make_film(film.width, film.height, 1, film.bias, !film.cut.empty());
@@ -46,9 +52,13 @@ void add_words(const std::vector<std::uint64_t>& words, Film& film)
 }
 
 /// Adds up what the ranks rendered in a round; leaves the film of the round of each rank empty.
-void collect(Film& round, Film* into, Ranks& ranks)
+void collect(Round& of, Film* into, Ranks& ranks)
 {
+    const Stopwatch waiting;
     ranks.wait();
+    of.costs.wait.add(waiting);
+    const Stopwatch adding;
+    Film& round = of.film;
     const std::vector<std::vector<std::uint64_t>> words = ranks.gather(words_of(round));
     for (std::vector<std::int64_t> Film::*sums :
          {&Film::radiance, &Film::narrow, &Film::narrower, &Film::cut})
@@ -63,17 +73,21 @@ void collect(Film& round, Film* into, Ranks& ranks)
         merge_film(*into, round);
     }
     round = empty_like(round);
+    of.costs.add.add(adding);
+    ++of.costs.rounds;
 }
 
 /// Renders a pass into the film of a round, if it is not stopped; keeps the pixels of one that is.
-void render_into(Film& round, const PassSource& source, std::uint64_t pass,
+void render_into(Round& round, const PassSource& source, std::uint64_t pass,
                  const PassControl& control, Image* unfinished)
 {
     const RenderedPass rendered = source.render(pass, control);
+    const Stopwatch adding;
     if (rendered.whole)
-        add_pass(round, pass, rendered.images);
+        add_pass(round.film, pass, rendered.images);
     else if (unfinished != nullptr)
         *unfinished = rendered.images.radiance;
+    round.costs.film.add(adding);
 }
 
 /// The lead's part.
@@ -93,7 +107,7 @@ class Lead {
         return met && reason != StopReason::caller ? StopReason::error : reason;
     }
 
-    void render_round(Film& round)
+    void render_round(Round& round)
     {
         queue_.begin_round(state_.film.passes);
         std::thread service([&] {
@@ -104,15 +118,19 @@ class Lead {
         pass.progress = [this](double /*part*/) { tell(); };
         while (const auto number = queue_.next(0, false))
             render_into(round, source_, *number, pass, &unfinished_);
+        const Stopwatch waiting;
         service.join();
+        round.costs.wait.add(waiting);
     }
 
     /// Saves and looks, after the films were added up.
-    void end_round()
+    void end_round(RunCosts& costs)
     {
         state_.seconds = spent_ + queue_.seconds();
+        const Stopwatch looking;
         if (rules_.error > 0)
             look_at_error(state_);
+        costs.film.add(looking);
         if (control_.pass)
             control_.pass(state_);
         if (control_.save && !reason_to_stop())
@@ -170,27 +188,30 @@ class Lead {
 
 RunResult lead(Lead& run, RenderState& state, const PassSource& source, Ranks& ranks)
 {
-    Film round = empty_like(state.film);
+    Round round{empty_like(state.film), {}};
     std::optional<StopReason> reason;
     while (!(reason = run.reason_to_stop())) {
         ranks.from_lead(kAnotherRound);
         run.render_round(round);
         collect(round, &state.film, ranks);
-        ranks.together([&] { run.end_round(); });
+        ranks.together([&] { run.end_round(round.costs); });
     }
     ranks.from_lead(static_cast<std::uint64_t>(*reason));
+    const Stopwatch ending;
     look_at_error(state);
-    RunResult out{*reason, std::move(run.unfinished())};
+    RunResult out{*reason, std::move(run.unfinished()), {}};
     if (!state.film.passes.ranges.empty())
         out.image = film_image(state.film);
     else if (out.image.pixels.empty())
         out.image = Image(source.width, source.height);
+    round.costs.film.add(ending);
+    out.costs = round.costs;
     return out;
 }
 
 RunResult work(const PassSource& source, const RunControl& control, const Film& film, Ranks& ranks)
 {
-    Film round = empty_like(film);
+    Round round{empty_like(film), {}};
     PassControl pass;
     pass.stop = control.stop;
     std::uint64_t word = 0;
@@ -201,7 +222,7 @@ RunResult work(const PassSource& source, const RunControl& control, const Film& 
         collect(round, nullptr, ranks);
         ranks.together([] {});
     }
-    return {static_cast<StopReason>(word), {}};
+    return {static_cast<StopReason>(word), {}, round.costs};
 }
 
 } // namespace

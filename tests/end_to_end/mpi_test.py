@@ -6,6 +6,7 @@ With --soak: 1, 2, 4 and 7 processes, processes killed at many moments, and a si
 a render built with it is missing.
 """
 
+import json
 import os
 import random
 import shutil
@@ -61,6 +62,19 @@ class Mpi(ToolsTestCase):
                 self.run_ranks(ranks, "all.pfm", *rule, "--state", self.path(f"{ranks}{rule[0]}.state"))
                 self.same("one.pfm", "all.pfm")
                 print(f"{ranks} processes, {rule}: same bits", flush=True)
+
+    def test_statistics_tell_rounds_and_what_they_took(self):
+        self.run_ranks(2, "a.pfm", "--passes", 10, "--error", "0.01%", "--stats", self.path("a.json"),
+                       "--state", self.path("a.state"))
+        with open(self.path("a.json"), encoding="utf-8") as file:
+            stats = json.load(file)
+        # Rounds end where the error is looked at: after 4, 6 and 8 passes, and at the last.
+        self.assertEqual([check["passes"] for check in stats["error"]["checks"]], [4, 6, 8, 10])
+        self.assertEqual(stats["rounds"], 4)
+        for stage in ("add", "film", "state"):
+            self.assertGreater(stats["seconds"][stage], 0, stage)
+            self.assertGreater(stats["processor_seconds"][stage], 0, stage)
+        self.assertGreaterEqual(stats["seconds"]["wait"], 0)
 
     def test_one_line_says_what_is_wrong(self):
         for option in (("--photons", "many"), ("--size", "16x16", "--crop", "0,0,17,1"),

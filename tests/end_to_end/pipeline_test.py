@@ -149,12 +149,21 @@ class Pipeline(ToolsTestCase):
         self.assertEqual(photons["stored"],
                          photons["caustic"]["stored"] + photons["global"]["stored"])
         self.assertTrue(all(seconds >= 0 for seconds in stats["seconds"].values()))
+        self.look_into_seconds(stats["seconds"], dict(stats["processor_seconds"]))
         power = stats["power_W"]
         for c, radiance in enumerate(LAMP_RADIANCE):
             emitted = math.pi * LAMP_AREA * radiance
             self.assertAlmostEqual(power["emitted"][c], emitted, delta=0.01 * emitted)
             went = power["absorbed"][c] + power["escaped"][c]
             self.assertAlmostEqual(went, emitted, delta=0.05 * emitted)
+
+    def look_into_seconds(self, clock, processor):
+        """The stages are within the process, and one that renders took time."""
+        process = processor.pop("process")
+        self.assertEqual(clock.keys(), processor.keys())
+        self.assertGreater(process, sum(processor.values()))
+        for stage in ("scene", "pilots", "photons", "maps", "image", "film", "write"):
+            self.assertGreater(clock[stage], 0, stage)
 
     def test_the_modes_agree_and_none_is_darker(self):
         partition = self.make_partition()
