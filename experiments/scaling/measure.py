@@ -1,0 +1,251 @@
+"""Measures the stages of renders, and whole renders by one process and by two."""
+
+import concurrent.futures
+import dataclasses
+import json
+import os
+import pathlib
+import shutil
+import sys
+import tempfile
+import time
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+sys.path.append(str(ROOT / "experiments"))
+import programs
+
+SCENES = ("cornell", "hall_of_lamps", "window_room")
+SUMMED = ("pilots", "photons", "maps", "image", "film", "write")
+
+
+@dataclasses.dataclass(frozen=True)
+class Study:
+    """points: pixels across the images from which stages follow, and photons of a pass; 0: as many as
+    render chooses.  checked: pixels across those by two processes, at no point.  repeats: of which
+    the least counts."""
+
+    points: tuple = ((96, 0), (160, 0), (288, 0), (288, 2_000_000))
+    checked: int = 192
+    passes: int = 3
+    checked_passes: int = 10
+    repeats: int = 3
+    seed: int = 0
+
+
+FULL = Study()
+QUICK = Study(points=((16, 1000), (32, 1000), (32, 8000)), checked=24, passes=2, checked_passes=4, repeats=1)
+
+
+def busy_seconds():
+    """Of all cores since the machine began, of all programs."""
+    with open("/proc/stat", encoding="ascii") as file:
+        words = file.readline().split()
+    user, nice, system, _, _, irq, softirq, steal = map(int, words[1:9])
+    return (user + nice + system + irq + softirq + steal) / os.sysconf("SC_CLK_TCK")
+
+
+@dataclasses.dataclass(frozen=True)
+class Lab:
+    """tools: folder of the programs.  folder: for partitions."""
+
+    tools: pathlib.Path
+    folder: pathlib.Path
+    study: Study
+
+    def scene(self, name):
+        return ROOT / "assets" / f"{name}.glb"
+
+    def partition(self, name):
+        return self.folder / f"{name}.hpm"
+
+    def make_partition(self, name):
+        programs.run(self.tools, "preprocess", self.scene(name), "-o", self.partition(name))
+
+    def words(self, name, size, folder, *options):
+        """Of a render on one thread."""
+        return [self.scene(name), self.partition(name), "-o", folder / "a.exr", "-o", folder / "a.png",
+                "--size", size, "--threads", 1, "--stats", folder / "stats.json", *options]
+
+    def render(self, name, size, folder, *options):
+        programs.run(self.tools, "render", *self.words(name, size, folder, *options))
+        return json.loads((folder / "stats.json").read_text())
+
+    def run_ranks(self, ranks, name, size, folder, *options):
+        """What the program took, and the statistics."""
+        mpirun = pathlib.Path(shutil.which("mpirun"))
+        done = programs.run(mpirun.parent, mpirun.name, "--oversubscribe", "--bind-to", "none", "-n",
+                            ranks, self.tools / "render",
+                            *self.words(name, size, folder, "--mpi", *options))
+        return done, json.loads((folder / "stats.json").read_text())
+
+
+def twice(job):
+    """Both results of a job done on two cores at once, each in a folder of its own: a core is slower
+    while its neighbour works, as it does where machines are busy."""
+    def do(_):
+        with tempfile.TemporaryDirectory() as folder:
+            return job(pathlib.Path(folder))
+    with concurrent.futures.ThreadPoolExecutor(2) as pool:
+        return list(pool.map(do, range(2)))
+
+
+def least(rows):
+    """Of each stage by itself."""
+    return {name: min(row[name] for row in rows) for name in rows[0]}
+
+
+def without_start(seconds):
+    """Processor seconds of the stages, and of what is none."""
+    found = {name: seconds[name] for name in SUMMED}
+    found["load"] = seconds["scene"] + seconds["rays"]
+    found["start"] = max(0, seconds["process"] - found["load"] - sum(seconds[name] for name in SUMMED) -
+                         seconds["state"])
+    return found
+
+
+def merge_all(lab, folder, states):
+    return programs.run(lab.tools, "render", "merge", *states, "-o", folder / "m.exr", "-o",
+                        folder / "m.png").seconds
+
+
+def chosen(photons):
+    return ("--photons", photons) if photons else ()
+
+
+def measure_passes(lab, name, point, folder):
+    """Stages of a render, passes on the average; and the pixels."""
+    passes, (size, photons) = lab.study.passes, point
+    stats = lab.render(name, size, folder, "--passes", passes, *chosen(photons))
+    found = without_start(stats["processor_seconds"])
+    for stage in ("photons", "maps", "image", "film"):
+        found[stage] /= passes
+    return {**found, "pixels": stats["image"]["width"] * stats["image"]["height"],
+            "photons_of_pass": stats["options"]["photons"]}
+
+
+def make_states(lab, name, size, folder):
+    """Three, of passes that take little time: of a state only its pixels count."""
+    def one(i):
+        path = folder / f"{i}.state"
+        own = folder / str(i)
+        own.mkdir()
+        lab.render(name, size, own, "--samples", 1, "--photons", 1000, "--first-pass", 8 * i, "--passes",
+                   8, "--state", path)
+        return path
+    with concurrent.futures.ThreadPoolExecutor(2) as pool:
+        return list(pool.map(one, range(3)))
+
+
+def measure_states(lab, states, folder):
+    """Reading, merging and writing them."""
+    merge = ("merge", "-o", folder / "m.exr", "-o", folder / "m.png")
+    def seconds(*words):
+        return programs.run(lab.tools, "render", *words).seconds
+    return {"read": seconds("describe", states[0]), "two": seconds(*merge, *states[:2]),
+            "three": seconds(*merge, *states),
+            "saved": seconds(*merge, *states, "--state", folder / "m.state")}
+
+
+def of_states(lab, name, size):
+    """The stages of states, from the least times."""
+    with tempfile.TemporaryDirectory() as made:
+        states = make_states(lab, name, size, pathlib.Path(made))
+        rows = []
+        for _ in range(2 * lab.study.repeats):
+            rows += twice(lambda folder: measure_states(lab, states, folder))
+        size = states[0].stat().st_size
+    found = least(rows)
+    merge = max(0, found["three"] - found["two"])
+    return {"read": found["read"], "merge": merge, "save": max(0, found["saved"] - found["three"]),
+            "merge_begin": max(0, found["two"] - 2 * merge), "state_bytes": size}
+
+
+def add_of(lab, name, size):
+    """Processor seconds of the lead for adding up two films, and of waiting for it."""
+    with tempfile.TemporaryDirectory() as folder:
+        _, stats = lab.run_ranks(2, name, size, pathlib.Path(folder), "--passes", 4, "--samples", 1)
+    return stats["processor_seconds"]["add"] / stats["rounds"]
+
+
+def measure_stages(lab, name, point):
+    """The least of each stage over the repeats."""
+    rows = []
+    for _ in range(lab.study.repeats):
+        rows += twice(lambda folder: measure_passes(lab, name, point, folder))
+    return least(rows)
+
+
+def measure_sums(lab, name, size):
+    """The stages of states and of films, whatever the photons."""
+    return {**of_states(lab, name, size),
+            "add": min(add_of(lab, name, size) for _ in range(lab.study.repeats))}
+
+
+def measure_run(lab, name, ranks, options, size=None):
+    """A render by processes: processor seconds of all, seconds of the clock, and the part of a core
+    that other programs took meanwhile."""
+    begun, busy = time.monotonic(), busy_seconds()
+    if ranks == 1:  # beside another
+        done = twice(lambda folder: lab.run_ranks(1, name, size or lab.study.checked, folder, *options))
+        own = sum(one.seconds for one, _ in done)
+    else:
+        with tempfile.TemporaryDirectory() as folder:
+            done = [lab.run_ranks(ranks, name, size or lab.study.checked, pathlib.Path(folder), *options)]
+        own = done[0][0].seconds
+    wall = time.monotonic() - begun
+    others = max(0, busy_seconds() - busy - own) / wall
+    best = min(done, key=lambda one: one[0].seconds)
+    return {"processor": best[0].seconds, "wall": wall, "others": others,
+            "rounds": best[1]["rounds"], "wait": best[1]["seconds"]["wait"]}
+
+
+def measure_runs(lab, name, ranks, *options, size=None):
+    """The repeats.  The start of MPI is in them."""
+    return [measure_run(lab, name, ranks, options, size) for _ in range(lab.study.repeats)]
+
+
+def launch(lab, name, ranks):
+    """What starting and ending MPI takes, by a small image: processor seconds of all processes and
+    seconds of the clock beyond those of a render without MPI."""
+    small = ("--passes", 1, "--samples", 1)
+    runs = measure_runs(lab, name, ranks, *small, size=8)
+    plain = []
+    for _ in range(lab.study.repeats):
+        def one(folder):
+            begun = time.monotonic()
+            done = programs.run(lab.tools, "render", *lab.words(name, 8, folder, *small))
+            return done.seconds, time.monotonic() - begun
+        plain += twice(one)
+    return {"processor": max(0, min(run["processor"] for run in runs) -
+                             ranks * min(seconds for seconds, _ in plain)),
+            "wall": max(0, min(run["wall"] for run in runs) - min(wall for _, wall in plain))}
+
+
+def tasks_and_merge(lab, name, folder):
+    """Processor seconds of a farm's tasks and of the merge: halves of the passes and of the pixels."""
+    half = max(1, lab.study.checked_passes // 4)
+    spent, states = 0, []
+    for tile in range(2):
+        for first in (0, half):
+            states.append(folder / f"{tile}-{first}.state")
+            spent += programs.run(lab.tools, "render", *lab.words(
+                name, lab.study.checked, folder, "--tile", f"{tile}/1x2", "--first-pass", first, "--passes",
+                half, "--state", states[-1])).seconds
+    return {"processor": spent + merge_all(lab, folder, states)}
+
+
+def measure_tasks(lab, name):
+    rows = []
+    for _ in range(lab.study.repeats):
+        rows += twice(lambda folder: tasks_and_merge(lab, name, folder))
+    return rows
+
+
+def passes_to_error(lab, name):
+    """The law of the image's error (docs/error.md (12)), and what a pass has."""
+    with tempfile.TemporaryDirectory() as folder:
+        stats = lab.render(name, lab.study.checked, pathlib.Path(folder), "--passes",
+                           4 * lab.study.checked_passes)
+    image, options = stats["image"], stats["options"]
+    return {"law": stats["error"]["law"], "samples": options["samples"],
+            "aspect": image["height"] / image["width"]}

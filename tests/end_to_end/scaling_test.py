@@ -1,0 +1,155 @@
+"""experiments/scaling simulates what closed forms say.
+
+    scaling_test.py ROOT
+"""
+
+import dataclasses
+import math
+import os
+import sys
+import unittest
+
+ROOT = sys.argv[1]
+FOLDER = os.path.join(ROOT, "experiments/scaling")
+sys.path.insert(0, FOLDER)
+import farm
+import ranks
+from farm import Plan, simulate_farm
+from ranks import simulate_ranks
+from stages import Cluster, Stages
+
+STAGES = Stages(start=0.1, load=0.4, pilots=1.5, photons=0.2, maps=0.3, image=1.4, film=0.1, save=0.3,
+                read=0.2, write=0.25, add=0.05, merge_begin=0.6, merge=0.15, state_bytes=3e8)
+SETUP, PASS = 2.0, 2.0
+HARD = Cluster(machines=40, spread=0.2, slow_share=0.1, slow_speed=0.5, failures_per_hour=6, replace_s=20,
+               queue_s=1, network=1e9, storage=4e9)
+EASY = dataclasses.replace(HARD, failures_per_hour=0)
+
+
+class ByMpi(unittest.TestCase):
+    def test_one_machine_takes_the_sum_of_its_stages(self):
+        found = simulate_ranks(STAGES, 20, Cluster(), keeps_states=False)
+        # One round of 20 passes, after which the image is written, and once more at the end.
+        self.assertEqual(found.rounds, 1)
+        self.assertAlmostEqual(found.seconds, SETUP + 20 * PASS + 2 * STAGES.write)
+
+    def test_equal_machines_take_whole_turns_of_passes_and_the_serial_part(self):
+        for machines, passes in ((4, 20), (4, 21), (7, 20), (32, 20)):
+            found = simulate_ranks(STAGES, passes, Cluster(machines=machines))
+            turns = math.ceil(passes / machines)
+            adding = math.ceil(math.log2(machines)) * STAGES.add
+            serial = SETUP + adding + STAGES.save + 2 * STAGES.write
+            self.assertEqual(found.rounds, 1)
+            self.assertAlmostEqual(found.seconds, serial + turns * PASS)
+
+    def test_a_round_ends_after_30_passes_of_a_machine(self):
+        found = simulate_ranks(STAGES, 2 * 31 * 8, Cluster(machines=8))
+        # The pass that begins as the 30 end is of the round.
+        self.assertEqual(found.rounds, 2)
+
+    def test_looks_at_the_error_end_rounds(self):
+        # After 4, 6, 8, 11, 16, 23 and 32 passes: the numbers of docs/statistics.md.
+        numbers, passes = [], 0
+        while passes < 32:
+            passes = ranks.next_check(passes)
+            numbers.append(passes)
+        self.assertEqual(numbers, [4, 6, 8, 11, 16, 23, 32])
+        found = simulate_ranks(STAGES, 32, Cluster(machines=16), checks=True)
+        self.assertEqual(found.rounds, len(numbers))
+
+    def test_a_fast_machine_renders_more_passes(self):
+        class Two(Cluster):
+            def speeds(self):
+                return [1, 3]
+        found = simulate_ranks(STAGES, 8, Two(machines=2), keeps_states=False)
+        # All load as slowly as the slowest.  The fast one renders 5 passes until the slow one has
+        # rendered two, and the sixth: 8 passes in three turns of the slow one or less.
+        setup = 0.5 + 1.5
+        self.assertLess(found.seconds, setup + 3 * PASS + STAGES.add + 2 * STAGES.write)
+        self.assertGreaterEqual(found.seconds, setup + 2 * PASS + STAGES.add + 2 * STAGES.write)
+
+    def test_a_run_of_failures_ends_with_all_passes_or_is_given_up(self):
+        seldom = dataclasses.replace(HARD, failures_per_hour=0.2)
+        found = simulate_ranks(STAGES, 6000, seldom)
+        self.assertEqual(found.kept, 6000)
+        self.assertGreater(found.failures, 0)
+        # With a failure every 15 s no round of 30 passes is ever whole.
+        self.assertEqual(simulate_ranks(STAGES, 6000, HARD).seconds, math.inf)
+
+
+class ByTasks(unittest.TestCase):
+    def test_one_machine_takes_the_sum_of_its_stages(self):
+        found = simulate_farm(STAGES, Plan(20, 20), Cluster())
+        # A state is saved when that takes 2 % of the time: after every 8 passes of 2 s, and at the end.
+        self.assertAlmostEqual(found.seconds, SETUP + 20 * PASS + 3 * STAGES.save +
+                               STAGES.merge_begin + STAGES.merge)
+
+    def test_equal_machines_take_whole_turns_of_tasks_and_the_merge(self):
+        for machines, passes in ((4, 80), (7, 80), (32, 80)):
+            found = simulate_farm(STAGES, Plan(passes, 4), Cluster(machines=machines, queue_s=3))
+            tasks = passes // 4
+            turns = math.ceil(tasks / machines)
+            merge = 3 + STAGES.merge_begin + tasks * STAGES.merge
+            self.assertAlmostEqual(found.seconds,
+                                   turns * (3 + SETUP + 4 * PASS + STAGES.save) + merge)
+
+    def test_a_tile_costs_its_pixels_and_all_photons(self):
+        tile = simulate_farm(STAGES, Plan(4, 4, tiles=10), Cluster(machines=10))
+        one_pass = 0.2 + 0.3 + (1.4 + 0.1) / 10
+        merge = STAGES.merge_begin + 10 * STAGES.merge / 10
+        saves = 2 * STAGES.save / 10  # after 3 passes, and at the end
+        self.assertAlmostEqual(tile.seconds, SETUP + 4 * one_pass + saves + merge)
+
+    def test_a_tree_of_merges_takes_a_level_after_the_other(self):
+        merged = lambda states, fan_in: farm.merge_seconds(STAGES, Cluster(machines=64), states, 1, fan_in)
+        one = lambda states: STAGES.merge_begin + states * STAGES.merge
+        self.assertAlmostEqual(merged(64, 0), one(64))
+        self.assertAlmostEqual(merged(64, 8), 2 * one(8))
+        self.assertAlmostEqual(merged(64, 4), 3 * one(4))
+        # The folder of all gives each of 8 an eighth of what it has: 8 x 3e8 bytes at 8e8 bytes/s.
+        shared = Cluster(machines=64, storage=8e8)
+        each = 8 * 3e8 / 8e8
+        self.assertAlmostEqual(farm.merge_once(STAGES, shared, 8, 1, 8),
+                               STAGES.merge_begin + 8 * each + each)
+
+    def test_failures_lose_no_pass_and_cost_what_was_not_saved(self):
+        plan = Plan(4000, 16)
+        found, quiet = simulate_farm(STAGES, plan, HARD), simulate_farm(STAGES, plan, EASY)
+        self.assertAlmostEqual(found.kept, 4000)
+        self.assertAlmostEqual(quiet.kept, 4000)
+        self.assertEqual(quiet.failures, 0)
+        self.assertEqual(quiet.spent.get("lost", 0), 0)
+        # Failures come at the rate told, in the time that machines work: a Poisson number.
+        working = sum(found.spent[name] for name in ("queue", "load", "pilots", "passes", "save"))
+        expected = 6 / 3600 * (working + found.spent["lost"] - 20 * found.failures)
+        self.assertLess(abs(found.failures - expected), 4 * math.sqrt(expected))
+        # Each loses the time to replace the machine, and a saved group of passes or the setup at most.
+        most = 20 + 1 + (8 * PASS + STAGES.save) / 0.3
+        self.assertLess(found.spent["lost"], most * found.failures)
+
+
+class Both(unittest.TestCase):
+    def found(self, cluster):
+        return [simulate_ranks(STAGES, 500, cluster), simulate_ranks(STAGES, 500, cluster, checks=True),
+                simulate_farm(STAGES, Plan(500, 8, tiles=2, fan_in=8), cluster)]
+
+    def test_the_time_of_all_machines_is_accounted_for(self):
+        for cluster in (EASY, HARD):
+            for found in self.found(cluster):
+                self.assertAlmostEqual(found.kept, 500)
+                self.assertAlmostEqual(sum(found.spent.values()) / (40 * found.seconds), 1)
+
+    def test_the_seed_makes_the_outcome(self):
+        self.assertEqual(self.found(HARD), self.found(HARD))
+        other = self.found(dataclasses.replace(HARD, seed=1))
+        for one, two in zip(self.found(HARD), other):
+            self.assertNotEqual(one.seconds, two.seconds)
+
+    def test_threads_divide_what_render_divides(self):
+        several = STAGES.by_cores(4)
+        self.assertAlmostEqual(several.one_pass(), (0.2 + 0.3 + 1.4) / 4 + 0.1)
+        self.assertAlmostEqual(several.setup(), 0.5 + 1.5 / 4)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1], verbosity=2)
