@@ -12,13 +12,6 @@
 
 namespace hipmap {
 
-namespace {
-
-/// A day: errors that take longer are called not practical.
-constexpr double kMostPracticalSeconds = 24 * 3600;
-
-} // namespace
-
 std::string percent(double share)
 {
     const double value = 100 * share;

@@ -9,6 +9,9 @@
 
 namespace hipmap {
 
+/// A day: errors that take longer are called not practical.
+inline constexpr double kMostPracticalSeconds = 24 * 3600;
+
 /// Formats a share as a percentage: "3.2 %" of 0.032.
 std::string percent(double share);
 

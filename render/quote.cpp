@@ -65,6 +65,12 @@ double pixels_of_pass(const RenderOptions& options)
     return pixels.width() * static_cast<double>(pixels.height());
 }
 
+double seconds_of_pass(const RenderState& state)
+{
+    return state.seconds /
+           static_cast<double>(std::max<std::uint64_t>(count(state.film.passes), 1));
+}
+
 Sketch render_sketch(const QuotedFrame& frame, const Change& change, const RenderScene& scene,
                      const std::atomic<bool>& stop)
 {
@@ -159,9 +165,8 @@ class Comparison {
     double expected() const
     {
         const RenderState& state = frame_.rendered.state;
-        const std::uint64_t passes = std::max<std::uint64_t>(count(state.film.passes), 1);
-        const double seconds = frame_.rendered.pilots.seconds +
-                               kSketchPasses * state.seconds / static_cast<double>(passes);
+        const double seconds =
+            frame_.rendered.pilots.seconds + kSketchPasses * seconds_of_pass(state);
         const double photons = static_cast<double>(frame_.passes.options.photons) /
                                static_cast<double>(std::max<std::uint64_t>(options_.photons, 1));
         return seconds / std::min(pixels_, std::max(photons, 1.0));
@@ -173,15 +178,23 @@ class Comparison {
             return;
         as_is_ = render_sketch(frame_, {{}, options_, frame_.passes.effects}, frame_.scene, stop_);
         spend(as_is_);
-        const double seconds = cost_of(as_is_).seconds;
-        scale_ = seconds > 0 ? whole_.seconds / seconds : 1;
+        const double sketched = seconds_of_pass(as_is_.state);
+        scale_ = sketched > 0 ? seconds_of_pass(frame_.rendered.state) / sketched : 1;
     }
 
     void compare(const Change& without)
     {
         if (const std::optional<Sketch> other = sketch(without))
-            quote_.effects.push_back({without.option, whole_.seconds - cost_of(*other).seconds,
+            quote_.effects.push_back({without.option, saved_by(*other),
+                                      whole_.seconds * saved_by(*other),
                                       difference_of(as_is_.state.film, other->state.film)});
+    }
+
+    /// The share of the time of a pass.
+    double saved_by(const Sketch& other) const
+    {
+        const double own = seconds_of_pass(as_is_.state);
+        return own > 0 ? 1 - seconds_of_pass(other.state) / own : 0;
     }
 
     /// None: there is no time for it, or nothing to compare with.
@@ -218,7 +231,7 @@ class Comparison {
         if (state.checks.empty())
             return out;
         out.passes = passes_for(error_law(state.checks, state.radius_decay), out.error);
-        out.seconds = scale_ * out.passes * state.seconds / static_cast<double>(kSketchPasses);
+        out.seconds = scale_ * out.passes * seconds_of_pass(state);
         out.photons = out.passes * static_cast<double>(frame_.rendered.state.photons_per_pass);
         return out;
     }
@@ -229,7 +242,7 @@ class Comparison {
     const double pixels_;         ///< of the frame for each of a sketch
     ErrorCost whole_;             ///< of the frame as it is
     Sketch as_is_;
-    double scale_ = 1; ///< of the times of sketches: what the frame takes over its own sketch
+    double scale_ = 1; ///< time of a pass of the frame over that of its own sketch
     double room_ = 0;  ///< s
     Quote quote_;
 };

@@ -20,13 +20,15 @@ std::string describe(const QuotedIntegrator& other, double error)
     return out + describe_need(other.cost);
 }
 
-std::string describe_saving(double seconds, double error)
+std::string describe_saving(const QuotedEffect& effect, double error)
 {
-    const std::string way = " on the way to " + percent(error) + " error";
-    if (!std::isfinite(seconds))
-        return "saves an unknown time" + way;
-    return (seconds < 0 ? "takes " : "saves ") + brief_time(std::abs(seconds)) +
-           (seconds < 0 ? " more" : "") + way;
+    const bool less = effect.saved >= 0;
+    std::string out = (less ? "saves " : "takes ") + percent(std::abs(effect.saved)) +
+                      (less ? " of the time of a pass" : " more time for a pass");
+    if (std::abs(effect.seconds_saved) <= kMostPracticalSeconds)
+        out += ", " + brief_time(std::abs(effect.seconds_saved)) + " on the way to " +
+               percent(error) + " error";
+    return out;
 }
 
 std::string describe_added(const FilmDifference& added)
@@ -47,8 +49,8 @@ std::vector<std::string> describe(const Quote& quote)
     for (const QuotedIntegrator& other : quote.integrators)
         out.push_back(describe(other, quote.error));
     for (const QuotedEffect& effect : quote.effects)
-        out.push_back(effect.option + ": " + describe_saving(effect.seconds_saved, quote.error) +
-                      ", and " + describe_added(effect.added));
+        out.push_back(effect.option + ": " + describe_saving(effect, quote.error) + ", and " +
+                      describe_added(effect.added));
     std::string left;
     for (const std::string& option : quote.not_compared)
         left += (left.empty() ? "" : ", ") + option;

@@ -18,7 +18,8 @@ struct QuotedIntegrator {
 /// An effect that could be left out, and what that would do.
 struct QuotedEffect {
     std::string option;       ///< "--effects=-caustics"
-    double seconds_saved = 0; ///< on the way to the error of the quote; below zero: it costs time
+    double saved = 0;         ///< share of the time of a pass; below zero: it costs time
+    double seconds_saved = 0; ///< in as many passes as the error of the quote takes
     FilmDifference added;     ///< to the error, squared
 };
 

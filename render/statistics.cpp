@@ -226,6 +226,7 @@ Json quote_json(const Quote& quote)
     }
     for (const QuotedEffect& effect : quote.effects)
         effects.push_back({{"option", effect.option},
+                           {"saved", effect.saved},
                            {"seconds_saved", effect.seconds_saved},
                            {"error2_added", effect.added.square},
                            {"error2_spread", effect.added.spread}});
