@@ -37,7 +37,17 @@ std::string describe_error(const ErrorCheck& check)
                 percent(std::sqrt(std::max(error.bias2, 0.0)));
     if (error.clamp2 > 0)
         text += "; bias of --clamp " + percent(std::sqrt(error.clamp2));
+    if (error.removed2 > 0)
+        text += "; bias of removed fireflies " + percent(std::sqrt(error.removed2));
     return text;
+}
+
+std::string describe_removed(const RemovedFireflies& removed)
+{
+    if (removed.pixels == 0)
+        return "fireflies: none to remove";
+    return "fireflies: removed from " + counted(removed.pixels, "pixel") + ", with " +
+           percent(removed.light) + " of the light";
 }
 
 std::string describe_fireflies(const Fireflies& fireflies)
@@ -45,8 +55,16 @@ std::string describe_fireflies(const Fireflies& fireflies)
     return "fireflies: " + counted(fireflies.pixels, "pixel carries", "pixels carry") + " " +
            percent(fireflies.share) + " of the squared error, which is " +
            percent(fireflies.error_without) +
-           " without them; render more passes, limit them by --clamp, or make small bright lights "
-           "larger";
+           " without them; render more passes, remove them by --fireflies remove, or make small "
+           "bright lights larger";
+}
+
+void print_fireflies(const ShownFireflies& fireflies, Report& report)
+{
+    if (fireflies.removed)
+        report.line(describe_removed(*fireflies.removed));
+    else if (fireflies.kept)
+        report.line(describe_fireflies(*fireflies.kept));
 }
 
 std::string describe_need(const ErrorCost& cost)

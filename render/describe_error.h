@@ -1,5 +1,6 @@
 #pragma once
 
+#include "common/report.h"
 #include "render/film/error_cost.h"
 #include "render/film/fireflies.h"
 #include "render/film/render_state.h"
@@ -20,6 +21,12 @@ std::string describe_error(const ErrorCheck& check);
 
 /// Describes the pixels that carry much of the error, and what to do about them.
 std::string describe_fireflies(const Fireflies& fireflies);
+
+/// "fireflies: removed from 17 pixels, with 1.2 % of the light"
+std::string describe_removed(const RemovedFireflies& removed);
+
+/// Prints one of the two, if there is something to tell.
+void print_fireflies(const ShownFireflies& fireflies, Report& report);
 
 /// Describes what an error takes: "would take about 23 passes, 46 s"; beyond a day: "is not
 /// practical (more than a day)".

@@ -4,6 +4,7 @@
 #include "common/scene/scene_names.h"
 #include "render/describe_error.h"
 #include "render/describe_state.h"
+#include "render/hide_fireflies.h"
 #include "render/merge_files.h"
 #include "render/outputs.h"
 #include "render/statistics.h"
@@ -26,22 +27,28 @@ void print_missing(const RenderState& state, const std::vector<FilmPart>& missin
                     " of the image; --stats lists all");
 }
 
-/// Returns the pixels that carry much of the error.
-std::optional<Fireflies> print_merged(const RenderState& state, Report& report)
+void print_merged(const RenderState& state, const ShownFireflies& fireflies, Report& report)
 {
     if (state.checks.empty())
-        return std::nullopt;
+        return;
     const double known = known_share(state.film);
     report.line(describe_error(state.checks.back()) +
                 (known < 1
                      ? "; of the " + percent(known) + " of the pixels that hold two passes or more"
                      : ""));
-    const auto fireflies = find_fireflies(state.film, state.checks.back().error);
-    if (fireflies)
-        report.line(describe_fireflies(*fireflies));
+    print_fireflies(fireflies, report);
     if (state.film.parts.empty())
         report.line(describe_cost(state, 0));
-    return fireflies;
+}
+
+/// Removes them from the state if they are to be.
+ShownFireflies shown_fireflies(FireflyChoice choice, RenderState& state)
+{
+    ShownFireflies out;
+    if (!state.checks.empty())
+        out.kept = find_fireflies(state.film, state.checks.back().error);
+    out.removed = hide_fireflies(choice, state);
+    return out;
 }
 
 } // namespace
@@ -52,19 +59,20 @@ int merge_states(const MergeArguments& arguments)
     OutputFiles files = arguments.files;
     complete_files(files);
     check_outputs(files);
-    const MergedFiles merged = merge_files(arguments.states);
-    const RenderState& state = merged.state;
+    MergedFiles merged = merge_files(arguments.states);
+    RenderState& state = merged.state;
     report.line(counted(count(state.film.passes), "pass", "passes") + " from " +
                 counted(merged.files.size(), "state"));
     for (const std::string& problem : merged.left_out)
         report.warn(problem + "; left out");
     const std::vector<FilmPart> missing = missing_from(state, arguments.passes);
     print_missing(state, missing, report);
-    const std::optional<Fireflies> fireflies = print_merged(state, report);
-    if (!files.state.empty()) {
+    if (!files.state.empty())
         write_state(files.state, state);
+    const ShownFireflies fireflies = shown_fireflies(files.fireflies, state);
+    print_merged(state, fireflies, report);
+    if (!files.state.empty())
         report.wrote(files.state);
-    }
     const WrittenFiles written = write_images(files, film_image(state.film), state, report);
     write_statistics(files, merged_statistics_json(arguments, merged, missing, fireflies, written),
                      report);

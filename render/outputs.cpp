@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <iomanip>
+#include <iterator>
 #include <sstream>
 
 namespace hipmap {
@@ -17,6 +18,9 @@ namespace hipmap {
 namespace {
 
 constexpr double kMostExposure = 100;
+
+constexpr Choice<FireflyChoice> kFireflyChoices[] = {{"keep", FireflyChoice::keep},
+                                                     {"remove", FireflyChoice::remove}};
 
 /// Returns the exposure of 8-bit images.
 float write_each(const OutputFiles& files, const Image& image, const RenderState& state,
@@ -94,29 +98,15 @@ OptionField layer_names_field(std::vector<const LayerRow*>& rows)
                         "LIST");
 }
 
-} // namespace
-
-std::vector<OptionRow> output_rows(OutputFiles& files, bool required)
+/// How images are shown.
+std::vector<OptionRow> shown_rows(OutputFiles& files)
 {
-    return {{.name = "output",
-             .section = kFilesSection,
-             .field = files_field(files.images),
-             .help = "Image to write; repeatable. .exr, .pfm and .hdr hold radiance, W/(m2 sr), "
-                     ".exr its noise, bias and error too; .png and .ppm are exposed sRGB. "
-                     "Rewritten after passes",
-             .flags = "-o,--output",
-             .required = required},
-            {.name = "error-image",
-             .section = kFilesSection,
-             .field = parsed_field(
-                 [&](const std::string& text) { parse_error_image(text, files.error_image); }, {},
-                 "FILE"),
-             .help = "Write an image of the relative error of each pixel in false colour, .png. "
-                     "Rewritten after passes"},
-            {.name = "stats",
-             .section = kFilesSection,
-             .field = file_field(files.statistics),
-             .help = "Write statistics as JSON"},
+    return {{.name = "fireflies",
+             .section = kImageSection,
+             .field = choice_field<FireflyChoice>(files.fireflies, kFireflyChoices),
+             .help = "keep: rare bright samples stay in the images; remove: each is taken out of "
+                     "its pixel, and the error counts the light removed as bias. The state keeps "
+                     "them"},
             {.name = "exposure",
              .section = kImageSection,
              .field = exposure_field(files.exposure_ev),
@@ -134,6 +124,34 @@ std::vector<OptionRow> output_rows(OutputFiles& files, bool required)
              .help = "View of the configuration, such as Filmic or AgX",
              .unset = "the configuration's default",
              .needs = "ocio"}};
+}
+
+} // namespace
+
+std::vector<OptionRow> output_rows(OutputFiles& files, bool required)
+{
+    std::vector<OptionRow> out = {
+        {.name = "output",
+         .section = kFilesSection,
+         .field = files_field(files.images),
+         .help = "Image to write; repeatable. .exr, .pfm and .hdr hold radiance, W/(m2 sr), "
+                 ".exr its noise, bias and error too; .png and .ppm are exposed sRGB. "
+                 "Rewritten after passes",
+         .flags = "-o,--output",
+         .required = required},
+        {.name = "error-image",
+         .section = kFilesSection,
+         .field = parsed_field(
+             [&](const std::string& text) { parse_error_image(text, files.error_image); }, {},
+             "FILE"),
+         .help = "Write an image of the relative error of each pixel in false colour, .png. "
+                 "Rewritten after passes"},
+        {.name = "stats",
+         .section = kFilesSection,
+         .field = file_field(files.statistics),
+         .help = "Write statistics as JSON"}};
+    std::ranges::move(shown_rows(files), std::back_inserter(out));
+    return out;
 }
 
 std::vector<OptionRow> layer_option_rows(OutputFiles& files, LayerChoice& layers)

@@ -22,7 +22,7 @@ struct RenderedFrame {
     Spent rays;                     ///< building the ray tracing structure
     Spent pilots;                   ///< what the passes share, found before the first
     std::vector<LayerImage> layers; ///< of surfaces, those that were requested
-    std::optional<Fireflies> fireflies;
+    ShownFireflies fireflies;
     std::string seen;           ///< of a black image: what the camera looks at
     std::optional<Quote> quote; ///< what other settings would cost; with --quote
     std::uint64_t resumed = 0;  ///< passes that a state or the previous frame had

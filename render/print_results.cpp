@@ -90,8 +90,7 @@ void print_error(const RenderArguments& arguments, const RenderedFrame& frame, R
         return;
     }
     report.line(describe_error(state.checks.back()));
-    if (frame.fireflies)
-        report.line(describe_fireflies(*frame.fireflies));
+    print_fireflies(frame.fireflies, report);
     report.line(describe_cost(state, arguments.stops.error));
     if (!arguments.quote)
         return;

@@ -141,7 +141,7 @@ bool shows_nothing(const Image& image)
 void look_at_image(const RenderScene& scene, const RenderOptions& options, RenderedFrame& frame)
 {
     if (!frame.state.checks.empty())
-        frame.fireflies = find_fireflies(frame.state.film, frame.state.checks.back().error);
+        frame.fireflies.kept = find_fireflies(frame.state.film, frame.state.checks.back().error);
     if (!frame.result.image.pixels.empty() && shows_nothing(frame.result.image))
         frame.seen = describe_seen(scene, options);
 }

@@ -3,6 +3,7 @@
 #include "common/scene/print_audit.h"
 #include "common/scene/scene_names.h"
 #include "render/describe_error.h"
+#include "render/hide_fireflies.h"
 #include "render/outputs.h"
 #include "render/print_results.h"
 #include "render/render_frame.h"
@@ -118,7 +119,10 @@ int render(const RenderArguments& request, const FrameRun& run)
     if (request.progress == ProgressFormat::json)
         lines.emplace(std::cout, frame.arguments);
     const FrameControl control = {g_stop, lines ? &*lines : nullptr, run.ranks};
-    const RenderedFrame rendered = render_frame(frame, run.source, run.previous, control, report);
+    RenderedFrame rendered = render_frame(frame, run.source, run.previous, control, report);
+    rendered.fireflies.removed = hide_fireflies(frame.arguments.files.fireflies, rendered.state);
+    if (rendered.fireflies.removed && rendered.fireflies.removed->pixels > 0)
+        rendered.result.image = film_image(rendered.state.film);
     together(run.ranks, [&] {
         if (run.ranks == nullptr || run.ranks->leads())
             write_results(frame, rendered, place, report);

@@ -180,6 +180,16 @@ Json fireflies_json(const std::optional<Fireflies>& found)
             {"error_without", found->error_without}};
 }
 
+/// Null if they were to be kept.
+Json removed_json(const std::optional<RemovedFireflies>& removed)
+{
+    if (!removed)
+        return {};
+    return {{"pixels", removed->pixels},
+            {"light", removed->light},
+            {"error", std::sqrt(removed->bias2)}};
+}
+
 Json cost_json(const ErrorCost& cost)
 {
     return {{"error", cost.error},
@@ -195,7 +205,7 @@ const char* name_of_bias(BiasKnowledge bias)
 }
 
 /// target: of the error; 0 for none.
-Json error_json(const RenderState& state, const std::optional<Fireflies>& fireflies, double target)
+Json error_json(const RenderState& state, const ShownFireflies& fireflies, double target)
 {
     Json checks = Json::array(), costs = Json::array();
     for (const ErrorCheck& check : state.checks)
@@ -205,7 +215,8 @@ Json error_json(const RenderState& state, const std::optional<Fireflies>& firefl
     const ErrorLaw law = error_law(state.checks, state.radius_decay);
     return {{"bias", name_of_bias(state.film.bias)},
             {"checks", checks},
-            {"fireflies", fireflies_json(fireflies)},
+            {"fireflies", fireflies_json(fireflies.kept)},
+            {"removed_fireflies", removed_json(fireflies.removed)},
             {"law",
              {{"by_pass", law.by_pass},
               {"by_photon", law.by_photon},
@@ -340,8 +351,7 @@ std::string statistics_json(const PreparedFrame& frame, const RenderedFrame& ren
 
 std::string merged_statistics_json(const MergeArguments& arguments, const MergedFiles& merged,
                                    const std::vector<FilmPart>& missing,
-                                   const std::optional<Fireflies>& fireflies,
-                                   const WrittenFiles& written)
+                                   const ShownFireflies& fireflies, const WrittenFiles& written)
 {
     const RenderState& state = merged.state;
     Json json;

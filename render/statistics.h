@@ -17,7 +17,6 @@ std::string statistics_json(const PreparedFrame& frame, const RenderedFrame& ren
 /// lacks, in pixels of the whole image.
 std::string merged_statistics_json(const MergeArguments& arguments, const MergedFiles& merged,
                                    const std::vector<FilmPart>& missing,
-                                   const std::optional<Fireflies>& fireflies,
-                                   const WrittenFiles& written);
+                                   const ShownFireflies& fireflies, const WrittenFiles& written);
 
 } // namespace hipmap

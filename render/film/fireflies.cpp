@@ -3,63 +3,260 @@
 #include "render/film/batch_products.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
+#include <utility>
+#include <vector>
 
 namespace hipmap {
 
 namespace {
 
-/// The pixels that may be fireflies: one in kPixelsPerFirefly, and kLeastFireflies at least, the
-/// pixels that one sample counts in by the widest filter.
-constexpr std::size_t kPixelsPerFirefly = 1000;
+/// Which pixels are fireflies, docs/error.md (19), (21).
+struct Search {
+    std::size_t pixels_each; ///< one pixel of so many may be one
+    double bright;           ///< the least ratio of its noise to the mean of those that cannot be
+};
+
+/// What is told is to be beyond doubt; what is removed is looked at once more.
+constexpr Search kTold{1000, 100}, kRemoved{200, 30};
+
+/// Noise that is left of a pixel, over what it had, above which a second batch has found the light
+/// too.
+constexpr double kSeenAgain = 1.0 / 16;
+
+/// The pixels that one sample counts in by the widest filter; at least so many may be fireflies.
 constexpr std::size_t kLeastFireflies = 9;
 /// An image with fewer pixels for each of these is too small to tell.
 constexpr std::size_t kLeastOthers = 10;
-/// The least ratio of the noise of a firefly to the mean of the pixels that cannot be fireflies.
-constexpr double kBright = 100;
 /// The least share of the square of the error that is worth telling.
 constexpr double kLeastShare = 0.25;
 
-/// Returns each pixel's part of ImageError::noise2, which is their sum.
-std::vector<double> noise_by_pixel(const Film& film)
+/// Returns the factor that makes the sum of a pixel's ChannelStatistics::noise its part of
+/// ImageError::noise2.
+double scale_of_noise(const Film& film, const ChannelReader& reader)
 {
-    const ChannelReader reader(film);
     const Batches& batches = reader.wide();
-    const double channels = 3 * static_cast<double>(film.pixel_count());
-    const double scale =
-        1 / ((static_cast<double>(batches.batch.size()) - 1) * batches.all * channels);
-    std::vector<double> out(film.pixel_count(), 0.0);
-    for (std::size_t pixel = 0; pixel < out.size(); ++pixel)
-        for (std::size_t channel = 0; channel < 3; ++channel)
-            out[pixel] += scale * reader.read(pixel, channel).noise;
+    return 1 / ((static_cast<double>(batches.batch.size()) - 1) * batches.all * 3 *
+                static_cast<double>(film.pixel_count()));
+}
+
+using PixelStatistics = std::array<ChannelStatistics, 3>;
+
+PixelStatistics read_pixel(const ChannelReader& reader, std::size_t pixel)
+{
+    return {reader.read(pixel, 0), reader.read(pixel, 1), reader.read(pixel, 2)};
+}
+
+double noise_of(const PixelStatistics& pixel)
+{
+    return pixel[0].noise + pixel[1].noise + pixel[2].noise;
+}
+
+/// Pixels that may be fireflies, and the least noise of one; docs/error.md (19).
+struct Candidates {
+    std::vector<double> noise;       ///< [pixels] noise_of each
+    std::vector<std::size_t> pixels; ///< the noisiest, ascending
+    double rest = 0;                 ///< noise of all others
+    double bright = 0;               ///< a firefly has more noise
+};
+
+/// None: the image is too small to tell.
+std::optional<Candidates> find_candidates(const Film& film, const ChannelReader& reader,
+                                          const Search& search)
+{
+    const std::size_t pixels = film.pixel_count();
+    const std::size_t most = std::max(kLeastFireflies, pixels / search.pixels_each);
+    if (pixels < kLeastOthers * most)
+        return std::nullopt;
+    Candidates out;
+    out.noise.resize(pixels);
+    for (std::size_t pixel = 0; pixel < pixels; ++pixel)
+        out.noise[pixel] = noise_of(read_pixel(reader, pixel));
+    std::vector<std::size_t> order(pixels);
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const auto others = order.begin() + static_cast<std::ptrdiff_t>(most);
+    std::nth_element(order.begin(), others, order.end(), [&](std::size_t a, std::size_t b) {
+        return out.noise[a] != out.noise[b] ? out.noise[a] > out.noise[b] : a < b;
+    });
+    out.pixels.assign(order.begin(), others);
+    std::ranges::sort(out.pixels);
+    std::sort(others, order.end());
+    for (auto one = others; one != order.end(); ++one)
+        out.rest += out.noise[*one];
+    out.bright = search.bright * out.rest / static_cast<double>(pixels - most);
     return out;
+}
+
+/// A batch of a pixel whose sums are set aside.
+struct SetAside {
+    std::uint64_t batch;
+    std::uint32_t lost; ///< passes that had kept no sample of the pixel
+    std::array<std::int64_t, 3> radiance{};
+};
+
+/// The sums of a pixel that share the photons of one batch.
+struct PixelSums {
+    std::vector<SetAside> wide;
+    std::uint64_t narrow_batch = 0;
+    std::array<std::array<std::int64_t, 3>, 3> narrow{}; ///< of narrow, narrower and cut
+};
+
+std::array<std::vector<std::int64_t>*, 3> narrow_sums(Film& film)
+{
+    return {&film.narrow, &film.narrower, &film.cut};
+}
+
+/// Exchanges the sums of a pixel in one batch with `values`.
+void exchange(std::vector<std::int64_t>& sums, std::size_t place,
+              std::array<std::int64_t, 3>& values)
+{
+    for (std::size_t channel = 0; channel < 3 && !sums.empty(); ++channel)
+        std::swap(sums[place * 3 + channel], values[channel]);
+}
+
+void exchange(Film& film, std::size_t pixel, PixelSums& aside)
+{
+    const std::size_t pixels = film.pixel_count();
+    for (SetAside& one : aside.wide)
+        exchange(film.radiance, one.batch * pixels + pixel, one.radiance);
+    for (std::size_t i = 0; i < 3; ++i)
+        exchange(*narrow_sums(film)[i], aside.narrow_batch * pixels + pixel, aside.narrow[i]);
+}
+
+/// Sets the sums of the batches aside that share narrow sums with `batch`, or of it alone where
+/// there are none.
+PixelSums set_aside(Film& film, std::size_t pixel, std::uint64_t batch)
+{
+    PixelSums out;
+    out.narrow_batch = batch % kNarrowBatches;
+    const bool alone = film.narrow.empty() && film.cut.empty();
+    const KeptPasses kept(film);
+    for (std::uint64_t one = 0; one < kBatches; ++one) {
+        const auto passes = static_cast<std::uint32_t>(kept.of_batch(pixel, one));
+        if (passes == 0 || (alone ? one != batch : one % kNarrowBatches != out.narrow_batch))
+            continue;
+        std::uint32_t& lost = film.lost[pixel * kBatches + one];
+        out.wide.push_back({one, lost});
+        lost += passes;
+    }
+    exchange(film, pixel, out);
+    return out;
+}
+
+void put_back(Film& film, std::size_t pixel, PixelSums aside)
+{
+    exchange(film, pixel, aside);
+    for (const SetAside& one : aside.wide)
+        if (one.lost > 0)
+            film.lost[pixel * kBatches + one.batch] = one.lost;
+        else
+            film.lost.erase(pixel * kBatches + one.batch);
+}
+
+/// Returns the noise after a batch was set aside, with the weights before it was: a darker pixel
+/// weighs more.
+double noise_left(const PixelStatistics& before, const PixelStatistics& after)
+{
+    double sum = 0;
+    for (std::size_t channel = 0; channel < 3; ++channel)
+        if (after[channel].steady > 0)
+            sum += after[channel].noise * (before[channel].steady / after[channel].steady);
+    return sum;
+}
+
+/// Returns the batch that is above the others by most.
+std::uint64_t brightest_batch(const ChannelReader& reader, const PixelStatistics& pixel)
+{
+    std::array<double, kBatches> above{};
+    for (const ChannelStatistics& channel : pixel)
+        for (std::size_t i = 0; i < kBatches; ++i)
+            above[i] += channel.steady * std::max(channel.deviation[i], 0.0) * channel.deviation[i];
+    return reader.wide()
+        .batch[static_cast<std::size_t>(std::ranges::max_element(above) - above.begin())];
+}
+
+double light_of(const PixelStatistics& pixel)
+{
+    return pixel[0].mean + pixel[1].mean + pixel[2].mean;
+}
+
+double sum_of(const Image& image)
+{
+    return std::accumulate(
+        image.pixels.begin(), image.pixels.end(), 0.0,
+        [](double sum, const Rgb& pixel) { return sum + pixel.x + pixel.y + pixel.z; });
 }
 
 } // namespace
 
 std::optional<Fireflies> find_fireflies(const Film& film, const ImageError& error)
 {
-    const std::size_t pixels = film.pixel_count();
-    const std::size_t most = std::max(kLeastFireflies, pixels / kPixelsPerFirefly);
-    if (pixels < kLeastOthers * most || !(error.error > 0))
+    if (!(error.error > 0))
         return std::nullopt;
-    std::vector<double> noise = noise_by_pixel(film);
-    const auto others = noise.begin() + static_cast<std::ptrdiff_t>(most);
-    std::nth_element(noise.begin(), others, noise.end(), std::greater<>());
-    const double rest = std::accumulate(others, noise.end(), 0.0);
-    const double bright = kBright * rest / static_cast<double>(pixels - most);
+    const ChannelReader reader(film);
+    const std::optional<Candidates> found = find_candidates(film, reader, kTold);
+    if (!found)
+        return std::nullopt;
+    const double scale = scale_of_noise(film, reader);
     Fireflies out;
-    double carried = 0, kept = rest;
-    for (auto one = noise.begin(); one != others; ++one) {
-        const bool is_firefly = *one > bright;
-        out.pixels += is_firefly ? 1 : 0;
-        (is_firefly ? carried : kept) += *one;
+    double carried = 0, kept = found->rest;
+    for (const std::size_t pixel : found->pixels) {
+        const double noise = found->noise[pixel];
+        out.pixels += noise > found->bright ? 1 : 0;
+        (noise > found->bright ? carried : kept) += noise;
     }
-    out.share = carried / (error.error * error.error);
+    out.share = scale * carried / (error.error * error.error);
     if (out.share < kLeastShare)
         return std::nullopt;
-    const double all = static_cast<double>(pixels), left = all - static_cast<double>(out.pixels);
-    out.error_without = std::sqrt(kept * all / left + std::max(error.bias2, 0.0) + error.clamp2);
+    const double all = static_cast<double>(film.pixel_count());
+    const double left = all - static_cast<double>(out.pixels);
+    out.error_without =
+        std::sqrt(scale * kept * all / left + std::max(error.bias2, 0.0) + error.clamp2);
+    return out;
+}
+
+RemovedFireflies remove_fireflies(Film& film)
+{
+    RemovedFireflies out;
+    const double light = sum_of(film_image(film));
+    const ChannelReader reader(film);
+    if (reader.wide().batch.size() < kFewestBatches || !(light > 0))
+        return out;
+    const std::optional<Candidates> found = find_candidates(film, reader, kRemoved);
+    if (!found)
+        return out;
+    double more_than_once = kLeastFireflies, carried = 0;
+    for (const std::size_t pixel : found->pixels) {
+        const double noise = found->noise[pixel];
+        if (!(noise > found->bright))
+            continue;
+        const PixelStatistics before = read_pixel(reader, pixel);
+        PixelSums aside = set_aside(film, pixel, brightest_batch(reader, before));
+        const PixelStatistics after = read_pixel(reader, pixel);
+        const double left = noise_left(before, after);
+        if (after[0].batches < 2 || left > std::max(found->bright, kSeenAgain * noise)) {
+            put_back(film, pixel, std::move(aside));
+            ++more_than_once;
+            continue;
+        }
+        ++out.pixels;
+        out.light += (light_of(before) - light_of(after)) / light;
+        carried += noise - left;
+    }
+    const double once = static_cast<double>(out.pixels + kLeastFireflies);
+    out.bias2 = std::min(1.0, 2 * more_than_once / once) * scale_of_noise(film, reader) * carried;
+    return out;
+}
+
+std::optional<ImageError> estimate_error(const Film& film, const RemovedFireflies& removed)
+{
+    std::optional<ImageError> out = estimate_error(film);
+    if (!out)
+        return out;
+    out->removed2 = removed.bias2;
+    out->error = std::sqrt(out->error * out->error + removed.bias2);
+    out->high = std::sqrt(out->high * out->high + removed.bias2);
     return out;
 }
 

@@ -18,4 +18,27 @@ struct Fireflies {
 /// that.
 std::optional<Fireflies> find_fireflies(const Film& film, const ImageError& error);
 
+/// What the removal of fireflies took from an image.
+struct RemovedFireflies {
+    std::uint64_t pixels = 0;
+    double light = 0; ///< share of the sum of all channels that they carried
+    double bias2 = 0; ///< relMSE of the light that is missing now, docs/error.md (21)
+};
+
+/// Takes the batches that hold fireflies out of their pixels, as if their passes had kept no sample
+/// there, docs/error.md (21).  What two batches or more have found is no firefly and stays.  A film
+/// with passes in fewer than kFewestBatches batches loses nothing.  The film is then one to show:
+/// write its state before.  Costs about as much as find_fireflies.
+RemovedFireflies remove_fireflies(Film& film);
+
+/// The fireflies of an image to show.
+struct ShownFireflies {
+    std::optional<Fireflies> kept;
+    std::optional<RemovedFireflies> removed; ///< none: they were to be kept
+};
+
+/// Returns the error of the film that is left, as estimate_error does, with that of the light that
+/// is missing.
+std::optional<ImageError> estimate_error(const Film& film, const RemovedFireflies& removed);
+
 } // namespace hipmap

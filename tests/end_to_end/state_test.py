@@ -20,13 +20,15 @@ SEED = 7
 
 
 class State(ToolsTestCase):
+    size = "16x16"
+
     def setUp(self):
         super().setUp()
         self.succeed("preprocess", Tools.scene, "-o", self.path("scene.hpm"))
 
     def command(self, image, *options):
         return [os.path.join(Tools.folder, "render"), Tools.scene, self.path("scene.hpm"), "-o",
-                self.path(image), "--size", "16x16", "--photons", "3000", *map(str, options)]
+                self.path(image), "--size", self.size, "--photons", "3000", *map(str, options)]
 
     def render(self, image, *options):
         return self.succeed("render", *self.command(image, *options)[1:])
@@ -205,6 +207,30 @@ class State(ToolsTestCase):
             with self.subTest(option=option, value=value):
                 self.refuse_render(option, value, naming=option)
         self.refuse("render", Tools.scene, self.path("scene.hpm"), naming="--output")
+
+
+    def test_fireflies_are_removed_from_images_and_not_from_states(self):
+        """Paths find the light behind the glass ball by rare bright samples."""
+        self.size = "40x40"
+        options = ["--integrator", "path", "--passes", 8]
+        self.render("kept.pfm", *options, "--state", self.path("a.state"))
+        with open(self.path("a.state"), "rb") as file:
+            state = file.read()
+        printed = self.render("removed.pfm", *options, "--state", self.path("a.state"),
+                              "--fireflies", "remove", "--stats", self.path("stats.json"))
+        self.assertIn("fireflies: removed from", printed)
+        with open(self.path("a.state"), "rb") as file:
+            self.assertEqual(file.read(), state)
+        removed = self.read_json("stats.json")["error"]["removed_fireflies"]
+        self.assertGreater(removed["pixels"], 0)
+        self.assertTrue(0 < removed["light"] < 0.2, removed)
+        self.succeed("render", "merge", self.path("a.state"), "-o", self.path("merged.pfm"),
+                     "--fireflies", "remove", "--state", self.path("b.state"))
+        self.succeed("render", "merge", self.path("b.state"), "-o", self.path("again.pfm"))
+        self.same("merged.pfm", "removed.pfm")
+        self.same("again.pfm", "kept.pfm")
+        with self.assertRaises(AssertionError):
+            self.same("kept.pfm", "removed.pfm")
 
 
 if __name__ == "__main__":

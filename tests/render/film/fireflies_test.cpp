@@ -3,26 +3,55 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
 using namespace hipmap;
 
 namespace {
 
 constexpr std::uint64_t kPasses = 12;
 
-/// Passes of noise, with a bright sample in each of `bright` pixels of one pass.
-Film noisy_film(std::size_t bright, float radiance)
+std::size_t bright_pixel(const Film& film, std::size_t i)
+{
+    return film.pixel_count() - 1 - 11 * i;
+}
+
+struct Bright {
+    std::size_t pixels;
+    float radiance;
+    std::vector<std::uint64_t> passes = {3};
+    bool radii = false;
+};
+
+/// Passes of noise, with a bright sample in each of some pixels of some passes.
+Film noisy_film(const Bright& bright)
 {
     SyntheticPasses passes;
-    passes.radii = false;
+    passes.radii = bright.radii;
     passes.photon_noise = 0.1;
-    Film film = make_film(passes.side, passes.side, 1, BiasKnowledge::unbiased);
+    Film film = make_film(passes.side, passes.side, 1,
+                          bright.radii ? BiasKnowledge::from_radii : BiasKnowledge::unbiased);
     for (std::uint64_t number = 0; number < kPasses; ++number) {
         PassImages images = passes.pass(number);
-        for (std::size_t i = 0; number == 3 && i < bright; ++i)
-            images.radiance.pixels[images.radiance.pixels.size() - 1 - 11 * i] += Rgb(radiance);
+        const auto brighten = [&](Image& image) {
+            for (std::size_t i = 0; i < bright.pixels && !image.pixels.empty(); ++i)
+                image.pixels[bright_pixel(film, i)] += Rgb(bright.radiance);
+        };
+        if (std::ranges::count(bright.passes, number) > 0) {
+            brighten(images.radiance);
+            brighten(images.narrow);
+            brighten(images.narrower);
+        }
         add_pass(film, number, images);
     }
     return film;
+}
+
+Film noisy_film(std::size_t bright, float radiance)
+{
+    return noisy_film({.pixels = bright, .radiance = radiance});
 }
 
 std::optional<Fireflies> fireflies_of(const Film& film)
@@ -68,4 +97,77 @@ TEST_CASE("find_fireflies: an image of few pixels has none", "[film]")
         add_pass(film, number, images);
     }
     CHECK(!fireflies_of(film));
+}
+
+TEST_CASE("remove_fireflies: what one pass found leaves its pixels, and the error", "[film]")
+{
+    for (const bool radii : {false, true}) {
+        const Film plain = noisy_film({.pixels = 0, .radiance = 0, .radii = radii});
+        Film film = noisy_film({.pixels = 5, .radiance = 100, .radii = radii});
+        const Image before = film_image(film);
+        const double error = estimate_error(film)->error;
+        const RemovedFireflies removed = remove_fireflies(film);
+        CHECK(removed.pixels == 5);
+        const Image after = film_image(film), right = film_image(plain);
+        double light = 0, all = 0;
+        for (std::size_t i = 0; i < film.pixel_count(); ++i) {
+            const bool was_bright = before.pixels[i].x > right.pixels[i].x + 1;
+            CHECK((after.pixels[i] == before.pixels[i]) == !was_bright);
+            CHECK(std::abs(after.pixels[i].x - right.pixels[i].x) < 0.5f);
+            for (int c = 0; c < 3; ++c) {
+                light += before.pixels[i][c] - after.pixels[i][c];
+                all += before.pixels[i][c];
+            }
+        }
+        CHECK(removed.light == Approx(light / all).epsilon(0.02));
+        const ImageError left = *estimate_error(film, removed);
+        CHECK(std::sqrt(left.noise2) ==
+              Approx(std::sqrt(estimate_error(plain)->noise2)).epsilon(0.1));
+        CHECK(left.removed2 == removed.bias2);
+        CHECK(left.error < 1.001 * error); // five are too few to be sure that they are rare
+        CHECK(left.error * left.error ==
+              Approx(left.noise2 + std::max(left.bias2, 0.0) + left.removed2));
+    }
+}
+
+TEST_CASE("remove_fireflies: what two batches found stays", "[film]")
+{
+    const Film film = noisy_film({.pixels = 5, .radiance = 100, .passes = {3, 6}});
+    Film left = film;
+    CHECK(remove_fireflies(left).pixels == 0);
+    CHECK(left == film);
+    // Passes 3 and 11 are of one batch.
+    Film same_batch = noisy_film({.pixels = 5, .radiance = 100, .passes = {3, 11}});
+    CHECK(remove_fireflies(same_batch).pixels == 5);
+}
+
+TEST_CASE("remove_fireflies: a weaker second sample does not keep a bright one", "[film]")
+{
+    Film film = noisy_film({.pixels = 5, .radiance = 100});
+    const SyntheticPasses passes{.photon_noise = 0.1, .radii = false};
+    PassImages images = passes.pass(kPasses);
+    for (std::size_t i = 0; i < 5; ++i)
+        images.radiance.pixels[bright_pixel(film, i)] += Rgb(8.0f);
+    add_pass(film, kPasses, images);
+    CHECK(remove_fireflies(film).pixels == 5);
+    CHECK(film_image(film).pixels[bright_pixel(film, 0)].x < 3);
+}
+
+TEST_CASE("remove_fireflies: noise, few passes and black images stay as they are", "[film]")
+{
+    const auto stays = [](const Film& film) {
+        Film left = film;
+        return remove_fireflies(left).pixels == 0 && left == film;
+    };
+    CHECK(stays(noisy_film(0, 0)));
+    CHECK(stays(noisy_film(5, 0.5f)));
+    const SyntheticPasses passes{.radii = false};
+    CHECK(stays(make_film(passes.side, passes.side, 1, BiasKnowledge::unbiased)));
+    Film few = make_film(passes.side, passes.side, 1, BiasKnowledge::unbiased);
+    for (std::uint64_t number = 0; number + 1 < kFewestBatches; ++number) {
+        PassImages images = passes.pass(number);
+        images.radiance.pixels[7] += Rgb(number == 0 ? 100.0f : 0.0f);
+        add_pass(few, number, images);
+    }
+    CHECK(stays(few));
 }
