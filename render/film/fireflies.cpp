@@ -12,7 +12,7 @@ namespace hipmap {
 
 namespace {
 
-/// Which pixels are fireflies, docs/error.md (19), (21).
+/// Which pixels are fireflies, docs/error.md (19), (24).
 struct Search {
     std::size_t pixels_each; ///< one pixel of so many may be one
     double bright;           ///< the least ratio of its noise to the mean of those that cannot be

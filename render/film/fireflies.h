@@ -22,11 +22,11 @@ std::optional<Fireflies> find_fireflies(const Film& film, const ImageError& erro
 struct RemovedFireflies {
     std::uint64_t pixels = 0;
     double light = 0; ///< share of the sum of all channels that they carried
-    double bias2 = 0; ///< relMSE of the light that is missing now, docs/error.md (21)
+    double bias2 = 0; ///< relMSE of the light that is missing now, docs/error.md (24)
 };
 
 /// Takes the batches that hold fireflies out of their pixels, as if their passes had kept no sample
-/// there, docs/error.md (21).  What two batches or more have found is no firefly and stays.  A film
+/// there, docs/error.md (24).  What two batches or more have found is no firefly and stays.  A film
 /// with passes in fewer than kFewestBatches batches loses nothing.  The film is then one to show:
 /// write its state before.  Costs about as much as find_fireflies.
 RemovedFireflies remove_fireflies(Film& film);
