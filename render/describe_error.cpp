@@ -67,6 +67,17 @@ void print_fireflies(const ShownFireflies& fireflies, Report& report)
         report.line(describe_fireflies(*fireflies.kept));
 }
 
+std::string describe_unseen(const UnseenLight& unseen, const std::string& light)
+{
+    const double lacks = std::isfinite(unseen.most) ? unseen.most / (1 + unseen.most) : 1;
+    return "the image may lack up to " + percent(lacks) +
+           " of its light (95 % confidence), which the error does not include: " +
+           (unseen.never ? "no light path" : "only one light path of some kind") + " of " + light +
+           " reached what the image sees in " + counted(unseen.passes, "pass", "passes") +
+           "; raise --photons, render more passes, or widen the openings that the light comes "
+           "through";
+}
+
 std::string describe_need(const ErrorCost& cost)
 {
     if (!std::isfinite(cost.seconds) || cost.seconds > kMostPracticalSeconds ||

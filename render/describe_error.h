@@ -4,6 +4,7 @@
 #include "render/film/error_cost.h"
 #include "render/film/fireflies.h"
 #include "render/film/render_state.h"
+#include "render/integrator/missed_light.h"
 
 #include <string>
 #include <vector>
@@ -27,6 +28,10 @@ std::string describe_removed(const RemovedFireflies& removed);
 
 /// Prints one of the two, if there is something to tell.
 void print_fireflies(const ShownFireflies& fireflies, Report& report);
+
+/// Describes the light that no path has met, and what to do about it.  light: to which it may be
+/// due.
+std::string describe_unseen(const UnseenLight& unseen, const std::string& light);
 
 /// Describes what an error takes: "would take about 23 passes, 46 s"; beyond a day: "is not
 /// practical (more than a day)".

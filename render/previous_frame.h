@@ -2,6 +2,7 @@
 
 #include "common/stopwatch.h"
 #include "render/film/fireflies.h"
+#include "render/integrator/missed_light.h"
 #include "render/integrator/photon_cache.h"
 #include "render/integrator/run_passes.h"
 #include "render/layers/layer.h"
@@ -23,6 +24,8 @@ struct RenderedFrame {
     Spent pilots;                   ///< what the passes share, found before the first
     std::vector<LayerImage> layers; ///< of surfaces, those that were requested
     ShownFireflies fireflies;
+    MissedLight missed;
+    std::string unseen;         ///< the light that most unseen light may be of
     std::string seen;           ///< of a black image: what the camera looks at
     std::optional<Quote> quote; ///< what other settings would cost; with --quote
     std::uint64_t resumed = 0;  ///< passes that a state or the previous frame had

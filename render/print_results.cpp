@@ -54,28 +54,34 @@ void print_levels(const RenderStatistics& statistics, Report& report)
                           describe_plan(kind->levels.group_plan));
 }
 
-void warn_of_dropped(const RenderStatistics& statistics, const Film& film, Report& report)
+void warn_of_missed(const RenderedFrame& frame, Report& report)
 {
-    if (film.saturated > 0)
-        report.warn(std::to_string(film.saturated) +
+    const RenderStatistics& statistics = frame.statistics;
+    if (frame.state.film.saturated > 0)
+        report.warn(std::to_string(frame.state.film.saturated) +
                     " pixel values exceeded the range of the film and were clamped");
     const std::uint64_t dropped = statistics.dropped_photons + statistics.dropped_samples;
     if (dropped > 0)
         report.warn(std::to_string(dropped) +
                     " photons or samples were not finite and were dropped");
+    std::optional<ImageError> error;
+    if (!frame.state.checks.empty())
+        error = frame.state.checks.back().error;
+    if (frame.missed.unseen && is_much(*frame.missed.unseen, error))
+        report.warn(describe_unseen(*frame.missed.unseen, frame.unseen));
 }
 
 } // namespace
 
-void print_statistics(const RenderArguments& arguments, const RenderStatistics& statistics,
-                      const Film& film, Report& report)
+void print_statistics(const RenderArguments& arguments, const RenderedFrame& frame, Report& report)
 {
+    const RenderStatistics& statistics = frame.statistics;
     if (kind_of(arguments.render.integrator).photons) {
         print_photons(statistics, report);
         print_guides(statistics, report);
         print_levels(statistics, report);
     }
-    warn_of_dropped(statistics, film, report);
+    warn_of_missed(frame, report);
 }
 
 void print_error(const RenderArguments& arguments, const RenderedFrame& frame, Report& report)

@@ -137,9 +137,12 @@ bool shows_nothing(const Image& image)
     return std::ranges::all_of(image.pixels, [](const Rgb& pixel) { return is_black(pixel); });
 }
 
-/// Finds fireflies, and what a black image looks at.
+/// Finds fireflies, light that was missed, and what a black image looks at.
 void look_at_image(const RenderScene& scene, const RenderOptions& options, RenderedFrame& frame)
 {
+    frame.missed = find_missed_light(frame.statistics);
+    if (frame.missed.unseen)
+        frame.unseen = describe_light(scene, frame.missed.unseen->light);
     if (!frame.state.checks.empty())
         frame.fireflies.kept = find_fireflies(frame.state.film, frame.state.checks.back().error);
     if (!frame.result.image.pixels.empty() && shows_nothing(frame.result.image))

@@ -39,7 +39,7 @@ void write_results(const PreparedFrame& frame, const RenderedFrame& rendered,
                    const FramePlace* place, Report& report)
 {
     const RenderArguments& arguments = frame.arguments;
-    print_statistics(arguments, rendered.statistics, rendered.state.film, report);
+    print_statistics(arguments, rendered, report);
     if (place == nullptr || report.verbose())
         print_error(arguments, rendered, report);
     const WrittenFiles written =

@@ -1,5 +1,6 @@
 #include "render/seen_objects.h"
 
+#include "common/scene/named_lights.h"
 #include "common/scene/scene_names.h"
 #include "render/integrator/pixel_samples.h"
 
@@ -30,6 +31,23 @@ std::string describe_seen(const RenderScene& scene, const RenderOptions& options
     for (const auto& [rays, object] : order)
         names.push_back(mesh.object_names[object]);
     return names.empty() ? "no object" : list_names(names);
+}
+
+std::string describe_light(const RenderScene& scene, std::size_t light)
+{
+    const std::vector<SceneLight>& analytic = scene.scene.lights;
+    if (light < analytic.size()) {
+        const NamedLight named = describe_light(analytic[light]);
+        return std::string(named.kind) + " '" + named.name + "'";
+    }
+    if (light >= scene.lights.lights.size())
+        return "a light";
+    const Light& other = scene.lights.lights[light];
+    if (const auto* mesh = std::get_if<EmissiveMesh>(&other); mesh && !mesh->faces.empty()) {
+        const TriangleMesh& faces = scene.mesh();
+        return "object '" + faces.object_names[faces.object_of(mesh->faces.front())] + "'";
+    }
+    return role(other) == LightRole::medium ? "media" : "the environment";
 }
 
 } // namespace hipmap

@@ -272,6 +272,19 @@ Json photons_json(const RenderStatistics& render, const RenderOptions& options)
     return json;
 }
 
+/// Null if light paths were not counted.
+Json unseen_json(const std::optional<UnseenLight>& unseen)
+{
+    if (!unseen)
+        return {};
+    return {{"passes", unseen->passes},
+            {"paths", unseen->paths},
+            {"classes_once", unseen->classes_once},
+            {"lights_never", unseen->lights_never},
+            {"share", unseen->share},
+            {"most", unseen->most}}; // null if infinite
+}
+
 Json missing_json(const std::vector<FilmPart>& missing)
 {
     Json out = Json::array();
@@ -337,6 +350,7 @@ std::string statistics_json(const PreparedFrame& frame, const RenderedFrame& ren
     json["error"] = error_json(state, rendered.fireflies, arguments.stops.error);
     if (rendered.quote)
         json["quote"] = quote_json(*rendered.quote);
+    json["unseen_light"] = unseen_json(rendered.missed.unseen);
     json["saturated"] = state.film.saturated;
     json["seconds"] = seconds_json(frame, rendered, written);
     json["processor_seconds"] = processor_seconds_json(frame, rendered, written);

@@ -106,9 +106,12 @@ Importons trace_importons(const RenderScene& scene, const RenderOptions& options
     for (int y = 0; y < small.height; ++y)
         for (int x = 0; x < small.width; ++x) {
             const double level = level_around(picture.radiance, x, y);
-            const auto weight = static_cast<float>(1 / std::sqrt(level * level + dark * dark));
+            const auto weight =
+                dark > 0 ? static_cast<float>(1 / std::sqrt(level * level + dark * dark)) : 1.0f;
             const Importons& from =
                 picture.importons[static_cast<std::size_t>(y) * small.width + x];
+            const Rgb& found = picture.radiance.at(x, y);
+            out.light += (double{found.x} + double{found.y} + double{found.z}) * double{weight};
             append(out.caustic, from.caustic, weight);
             append(out.global, from.global, weight);
             append(out.indirect, from.indirect, weight);

@@ -16,6 +16,9 @@ struct Importons {
     std::vector<Photon> caustic;
     std::vector<Photon> global;
     std::vector<Photon> indirect;
+    double light =
+        0; ///< of the image of their eye paths, the sum of its channels, weighted as they
+           ///<   are; 0: it is black, and their weights are one
 };
 
 /// Keeps a query of photons of some kind.  importons: null: it is not kept.  weight: of what the

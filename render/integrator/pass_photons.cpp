@@ -53,6 +53,8 @@ TracedPhotons trace_pass(const RenderScene& scene, const PhotonOptions& options,
     statistics.dropped_photons += traced.dropped;
     statistics.cut_paths += traced.cut;
     statistics.power = traced.power;
+    traced.seen.passes = options.seen == nullptr ? 0 : 1;
+    merge(statistics.seen, traced.seen);
     statistics.seconds_photons += watch.seconds();
     statistics.processor_photons += watch.processor_seconds();
     return traced;

@@ -1,5 +1,7 @@
 #include "render/integrator/photon_cache.h"
 
+#include <utility>
+
 namespace hipmap {
 
 namespace {
@@ -62,6 +64,7 @@ maps_of_pass(PhotonCache* cache, std::uint64_t pass, RenderStatistics& statistic
     made.maps = std::make_shared<const ProgressiveMaps>(make(made.made));
     add_photons(made.made, statistics);
     add_seconds(made.made, statistics);
+    merge(statistics.seen, std::exchange(made.made.seen, {})); // of this image alone
     const std::size_t bytes = made.maps->bytes();
     if (cache != nullptr && cache->bytes + bytes <= cache->most) {
         cache->bytes += bytes;

@@ -1,6 +1,7 @@
 #include "render/integrator/progressive.h"
 
 #include "render/integrator/environment_seeds.h"
+#include "render/integrator/find_seen_surfaces.h"
 #include "render/integrator/gather_path.h"
 #include "render/integrator/light_sample_allocation.h"
 #include "render/integrator/pass_photons.h"
@@ -30,6 +31,7 @@ constexpr SampleRange kGatherRounds[] = {{0, 2}, {2, 8}};
 struct Progressive {
     std::shared_ptr<const ProgressiveRadii> first;
     std::shared_ptr<const PhotonGuides> guides = {}; ///< null: paths start by power
+    std::shared_ptr<const SeenSurfaces> seen = {};   ///< where photons count; null: not known
     SampleAllocation allocation;
     PhotonCache* cache = nullptr;
 };
@@ -40,7 +42,8 @@ struct ProgressivePass {
     const RenderOptions& options;
     std::uint64_t number = 0;
     const PhotonGuides* guides = nullptr;
-    double shrink = 1;                   ///< radius over the first radius
+    const SeenSurfaces* seen_surfaces = nullptr; ///< where photons count; null: not counted
+    double shrink = 1;                           ///< radius over the first radius
     SeenLights seen = SeenLights::added; ///< left_out: wherever they have no samples of their own
 
     GatherScale scale() const
@@ -57,6 +60,7 @@ ProgressivePass numbered_pass(const MappedScene& mapped, const RenderOptions& op
             .options = options,
             .number = number,
             .guides = shared.guides.get(),
+            .seen_surfaces = shared.seen.get(),
             .shrink = radius_of_pass(number, options.alpha)};
 }
 
@@ -73,6 +77,7 @@ PhotonOptions linked_options(const ProgressivePass& pass)
     photons.link_bounces = photons.light.indirect;
     photons.store_glossy = photons.light.caustic;
     photons.guides = pass.guides;
+    photons.seen = pass.seen_surfaces;
     return photons;
 }
 
@@ -218,22 +223,30 @@ GatherMaps gathered_maps(const ProgressivePass& pass, const ProgressiveRadii& fi
             &photons.glossy};
 }
 
-/// Learns from a part of the photons of a pass, whose maps only say where gather rays end.
-std::shared_ptr<const PhotonGuides> find_guides(const ProgressivePass& pilot,
-                                                const ProgressiveRadii& first)
+/// Finds where the image asks for photons, by maps of a part of the photons of a pass, which only
+/// say where gather rays end.
+Importons find_importons(const ProgressivePass& pilot, const ProgressiveRadii& first)
 {
     RenderStatistics ignored;
     const RenderOptions small = pilot_options(pilot.options);
     const ProgressivePass few{pilot.mapped, small, pilot.number};
     const ProgressiveMaps photons = make_maps(few, first, ignored);
     const GatherMaps maps = gathered_maps(few, first, photons);
-    const RenderScene& scene = pilot.mapped.scene;
-    const Importons importons = trace_importons(
-        scene, pilot.options, [&](const Ray& ray, RandomSequence& random, Importons& kept) {
-            GatherScratch scratch;
-            scratch.importons = &kept;
-            return trace_gather_path(maps, ray, SeenLights::left_out, random, scratch)[0];
-        });
+    return trace_importons(pilot.mapped.scene, pilot.options,
+                           [&](const Ray& ray, RandomSequence& random, Importons& kept) {
+                               GatherScratch scratch;
+                               scratch.importons = &kept;
+                               return trace_gather_path(maps, ray, SeenLights::left_out, random,
+                                                        scratch)[0];
+                           });
+}
+
+/// Learns where light paths should start; a black image does not say it.
+std::shared_ptr<const PhotonGuides>
+find_guides(const ProgressivePass& pilot, const ProgressiveRadii& first, const Importons& importons)
+{
+    if (!(importons.light > 0))
+        return nullptr;
     const MapSurfaces& surfaces = pilot.mapped.surfaces;
     const PhotonWorth worth = make_worth(importons, surfaces, [&](const TracedPhotons& traced) {
         return weigh_bounces(traced, first.surfaces, surfaces, pilot.scale());
@@ -241,7 +254,7 @@ std::shared_ptr<const PhotonGuides> find_guides(const ProgressivePass& pilot,
     PhotonOptions learning = linked_options(pilot);
     learning.pass = kPilotPass - 1;
     return learn_guides(pilot.mapped, learning, worth,
-                        environment_seeds(scene, importons, learning.seed));
+                        environment_seeds(pilot.mapped.scene, importons, learning.seed));
 }
 
 /// Learns where gather rays find light, from rays of pilots that read the maps of one; from few, if
@@ -336,8 +349,12 @@ void prepare(const MappedScene& mapped, const RenderOptions& options, Progressiv
     ProgressiveRadii first = known ? *shared.cache->radii : find_first_radii(pilot);
     if (shared.cache != nullptr)
         shared.cache->radii = std::make_shared<const ProgressiveRadii>(first);
+    const Importons importons = find_importons(pilot, first);
     if (options.emission == Emission::guided)
-        shared.guides = find_guides(pilot, first);
+        shared.guides = find_guides(pilot, first, importons);
+    SeenSurfaces seen = find_seen_surfaces(mapped, importons, linked_options(pilot));
+    if (seen.unit > 0)
+        shared.seen = std::make_shared<const SeenSurfaces>(std::move(seen));
     if (shared.guides) {
         shared.cache = nullptr;
         pilot.guides = shared.guides.get();
@@ -365,6 +382,8 @@ PassSource make_progressive_source(const RenderScene& scene, const RenderOptions
     source.photons = options.photons;
     source.allocation = checksum(shared->allocation);
     source.allocation = mix_bits(source.allocation ^ checksum(shared->first->guide));
+    if (shared->seen)
+        statistics.seen_scale = scale_of(*shared->seen);
     if (shared->guides) {
         source.allocation = mix_bits(source.allocation ^ checksum(*shared->guides));
         statistics.guided_variance = shared->guides->without_aim.variance;
@@ -379,7 +398,7 @@ PassSource make_progressive_source(const RenderScene& scene, const RenderOptions
     source.render_in = [&options, &statistics, shared](const RenderScene& now, std::uint64_t pass,
                                                        const PassControl& control) {
         const MapSurfaces surfaces_now(now.mesh(), now.partition);
-        const Progressive uncached{shared->first, shared->guides, shared->allocation};
+        const Progressive uncached{shared->first, shared->guides, shared->seen, shared->allocation};
         return render_pass(numbered_pass({now, surfaces_now}, options, pass, uncached), uncached,
                            control, statistics);
     };

@@ -4,6 +4,7 @@
 #include "render/integrator/eye_path.h"
 #include "render/integrator/pixel_filter.h"
 #include "render/photons/trace_photons.h"
+#include "render/photons/unseen_light.h"
 
 namespace hipmap {
 
@@ -88,6 +89,8 @@ struct RenderStatistics {
     KindStatistics glossy;   ///< integrator progressive: caustic ones on glossy surfaces
     std::uint64_t volume_photons = 0; ///< in media, summed over the passes
     PowerBalance power;               ///< of the last pass
+    SeenScale seen_scale;             ///< integrator progressive
+    SeenClasses seen;                 ///< of the passes that traced photons of their own
     double seconds_photons = 0;
     double seconds_maps = 0;
     double seconds_image = 0;

@@ -18,6 +18,8 @@ struct LightPath : PathRay {
     int diffuse = 0;                ///< bounces off gathered lobes
     std::uint64_t last = kNoPhoton; ///< photon of the chunk left at the last diffuse surface
     bool last_caustic = false;
+    FaceId first_specular = kNone; ///< the face where it first left a specular lobe, before any
+                                   ///<   gathered lobe
 };
 
 /// Returns whether photons of a path's class are wanted.

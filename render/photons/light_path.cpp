@@ -119,6 +119,8 @@ void store(const Interaction& at, LightPath& path, bool directional, const Wante
     if (link)
         out.bounces.push_back(bounced);
     if (keep) {
+        if (wanted.counter != nullptr)
+            wanted.counter->add(bounced.photon, path.first_specular, caustic);
         std::vector<Photon>& kept = caustic ? out.caustic : out.global;
         path.last = kept.size();
         path.last_caustic = caustic;
@@ -165,6 +167,7 @@ bool scatter(const RenderScene& scene, const Interaction& at, LightPath& path,
         path.behind = LightPathClass::indirect;
     } else if (path.behind == LightPathClass::direct) {
         path.behind = LightPathClass::caustic;
+        path.first_specular = at.point.face;
     }
     path.power *= particle_correction(at, path.ray.direction);
     return true;

@@ -7,6 +7,8 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <mutex>
+#include <optional>
 
 namespace hipmap {
 
@@ -70,6 +72,7 @@ TracedPhotons join(std::vector<TracedPhotons>& chunks)
         out.dropped += chunk.dropped;
         out.cut += chunk.cut;
         add(chunk.power, out.power);
+        merge(out.seen, chunk.seen);
     }
     return_freed_memory();
     return out;
@@ -89,14 +92,50 @@ const EmissionGuide* guide_of(const PhotonOptions& options, EmissionGuide Photon
     return options.guides == nullptr ? nullptr : &(options.guides->*kind);
 }
 
+/// Counts the classes of the paths of a kind, by threads that each count some of them.
+class PathCounts {
+  public:
+    explicit PathCounts(const SeenSurfaces* seen) : seen_(seen) {}
+
+    std::optional<ClassCounter> begin() const
+    {
+        return seen_ == nullptr ? std::nullopt : std::optional<ClassCounter>(*seen_);
+    }
+    void add(const std::optional<ClassCounter>& counter)
+    {
+        if (!counter)
+            return;
+        const std::lock_guard lock(mutex_);
+        counter->add_to(sum_);
+    }
+    /// Returns the counts of all.  wanted: of their paths.
+    SeenClasses take(const Wanted& wanted)
+    {
+        for (SeenClasses::OfLight& light : sum_.lights) {
+            light.caustic = wanted.caustic ? light.caustic : 0;
+            light.global = wanted.direct || wanted.indirect ? light.global : 0;
+        }
+        return std::move(sum_);
+    }
+
+  private:
+    const SeenSurfaces* seen_;
+    std::mutex mutex_;
+    SeenClasses sum_;
+};
+
 /// Traces all paths, in chunks that are joined in order.  emit(share, random): their starts.
 template <typename Emit>
 TracedPhotons trace_paths(const RenderScene& scene, const PathKind& kind, const Emit& emit)
 {
     const std::uint64_t count = kind.plan.paths;
     std::vector<TracedPhotons> chunks((count + kPathsPerChunk - 1) / kPathsPerChunk);
+    PathCounts counts(kind.options.seen);
     tbb::parallel_for(std::size_t{0}, chunks.size(), [&](std::size_t c) {
         TracedPhotons& photons = chunks[c];
+        std::optional<ClassCounter> counter = counts.begin();
+        Wanted wanted = kind.wanted;
+        wanted.counter = counter ? &*counter : nullptr;
         const std::uint64_t end = std::min(count, (c + 1) * kPathsPerChunk);
         for (std::uint64_t i = c * kPathsPerChunk; i < end; ++i) {
             const LightShare share = share_of(kind.plan, i);
@@ -104,13 +143,18 @@ TracedPhotons trace_paths(const RenderScene& scene, const PathKind& kind, const 
             const EmittedPath start = kind.guide == nullptr
                                           ? emit(share, random)
                                           : emit_guided(*kind.guide, share, random, emit);
+            if (counter)
+                counter->begin_path(share.light, start.power);
             if (max_channel(start.power) > 0)
-                trace_light_path(scene, kind.wanted, start, random, photons);
+                trace_light_path(scene, wanted, start, random, photons);
             if (kind.options.count_paths)
                 photons.after_path.push_back(counts_of(photons));
         }
+        counts.add(counter);
     });
-    return join(chunks);
+    TracedPhotons out = join(chunks);
+    out.seen = counts.take(kind.wanted);
+    return out;
 }
 
 /// What is kept of the paths that are not aimed.

@@ -3,6 +3,7 @@
 #include "render/effects/light_classes.h"
 #include "render/lights/emission.h"
 #include "render/photons/photon.h"
+#include "render/photons/seen_classes.h"
 #include "render/photons/volume_photon.h"
 #include "render/shading/render_scene.h"
 
@@ -31,6 +32,7 @@ struct PhotonOptions {
     bool media = false; ///< keep photons in media, and those that come from there to surfaces
     const PhotonGuides* guides = nullptr; ///< borrowed; null: paths start by power alone
     bool count_paths = false;             ///< fill TracedPhotons::after_path
+    const SeenSurfaces* seen = nullptr;   ///< to fill TracedPhotons::seen; borrowed
 };
 
 /// Marks the absence of a photon.
@@ -80,6 +82,7 @@ struct TracedPhotons {
     std::uint64_t dropped = 0; ///< not finite; their power is lost
     std::uint64_t cut = 0;     ///< paths that reached the largest number of bounces
     PowerBalance power;
+    SeenClasses seen; ///< the classes of light paths, if asked for
 };
 
 /// Returns the random numbers of a path.
