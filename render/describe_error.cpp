@@ -78,6 +78,14 @@ std::string describe_unseen(const UnseenLight& unseen, const std::string& light)
            "through";
 }
 
+std::string describe_lost(const LostLight& lost)
+{
+    return "photons that were not finite or whose paths were cut, and samples that were not "
+           "finite, may add " +
+           percent(std::sqrt(lost.error2())) +
+           " to the error; look for materials and lights with extreme values";
+}
+
 std::string describe_need(const ErrorCost& cost)
 {
     if (!std::isfinite(cost.seconds) || cost.seconds > kMostPracticalSeconds ||

@@ -33,6 +33,9 @@ void print_fireflies(const ShownFireflies& fireflies, Report& report);
 /// due.
 std::string describe_unseen(const UnseenLight& unseen, const std::string& light);
 
+/// Describes the light that photons and samples lost.
+std::string describe_lost(const LostLight& lost);
+
 /// Describes what an error takes: "would take about 23 passes, 46 s"; beyond a day: "is not
 /// practical (more than a day)".
 std::string describe_need(const ErrorCost& cost);

@@ -67,6 +67,8 @@ void warn_of_missed(const RenderedFrame& frame, Report& report)
     std::optional<ImageError> error;
     if (!frame.state.checks.empty())
         error = frame.state.checks.back().error;
+    if (is_much(frame.missed.lost, error))
+        report.warn(describe_lost(frame.missed.lost));
     if (frame.missed.unseen && is_much(*frame.missed.unseen, error))
         report.warn(describe_unseen(*frame.missed.unseen, frame.unseen));
 }
@@ -95,7 +97,9 @@ void print_error(const RenderArguments& arguments, const RenderedFrame& frame, R
             frame.seen + ", and no light was found there");
         return;
     }
-    report.line(describe_error(state.checks.back()));
+    ErrorCheck last = state.checks.back();
+    last.error = with_lost_light(last.error, frame.missed.lost);
+    report.line(describe_error(last));
     print_fireflies(frame.fireflies, report);
     report.line(describe_cost(state, arguments.stops.error));
     if (!arguments.quote)

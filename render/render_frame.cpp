@@ -140,7 +140,8 @@ bool shows_nothing(const Image& image)
 /// Finds fireflies, light that was missed, and what a black image looks at.
 void look_at_image(const RenderScene& scene, const RenderOptions& options, RenderedFrame& frame)
 {
-    frame.missed = find_missed_light(frame.statistics);
+    frame.missed =
+        find_missed_light(frame.statistics, options.filter, frame.state.film.pixel_count());
     if (frame.missed.unseen)
         frame.unseen = describe_light(scene, frame.missed.unseen->light);
     if (!frame.state.checks.empty())

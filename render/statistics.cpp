@@ -285,6 +285,11 @@ Json unseen_json(const std::optional<UnseenLight>& unseen)
             {"most", unseen->most}}; // null if infinite
 }
 
+Json lost_json(const LostLight& lost)
+{
+    return {{"photons", lost.photons}, {"samples", std::sqrt(lost.samples2)}};
+}
+
 Json missing_json(const std::vector<FilmPart>& missing)
 {
     Json out = Json::array();
@@ -351,6 +356,7 @@ std::string statistics_json(const PreparedFrame& frame, const RenderedFrame& ren
     if (rendered.quote)
         json["quote"] = quote_json(*rendered.quote);
     json["unseen_light"] = unseen_json(rendered.missed.unseen);
+    json["lost_light"] = lost_json(rendered.missed.lost);
     json["saturated"] = state.film.saturated;
     json["seconds"] = seconds_json(frame, rendered, written);
     json["processor_seconds"] = processor_seconds_json(frame, rendered, written);

@@ -48,6 +48,12 @@ double clamp_square(const Film& film, const BatchProducts& products)
     return std::max(product_of_means(products.cut, products.narrow), 0.0);
 }
 
+/// Sum of squares of what clamped values may lack, docs/error.md (23).
+double saturated_square(const Film& film, const BatchProducts& products)
+{
+    return std::min(static_cast<double>(film.saturated), products.channels);
+}
+
 } // namespace
 
 std::optional<ImageError> estimate_error(const Film& film)
@@ -83,8 +89,9 @@ std::optional<ImageError> estimate_error(const Film& film)
     const double above = std::sqrt(square_of(noise.interval.high - noise.value) +
                                    square_of(bias.interval.high - bias.value) + both2);
     out.low = std::sqrt(std::max(noise.least + known + clamped - below, 0.0) / products.channels);
-    out.high =
-        std::sqrt(std::max(noise.most + bias.value + clamped + above, sum) / products.channels);
+    out.high = std::sqrt((std::max(noise.most + bias.value + clamped + above, sum) +
+                          saturated_square(film, products)) /
+                         products.channels);
     return out;
 }
 

@@ -85,4 +85,14 @@ std::optional<UnseenLight> find_unseen_light(const SeenClasses& classes, const S
     return out;
 }
 
+double share_of_path(const SeenClasses& classes, const SeenScale& scale)
+{
+    if (!is_counted(classes, scale))
+        return 0;
+    double most = 0;
+    for (const SeenClasses::OfLight& light : classes.lights)
+        most = std::max(most, worth_of_path(light, scale));
+    return most > 0 ? most / light_of(classes, scale) : 0;
+}
+
 } // namespace hipmap

@@ -362,3 +362,17 @@ TEST_CASE("image error: what clamping took is bias, which more passes keep", "[f
     CHECK(error_after(law, 1e12) == Approx(std::sqrt(error.clamp2)).epsilon(1e-3));
     CHECK(std::isinf(passes_for(law, 0.5 * std::sqrt(error.clamp2))));
 }
+
+TEST_CASE("error: values that the film clamped widen the interval by what they may lack", "[film]")
+{
+    Film film = film_of(plain_noise(1, 0, 0.2), 0, 8);
+    const ImageError before = *estimate_error(film);
+    film.saturated = 5;
+    const ImageError after = *estimate_error(film);
+    const double more = 5.0 / (3.0 * static_cast<double>(film.pixel_count()));
+    CHECK(after.high * after.high == Approx(before.high * before.high + more));
+    CHECK(after.low == before.low);
+    CHECK(after.error == before.error);
+    film.saturated = std::uint64_t{1} << 60;
+    CHECK(estimate_error(film)->high < 2);
+}

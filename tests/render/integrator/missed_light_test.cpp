@@ -64,7 +64,8 @@ Rendered render(const RenderScene& scene, const RenderOptions& options, std::uin
     Film film = make_film(source.width, source.height, source.pilot_mean, source.bias, false);
     for (std::uint64_t pass = 0; pass < passes; ++pass)
         add_pass(film, pass, source.render(pass, {}).images);
-    return {find_missed_light(statistics), estimate_error(film), statistics.seen};
+    return {find_missed_light(statistics, options.filter, film.pixel_count()), estimate_error(film),
+            statistics.seen};
 }
 
 /// Light paths that leave a photon in the room.
@@ -141,4 +142,28 @@ TEST_CASE("unseen light: the counts of an image do not depend on the number of t
     CHECK(one.counts.worth == seven.counts.worth);
     CHECK(one.missed.unseen->most == seven.missed.unseen->most);
     CHECK(one.missed.unseen->share == seven.missed.unseen->share);
+}
+
+TEST_CASE("lost light: widens the interval by its bound", "[integrator]")
+{
+    RenderStatistics statistics;
+    CHECK(find_missed_light(statistics, PixelFilter::box, 100).lost.error2() == 0);
+    statistics.emitted = 1000;
+    statistics.dropped_photons = 20;
+    statistics.dropped_samples = 1;
+    const LostLight box = find_missed_light(statistics, PixelFilter::box, 10000).lost;
+    CHECK(box.photons == Approx(0.02));
+    CHECK(box.samples2 == Approx(1e-4));
+    CHECK(find_missed_light(statistics, PixelFilter::b_spline, 10000).lost.samples2 ==
+          Approx(9e-4));
+    ImageError error;
+    error.error = 0.03;
+    error.high = 0.04;
+    CHECK(with_lost_light(error, box).high == Approx(std::sqrt(0.0016 + 0.0004 + 0.0001)));
+    CHECK(is_much(box, error));
+    statistics.dropped_photons = 0;
+    CHECK(!is_much(find_missed_light(statistics, PixelFilter::box, 1000000).lost, error));
+    statistics.cut_paths = 1;
+    CHECK(find_missed_light(statistics, PixelFilter::box, 1000000).lost.photons ==
+          Approx(1.0).epsilon(0.001));
 }

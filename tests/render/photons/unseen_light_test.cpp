@@ -196,6 +196,7 @@ TEST_CASE("unseen light: an image of no light, and passes that were not counted"
     SeenClasses dark;
     dark.passes = 4;
     CHECK(find_unseen_light(dark, scale)->most == 0); // no light emits
+    CHECK(share_of_path(dark, scale) == 0);
     dark.lights = {{}, {.global = 2}};
     const auto found = find_unseen_light(dark, scale);
     REQUIRE(found);
