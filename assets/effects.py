@@ -96,6 +96,24 @@ def add_reflection_models(glb):
         glb.mesh(f"Ball {i}", material, sphere((0.46 * i - 0.69, 0.22, 0.3), 0.22, 40, 20))
 
 
+def add_ward_lafortune(glb):
+    """Ward's model, even and brushed, and Lafortune's, leaning and back to the light."""
+    def lafortune(exponent, coefficients):
+        return {"reflection": "lafortune", "exponent": exponent, "coefficients": coefficients}
+
+    def ward(along, across):
+        return {"reflection": "ward", "slopes": [along, across]}
+
+    for i, (name, color, own) in enumerate((
+            ("Ward even", (0.75, 0.3, 0.15), ward(0.15, 0.15)),
+            ("Ward brushed", (0.3, 0.3, 0.32), ward(0.5, 0.07)),
+            ("Lafortune leaning", (0.15, 0.35, 0.75), lafortune(40, [-1, -1, 0.95])),
+            ("Lafortune back", (0.15, 0.5, 0.25), lafortune(4, [1, 1, 1])))):
+        material = glb.material(name, color, base={"roughnessFactor": 0.5},
+                                extras={"hipmap": {**own, "specular": [0.5, 0.5, 0.5]}})
+        glb.mesh(f"Ball {i}", material, sphere((0.46 * i - 0.69, 0.22, 0.3), 0.22, 40, 20))
+
+
 def add_rough_metal(glb):
     """White metal of more and more roughness."""
     for i, roughness in enumerate((0.1, 0.4, 0.7, 1)):
@@ -299,6 +317,7 @@ SCENES = {
     "subsurface": (effect_insides.add_subsurface, 20),
     "textures": (add_textures, 20),
     "vertex_colours": (add_vertex_colours, 20),
+    "ward_lafortune": (add_ward_lafortune, 20),
 }
 
 

@@ -52,6 +52,7 @@ PAIRS = {
     "subsurface": ("subsurface", (), left_out("subsurface")),
     "textures": ("textures", (), left_out("textures")),
     "vertex_colours": ("vertex_colours", (), left_out("vertex-colours")),
+    "ward_lafortune": ("ward_lafortune", (), left_out("reflection-models")),
 }
 
 

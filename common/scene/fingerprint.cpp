@@ -110,15 +110,16 @@ void add_material(Hasher& hasher, const Material& material)
                  phase, density, boundary, priority, dispersion, clearcoat, clearcoat_roughness,
                  sheen_color, sheen_roughness, diffuse_transmission, diffuse_transmission_color,
                  anisotropy, anisotropy_rotation, energy_compensation, diffuse_model, coat_adds,
-                 tint_by_root, reflection_model, phong_exponent, phong_specular, isotropy, alpha,
-                 alpha_mode, alpha_cutoff, unlit, textures] = material;
+                 tint_by_root, reflection_model, lobe_exponent, lobe_specular, isotropy,
+                 ward_slopes, lafortune_coefficients, alpha, alpha_mode, alpha_cutoff, unlit,
+                 textures] = material;
     hasher.add(base_color, metallic, roughness, emission, double_sided, transmission, ior, specular,
                specular_color, absorption, thickness, scattering, medium_emission, phase.kind,
                phase.g, boundary, priority, dispersion, clearcoat, clearcoat_roughness, sheen_color,
                sheen_roughness, diffuse_transmission, diffuse_transmission_color, anisotropy,
                anisotropy_rotation, energy_compensation, diffuse_model, coat_adds, tint_by_root,
-               reflection_model, phong_exponent, phong_specular, isotropy, alpha, alpha_mode,
-               alpha_cutoff, unlit);
+               reflection_model, lobe_exponent, lobe_specular, isotropy, ward_slopes,
+               lafortune_coefficients, alpha, alpha_mode, alpha_cutoff, unlit);
     add_density(hasher, density.get());
     hasher.add(static_cast<std::uint64_t>(textures.size()));
     for (const TextureSlot& slot : textures)

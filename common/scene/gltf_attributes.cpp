@@ -31,17 +31,20 @@ void note_textures(const json& holder, WantedAttributes& wanted)
             note_texture(key, value, wanted);
 }
 
-/// Schlick's reflection is anisotropic along tangents, docs/scene.md.
-bool has_isotropy(const json& material)
+/// A material's reflection model may be anisotropic along tangents, docs/scene.md.
+bool may_be_directed(const json& material)
 {
     const auto extras = material.find("extras");
     if (extras == material.end() || !extras->is_object() || !extras->contains("hipmap"))
         return false;
     const json& own = (*extras)["hipmap"];
     // Of a text that is not read here, too much would only cost memory.
-    return own.is_string()
-               ? own.get_ref<const std::string&>().find("\"isotropy\"") != std::string::npos
-               : own.is_object() && own.contains("isotropy");
+    const auto has = [&](const std::string& key) {
+        return own.is_string()
+                   ? own.get_ref<const std::string&>().find("\"" + key + "\"") != std::string::npos
+                   : own.is_object() && own.contains(key);
+    };
+    return has("isotropy") || has("slopes") || has("coefficients");
 }
 
 /// The components of element `i` of 2, 3 or 4; what is missing is 1.
@@ -73,7 +76,7 @@ WantedAttributes find_wanted_attributes(const GltfDocument& document)
         note_textures(material, wanted);
         if (material.contains("pbrMetallicRoughness"))
             note_textures(material["pbrMetallicRoughness"], wanted);
-        if (has_isotropy(material))
+        if (may_be_directed(material))
             wanted.tangents = wanted.uv[0] = true;
         if (!material.contains("extensions"))
             continue;

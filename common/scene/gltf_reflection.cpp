@@ -1,9 +1,12 @@
 #include "common/scene/gltf_reflection.h"
 
+#include "common/scene/reflection_models.h"
 #include "common/scene/scene_names.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <vector>
 
 namespace hipmap {
 
@@ -11,13 +14,12 @@ namespace {
 
 using nlohmann::json;
 
-ReflectionModel model_named(const std::string& name, const HipmapExtras& extras)
+const ReflectionModelName& model_named(const std::string& name, const HipmapExtras& extras)
 {
-    if (name == "phong")
-        return ReflectionModel::phong;
-    if (name != "schlick")
-        extras.fail("reflection", R"(must be "phong" or "schlick")");
-    return ReflectionModel::schlick;
+    for (const ReflectionModelName& named : kNamedReflectionModels)
+        if (name == named.key)
+            return named;
+    extras.fail("reflection", R"(must be "phong", "schlick", "ward" or "lafortune")");
 }
 
 DiffuseModel diffuse_named(const std::string& name, const HipmapExtras& extras)
@@ -31,32 +33,93 @@ DiffuseModel diffuse_named(const std::string& name, const HipmapExtras& extras)
     return DiffuseModel::lambert;
 }
 
-void read_phong(HipmapExtras& extras, Material& material)
+/// A key and the models that have it.
+struct ModelKey {
+    const char* key;
+    std::vector<ReflectionModel> models;
+    bool required = true; ///< a material of these models must have it
+};
+
+std::string quoted_keys(const std::vector<ReflectionModel>& models)
 {
-    const std::optional<double> exponent = extras.positive("exponent");
-    const std::optional<glm::dvec3> specular = extras.positive_triple("specular");
-    if (material.reflection_model != ReflectionModel::phong) {
-        if (exponent || specular)
-            extras.fail(exponent ? "exponent" : "specular", R"(needs "reflection": "phong")");
-        return;
-    }
-    if (!exponent || !specular)
-        extras.fail("reflection", R"("phong" needs "exponent" and "specular" too)");
-    if (std::max({specular->x, specular->y, specular->z}) > 1)
-        extras.fail("specular", "must be three numbers from 0 to 1");
-    material.phong_exponent =
-        static_cast<float>(std::min<double>(*exponent, std::numeric_limits<float>::max()));
-    material.phong_specular = Rgb(*specular);
+    std::string out;
+    for (const ReflectionModelName& named : kNamedReflectionModels)
+        if (std::find(models.begin(), models.end(), named.model) != models.end())
+            out += (out.empty() ? "\"" : " or \"") + std::string(named.key) + "\"";
+    return out;
 }
 
-void read_schlick(HipmapExtras& extras, Material& material)
+/// Throws InputError if the key is there without its model, or the model without its key.
+void check_key(const HipmapExtras& extras, const ModelKey& of, bool given, ReflectionModel model)
+{
+    const bool used = std::find(of.models.begin(), of.models.end(), model) != of.models.end();
+    if (given && !used)
+        extras.fail(of.key, "needs \"reflection\": " + quoted_keys(of.models));
+    if (used && of.required && !given)
+        extras.fail("reflection",
+                    quoted_keys({model}) + " needs \"" + std::string(of.key) + "\" too");
+}
+
+void read_exponent(HipmapExtras& extras, Material& material)
+{
+    const std::optional<double> exponent = extras.positive("exponent");
+    check_key(extras, {"exponent", {ReflectionModel::phong, ReflectionModel::lafortune}},
+              exponent.has_value(), material.reflection_model);
+    if (exponent)
+        material.lobe_exponent =
+            static_cast<float>(std::min<double>(*exponent, std::numeric_limits<float>::max()));
+}
+
+void read_specular(HipmapExtras& extras, Material& material)
+{
+    const std::optional<glm::dvec3> specular = extras.positive_triple("specular");
+    check_key(
+        extras,
+        {"specular", {ReflectionModel::phong, ReflectionModel::ward, ReflectionModel::lafortune}},
+        specular.has_value(), material.reflection_model);
+    if (!specular)
+        return;
+    if (std::max({specular->x, specular->y, specular->z}) > 1)
+        extras.fail("specular", "must be three numbers from 0 to 1");
+    material.lobe_specular = Rgb(*specular);
+}
+
+void read_isotropy(HipmapExtras& extras, Material& material)
 {
     const std::optional<double> isotropy = extras.positive("isotropy");
-    if (isotropy && material.reflection_model != ReflectionModel::schlick)
-        extras.fail("isotropy", R"(needs "reflection": "schlick")");
+    check_key(extras, {"isotropy", {ReflectionModel::schlick}, false}, isotropy.has_value(),
+              material.reflection_model);
     if (isotropy && !(*isotropy > 0 && *isotropy <= 1))
         extras.fail("isotropy", "must be above 0, and 1 at most");
     material.isotropy = static_cast<float>(isotropy.value_or(1.0));
+}
+
+void read_slopes(HipmapExtras& extras, Material& material)
+{
+    const std::optional<std::vector<double>> slopes = extras.numbers("slopes", 2, 1);
+    check_key(extras, {"slopes", {ReflectionModel::ward}}, slopes.has_value(),
+              material.reflection_model);
+    if (!slopes)
+        return;
+    if (!(std::min(slopes->at(0), slopes->at(1)) > 0))
+        extras.fail("slopes", "must be two numbers above 0, and 1 at most");
+    material.ward_slopes =
+        glm::max(glm::vec2(slopes->at(0), slopes->at(1)), std::numeric_limits<float>::min());
+}
+
+void read_coefficients(HipmapExtras& extras, Material& material)
+{
+    const std::optional<std::vector<double>> read = extras.numbers("coefficients", 3, 1);
+    check_key(extras, {"coefficients", {ReflectionModel::lafortune}}, read.has_value(),
+              material.reflection_model);
+    if (!read)
+        return;
+    const glm::dvec3 factors(read->at(0), read->at(1), read->at(2));
+    const double largest = std::max({std::abs(factors.x), std::abs(factors.y), factors.z});
+    if (!(factors.z >= 0 && largest > 0))
+        extras.fail("coefficients", "must be three numbers from -1 to 1: the third 0 or more, and "
+                                    "one of them not 0");
+    material.lafortune_coefficients = glm::vec3(factors / largest);
 }
 
 /// Textures of what the model has.
@@ -69,8 +132,9 @@ bool has_use(ReflectionModel model, TextureUse use)
     case TextureUse::occlusion:
         return true;
     case TextureUse::metallic_roughness:
-    case TextureUse::anisotropy: // for its direction
         return model == ReflectionModel::schlick;
+    case TextureUse::anisotropy: // for its direction
+        return model != ReflectionModel::phong;
     default:
         return false;
     }
@@ -79,14 +143,13 @@ bool has_use(ReflectionModel model, TextureUse use)
 /// Names of what the file says of the material that the model does not use.
 std::vector<std::string> unused_keys(const json& from, ReflectionModel model)
 {
-    const bool phong = model == ReflectionModel::phong;
     std::vector<std::string> out;
     const auto base = from.find("pbrMetallicRoughness");
     if (base != from.end()) {
         if (base->value("metallicFactor", 0.0) > 0)
             out.emplace_back("metallicFactor");
         for (const char* key : {"roughnessFactor", "metallicRoughnessTexture"})
-            if (phong && base->contains(key))
+            if (!has_use(model, TextureUse::metallic_roughness) && base->contains(key))
                 out.emplace_back(key);
     }
     const auto extensions = from.find("extensions");
@@ -95,7 +158,8 @@ std::vector<std::string> unused_keys(const json& from, ReflectionModel model)
     for (const char* name : {"transmission", "ior", "specular", "volume", "clearcoat", "sheen",
                              "diffuse_transmission", "dispersion", "anisotropy"}) {
         const std::string key = std::string("KHR_materials_") + name;
-        const bool for_direction = !phong && key == "KHR_materials_anisotropy";
+        const bool for_direction =
+            has_use(model, TextureUse::anisotropy) && key == "KHR_materials_anisotropy";
         if (extensions->contains(key) && !for_direction)
             out.push_back(key);
     }
@@ -120,11 +184,15 @@ void read_reflection(HipmapExtras& extras, const json& from, Material& material,
     const std::optional<std::string> name = extras.text("reflection");
     if (const std::optional<std::string> diffuse = extras.text("diffuse"))
         material.diffuse_model = diffuse_named(*diffuse, extras);
-    if (name)
-        material.reflection_model = model_named(*name, extras);
-    read_phong(extras, material);
-    read_schlick(extras, material);
-    if (!name)
+    const ReflectionModelName* const named = name ? &model_named(*name, extras) : nullptr;
+    if (named != nullptr)
+        material.reflection_model = named->model;
+    read_exponent(extras, material);
+    read_specular(extras, material);
+    read_isotropy(extras, material);
+    read_slopes(extras, material);
+    read_coefficients(extras, material);
+    if (named == nullptr)
         return;
     if (!material.boundary)
         extras.fail("reflection", R"(does not apply with "boundary": false)");
@@ -132,8 +200,8 @@ void read_reflection(HipmapExtras& extras, const json& from, Material& material,
     const std::vector<std::string> unused = unused_keys(from, material.reflection_model);
     if (!unused.empty())
         audit.assumed.push_back("material " + quote_name(material.name) + " reflects by " +
-                                (*name == "phong" ? "Phong's" : "Schlick's") +
-                                " model, which ignores its " + list_names(unused));
+                                named->author + "'s model, which ignores its " +
+                                list_names(unused));
 }
 
 } // namespace hipmap

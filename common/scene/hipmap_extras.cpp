@@ -90,6 +90,23 @@ std::optional<double> HipmapExtras::within(const char* key, double limit)
     return value->get<double>();
 }
 
+std::optional<std::vector<double>> HipmapExtras::numbers(const char* key, std::size_t count,
+                                                         double limit)
+{
+    const json* const value = find(key);
+    if (!value)
+        return std::nullopt;
+    std::vector<double> out;
+    const bool is_whole = value->is_array() && value->size() == count;
+    for (std::size_t i = 0; is_whole && i < count; ++i)
+        if ((*value)[i].is_number() && std::abs((*value)[i].get<double>()) <= limit)
+            out.push_back((*value)[i].get<double>());
+    if (out.size() != count)
+        fail(key, "must be " + std::to_string(count) + " numbers from " + short_number(-limit) +
+                      " to " + short_number(limit));
+    return out;
+}
+
 std::optional<HipmapExtras> HipmapExtras::object(const char* key)
 {
     const json* const value = find(key);

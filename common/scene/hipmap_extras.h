@@ -8,6 +8,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace hipmap {
 
@@ -30,6 +31,9 @@ class HipmapExtras {
 
     /// Returns the value of a key, a number from -limit to limit.
     std::optional<double> within(const char* key, double limit);
+
+    /// Returns the value of a key, an array of `count` numbers from -limit to limit.
+    std::optional<std::vector<double>> numbers(const char* key, std::size_t count, double limit);
 
     /// Returns an object within the object, with its own keys; the caller must call its `finish`.
     std::optional<HipmapExtras> object(const char* key);

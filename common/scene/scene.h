@@ -31,6 +31,8 @@ enum class ReflectionModel : std::uint8_t {
     metallic_roughness, ///< glTF's, with all its layers
     phong,              ///< a lobe about the mirror direction over a diffuse base (35)
     schlick,            ///< one layer, even, spread and mirror by its roughness (36)
+    ward,               ///< a Gaussian lobe of two widths over a diffuse base (45)
+    lafortune,          ///< a lobe about any axis over a diffuse base (46)
 };
 
 /// The shape of the diffuse lobe.
@@ -77,9 +79,11 @@ struct Material {
     bool tint_by_root = false; ///< transmitted light is multiplied by the base colour's square
                                ///<   root at each crossing, so that a solid's two have the colour
     ReflectionModel reflection_model = ReflectionModel::metallic_roughness;
-    float phong_exponent = 0.0f;
-    Rgb phong_specular{0.0f}; ///< 0 to 1
-    float isotropy = 1.0f;    ///< of Schlick's model, above 0; 1: alike all round
+    float lobe_exponent = 0.0f;  ///< of Phong's and Lafortune's models
+    Rgb lobe_specular{0.0f};     ///< of Phong's, Ward's and Lafortune's models, 0 to 1
+    float isotropy = 1.0f;       ///< of Schlick's model, above 0; 1: alike all round
+    glm::vec2 ward_slopes{0.5f}; ///< along the tangent and across it, above 0, at most 1
+    glm::vec3 lafortune_coefficients{-1, -1, 1}; ///< the largest of them is 1 or -1
     float alpha = 1.0f;
     AlphaMode alpha_mode = AlphaMode::opaque;
     float alpha_cutoff = 0.5f;

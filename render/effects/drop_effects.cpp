@@ -1,5 +1,6 @@
 #include "render/effects/drop_effects.h"
 
+#include "render/lobes/ward.h"
 #include "render/shading/textured_material.h"
 
 namespace hipmap {
@@ -19,6 +20,16 @@ void drop_medium(Material& material)
     material.alpha_cutoff = 1;
 }
 
+/// Reflections spread as widely along the tangent as across it.
+void drop_anisotropy(Material& material)
+{
+    material.anisotropy = 0;
+    material.isotropy = 1;
+    material.ward_slopes = glm::vec2(mean_ward_slope(material.ward_slopes));
+    glm::vec3& axis = material.lafortune_coefficients;
+    axis.x = axis.y = 0.5f * (axis.x + axis.y);
+}
+
 /// Removes from a material the effects that the plan leaves out.
 void drop_from_material(Material& material, const EffectPlan& plan)
 {
@@ -32,10 +43,8 @@ void drop_from_material(Material& material, const EffectPlan& plan)
         material.sheen_color = Rgb(0);
     if (!plan.has(Effect::diffuse_transmission))
         material.diffuse_transmission = 0;
-    if (!plan.has(Effect::anisotropy)) {
-        material.anisotropy = 0;
-        material.isotropy = 1;
-    }
+    if (!plan.has(Effect::anisotropy))
+        drop_anisotropy(material);
     if (!plan.has(Effect::reflection_models))
         material.reflection_model = ReflectionModel::metallic_roughness;
     if (!plan.has(Effect::alpha))

@@ -1,5 +1,6 @@
 #include "render/effects/effect_findings.h"
 
+#include "common/scene/reflection_models.h"
 #include "common/scene/scene_names.h"
 #include "render/shading/anisotropy_tangent.h"
 #include "render/shading/opacity.h"
@@ -201,10 +202,10 @@ Finding find_reflection_models(const SceneFacts& facts)
         });
     };
     std::string reason;
-    for (const auto& [model, name] : {std::pair(ReflectionModel::phong, "Phong"),
-                                      std::pair(ReflectionModel::schlick, "Schlick")})
+    for (const auto& [model, key, author] : kNamedReflectionModels)
         if (const std::string worn = names(model); !worn.empty())
-            reason += (reason.empty() ? "" : "; ") + worn + " use the reflection model of " + name;
+            reason +=
+                (reason.empty() ? "" : "; ") + worn + " use the reflection model of " + author;
     if (reason.empty())
         return {false, "all materials use the standard model", ""};
     return {true, reason, "another formula at each hit"};

@@ -2,6 +2,7 @@
 
 #include "render/lobes/burley.h"
 #include "render/lobes/diffuse_transmission.h"
+#include "render/lobes/lafortune.h"
 #include "render/lobes/lambert.h"
 #include "render/lobes/layers.h"
 #include "render/lobes/microfacet_reflection.h"
@@ -12,6 +13,7 @@
 #include "render/lobes/sheen.h"
 #include "render/lobes/smooth_dielectric.h"
 #include "render/lobes/smooth_mirror.h"
+#include "render/lobes/ward.h"
 
 #include <variant>
 
@@ -26,9 +28,9 @@ namespace hipmap {
 ///     back about the face, docs/light_transport.md (19); otherwise it ends);
 ///   - `kTransmits`, if `in` may lie on the other side;
 ///   - `is_directed()`, if it may depend on the tangent.
-using Lobe =
-    std::variant<Lambert, Burley, DiffuseTransmission, Sheen, MicrofacetReflection, RoughDielectric,
-                 SmoothMirror, SmoothDielectric, Phong, PhongMirror, Schlick, OrenNayar>;
+using Lobe = std::variant<Lambert, Burley, DiffuseTransmission, Sheen, MicrofacetReflection,
+                          RoughDielectric, SmoothMirror, SmoothDielectric, Phong, PhongMirror,
+                          Schlick, OrenNayar, Ward, Lafortune>;
 
 /// How integrators and photons treat the light of a lobe: gathered from photons, followed along a
 /// drawn direction, or followed along its only direction.

@@ -25,8 +25,4 @@ struct PhongMirror {
     SpecularLobes specular(const LobeView& view) const { return {factor * view.cosine}; }
 };
 
-/// Returns the roughness at which facets (16) spread light about as widely near the middle of the
-/// lobe; 1 for an exponent of 0.
-float phong_roughness(float exponent);
-
 } // namespace hipmap

@@ -1,5 +1,6 @@
 #include "render/shading/make_bsdf.h"
 
+#include "render/lobes/cosine_power.h"
 #include "render/lobes/multiple_scattering.h"
 #include "render/lobes/sheen_albedo.h"
 
@@ -34,6 +35,10 @@ float average_burley_albedo(float roughness)
 /// An anisotropic reflection is no mirror's, nor is that of a coat that may have a normal of its
 /// own: across it is at least so rough.
 constexpr float kLeastSpreadRoughness = 0.03f;
+
+/// The largest exponent of Lafortune's model: a lobe about any axis is no mirror's, but at least
+/// about kLeastSpreadRoughness rough.
+constexpr float kMostLafortuneExponent = 600000;
 
 /// A material of glTF's metallic-roughness model at a point.
 struct MetallicRoughness {
@@ -255,20 +260,56 @@ void make_metallic_roughness(const Material& material, const MaterialPoint& at, 
     add_clearcoat(of, out);
 }
 
+/// Adds the diffuse base below a lobe of the material's specular colour: what that leaves.
+void add_base_below_lobe(const Material& material, const MaterialPoint& at, Bsdf& out)
+{
+    out.diffuse = at.base_color * (1.0f - material.lobe_specular);
+    if (!is_black(out.diffuse))
+        add({Lambert{out.diffuse}, Depth::diffuse, Lobes::gathered}, out);
+}
+
 /// docs/light_transport.md (35).
 void make_phong(const Material& material, const MaterialPoint& at, Bsdf& out)
 {
-    out.diffuse = at.base_color * (1.0f - material.phong_specular);
-    if (!is_black(out.diffuse))
-        add({Lambert{out.diffuse}, Depth::diffuse, Lobes::gathered}, out);
-    if (is_black(material.phong_specular))
+    add_base_below_lobe(material, at, out);
+    if (is_black(material.lobe_specular))
         return;
-    const Lobes handled = handled_at(phong_roughness(material.phong_exponent));
+    const Lobes handled = handled_at(cosine_power_roughness(material.lobe_exponent));
     if (handled == Lobes::specular)
-        add({PhongMirror{material.phong_specular}, Depth::reflection, handled}, out);
+        add({PhongMirror{material.lobe_specular}, Depth::reflection, handled}, out);
     else
-        add({Phong{material.phong_specular, material.phong_exponent}, Depth::reflection, handled},
+        add({Phong{material.lobe_specular, material.lobe_exponent}, Depth::reflection, handled},
             out);
+}
+
+/// docs/light_transport.md (45).
+void make_ward(const Material& material, const MaterialPoint& at, Bsdf& out)
+{
+    add_base_below_lobe(material, at, out);
+    const Rgb& specular = material.lobe_specular;
+    if (is_black(specular))
+        return;
+    const glm::vec2& slopes = material.ward_slopes;
+    if (alpha_of(std::sqrt(std::max(slopes.x, slopes.y))) == 0) {
+        add({SmoothMirror{{specular, specular}}, Depth::reflection, Lobes::specular}, out);
+        return;
+    }
+    const glm::vec2 spread = glm::max(slopes, kLeastSpreadRoughness * kLeastSpreadRoughness);
+    add({Ward{specular, spread}, Depth::reflection,
+         handled_at(std::sqrt(std::min(spread.x, spread.y)))},
+        out);
+}
+
+/// docs/light_transport.md (46).
+void make_lafortune(const Material& material, const MaterialPoint& at, Bsdf& out)
+{
+    add_base_below_lobe(material, at, out);
+    if (is_black(material.lobe_specular))
+        return;
+    const float exponent = std::min(material.lobe_exponent, kMostLafortuneExponent);
+    add({Lafortune{material.lobe_specular, exponent, material.lafortune_coefficients},
+         Depth::reflection, handled_at(cosine_power_roughness(exponent))},
+        out);
 }
 
 /// docs/light_transport.md (36).
@@ -316,6 +357,12 @@ Bsdf make_bsdf(const Material& material, const MaterialPoint& at)
         break;
     case ReflectionModel::schlick:
         make_schlick(material, at, out);
+        break;
+    case ReflectionModel::ward:
+        make_ward(material, at, out);
+        break;
+    case ReflectionModel::lafortune:
+        make_lafortune(material, at, out);
         break;
     }
     out.is_diffuse = is_diffuse_alone(out);

@@ -243,13 +243,22 @@ class GltfFacts:
         colour = base.get("baseColorFactor", [1, 1, 1])[:3]
         facts.update(glass=False, solid=False, holds=False, subsurface=False, medium=False,
                      coat=0, sheen=False, through=False)
+        model = facts["model"]
         facts["textures"] &= {"baseColorTexture", "normalTexture", "emissiveTexture"} | (
-            {"metallicRoughnessTexture", "anisotropyTexture"} if facts["model"] == "schlick"
-            else set())
-        if facts["model"] == "phong":
+            {"metallicRoughnessTexture"} if model == "schlick" else set()) | (
+            {"anisotropyTexture"} if model != "phong" else set())
+        if model != "schlick":
             facts.update(
-                roughness=(2 * own["exponent"] + 1) ** -0.25, reflects=any(own["specular"]),
+                reflects=any(own["specular"]),
                 matt=any(c * (1 - s) > 0 for c, s in zip(colour, own["specular"])), anisotropy=0)
+        if model in ("phong", "lafortune"):
+            facts["roughness"] = (2 * own["exponent"] + 1) ** -0.25
+        if model == "lafortune":
+            facts["anisotropy"] = abs(own["coefficients"][0] - own["coefficients"][1])
+        if model == "ward":
+            facts.update(roughness=min(own["slopes"]) ** 0.5,
+                         anisotropy=max(own["slopes"]) - min(own["slopes"]))
+        if model != "schlick":
             return facts
         roughness = base.get("roughnessFactor", 1)
         facts.update(roughness=roughness ** 0.25, reflects=True, mirror=roughness < 0.5,

@@ -26,6 +26,11 @@ const std::vector<Lobe> kLobes{
     Phong{{0.2f, 0.6f, 0.4f}, 12},
     Schlick{kGold, 0.6f, 0.4f},
     OrenNayar{{0.8f, 0.5f, 0.2f}, {0.9f}},
+    Ward{{0.2f, 0.6f, 0.4f}, {0.3f, 0.3f}},
+    Ward{{0.9f, 1, 0.4f}, {0.15f, 0.8f}},
+    Lafortune{{0.2f, 0.6f, 0.4f}, 12, {-1, -0.6f, 0.8f}},
+    Lafortune{{0.9f, 1, 0.4f}, 5, {1, 1, 1}},
+    Lafortune{{0.2f, 0.6f, 0.4f}, 0, {-1, 0.5f, 0}},
 };
 
 bool spreads(const Lobe& lobe)

@@ -1,4 +1,4 @@
-#include "render/lobes/phong.h"
+#include "render/lobes/cosine_power.h"
 #include "render/lobes/schlick.h"
 #include "tests/support/drawn_directions.h"
 #include "tests/support/drawn_weights.h"
@@ -15,8 +15,8 @@ Material phong(const Rgb& base, const Rgb& specular, float exponent)
 {
     Material material = tiny::diffuse(base);
     material.reflection_model = ReflectionModel::phong;
-    material.phong_specular = specular;
-    material.phong_exponent = exponent;
+    material.lobe_specular = specular;
+    material.lobe_exponent = exponent;
     return material;
 }
 
@@ -29,6 +29,23 @@ Material schlick(const Rgb& base, float roughness, float isotropy = 1)
     return material;
 }
 
+Material ward(const Rgb& base, const Rgb& specular, const glm::vec2& slopes)
+{
+    Material material = phong(base, specular, 0);
+    material.reflection_model = ReflectionModel::ward;
+    material.ward_slopes = slopes;
+    return material;
+}
+
+Material lafortune(const Rgb& base, const Rgb& specular, float exponent,
+                   const glm::vec3& coefficients)
+{
+    Material material = phong(base, specular, exponent);
+    material.reflection_model = ReflectionModel::lafortune;
+    material.lafortune_coefficients = coefficients;
+    return material;
+}
+
 /// As tiny::lit_surface, with a direction to be anisotropic along.
 Interaction lit(const Material& material, const glm::vec3& back)
 {
@@ -37,7 +54,7 @@ Interaction lit(const Material& material, const glm::vec3& back)
     return at;
 }
 
-/// Gathered and followed, of either model.
+/// Gathered and followed, of each model.
 std::vector<Material> all_models()
 {
     return {phong({0.8f, 0.5f, 0.2f}, {0.3f, 0.6f, 0.1f}, 0),
@@ -47,7 +64,11 @@ std::vector<Material> all_models()
             schlick({0.9f, 0.6f, 0.2f}, 0.5f, 0.3f),
             schlick({0.2f, 0.4f, 0.9f}, 0.8f),
             schlick(Rgb(0), 1),
-            schlick({0.8f, 0.4f, 0.9f}, 0.006f)};
+            schlick({0.8f, 0.4f, 0.9f}, 0.006f),
+            ward({0.8f, 0.5f, 0.2f}, {0.2f, 0.4f, 0.9f}, {0.4f, 0.15f}),
+            ward({0.1f, 0.3f, 0.2f}, Rgb(0.7f), {0.08f, 0.5f}),
+            lafortune({0.8f, 0.5f, 0.2f}, {0.2f, 0.4f, 0.9f}, 12, {-0.7f, -1, 0.9f}),
+            lafortune({0.1f, 0.3f, 0.2f}, Rgb(0.7f), 90, {-1, -1, 1})};
 }
 
 const glm::vec3 kBacks[] = {{0.1f, 0, 1}, {0.7f, -0.4f, 0.6f}, {-1, 0.2f, 0.15f}};
@@ -118,7 +139,7 @@ TEST_CASE("reflection models: directions are drawn with the pdf that is returned
     for (const Material& material : all_models())
         for (const glm::vec3& back : {kBacks[0], kBacks[2]}) {
             const Interaction at = lit(material, back);
-            INFO("exponent " << material.phong_exponent << ", roughness " << material.roughness
+            INFO("exponent " << material.lobe_exponent << ", roughness " << material.roughness
                              << ", height " << back.z);
             CHECK(tiny::chi_square_z(at, lobes_of(at)) < kMostZ);
         }
@@ -133,7 +154,7 @@ TEST_CASE("reflection models: the mean weight is the integral of the lobes", "[s
         const Interaction at = lit(material, kBacks[1]);
         const Lobes lobes = lobes_of(at);
         const auto [integral, mean] = tiny::integral_and_weights(at, lobes);
-        INFO("exponent " << material.phong_exponent << ", roughness " << material.roughness);
+        INFO("exponent " << material.lobe_exponent << ", roughness " << material.roughness);
         CHECK(std::abs(mean.mean() - integral) < 0.002 + kMostZ * mean.standard_error());
     }
 }
@@ -153,6 +174,18 @@ TEST_CASE("reflection models: no surface sends on more than it gets", "[shading]
                 if (back.z == 1)
                     CHECK(sum == Approx(1).margin(0.002));
             }
+        for (const glm::vec2& slopes : {glm::vec2(0.1f), glm::vec2(0.5f), glm::vec2(1),
+                                        glm::vec2(1, 0.1f), glm::vec2(0.1f, 0.4f)}) {
+            INFO("slopes " << slopes.x << " and " << slopes.y << ", height " << back.z);
+            CHECK(all(lit(ward(Rgb(1), Rgb(0.3f), slopes), back)) <= 1.002);
+            CHECK(all(lit(ward(Rgb(1), Rgb(1), slopes), back)) <= 1.002);
+        }
+        for (const float exponent : {0.0f, 3.0f, 40.0f})
+            for (const glm::vec3& coefficients :
+                 {glm::vec3(-1, -0.5f, 0.8f), glm::vec3(1, 1, 1), glm::vec3(-1, 1, 0)}) {
+                INFO("exponent " << exponent << ", height " << back.z);
+                CHECK(all(lit(lafortune(Rgb(1), Rgb(1), exponent, coefficients), back)) <= 1.002);
+            }
         // By Schlick's own masking it would be up to 1.2 at a roughness of 0.03.
         for (const float roughness : {0.03f, 0.2f, 0.5f, 0.7f, 1.0f})
             for (const float isotropy : {1.0f, 0.4f, 0.05f}) {
@@ -170,7 +203,7 @@ TEST_CASE("reflection models: what becomes of the lobe goes by the roughness it 
     const auto made = [](const Material& material) {
         return make_bsdf(material, material_factors(material));
     };
-    CHECK(phong_roughness(0) == 1);
+    CHECK(cosine_power_roughness(0) == 1);
     CHECK(reflects(made(phong(Rgb(1), Rgb(0.5f), 61)), Lobes::gathered));
     CHECK(reflects(made(phong(Rgb(1), Rgb(0.5f), 62)), Lobes::followed));
     CHECK(made(phong(Rgb(1), Rgb(0), 5)).is_diffuse);
@@ -178,6 +211,15 @@ TEST_CASE("reflection models: what becomes of the lobe goes by the roughness it 
     CHECK(has_mirror(mirror));
     CHECK(specular(mirror.single(Lobes::specular)->lobe, {.cosine = 0.5f}).mirror.x ==
           Approx(0.25));
+    CHECK(reflects(made(lafortune(Rgb(1), Rgb(0.5f), 61, {1, 1, 0.5f})), Lobes::gathered));
+    CHECK(reflects(made(lafortune(Rgb(1), Rgb(0.5f), 62, {1, 1, 0.5f})), Lobes::followed));
+    CHECK(reflects(made(lafortune(Rgb(1), Rgb(0.5f), 1e9f, {1, 1, 1})), Lobes::followed));
+    CHECK(reflects(made(ward(Rgb(1), Rgb(0.5f), {0.0901f, 0.5f})), Lobes::gathered));
+    CHECK(reflects(made(ward(Rgb(1), Rgb(0.5f), {0.5f, 0.0899f})), Lobes::followed));
+    CHECK(reflects(made(ward(Rgb(1), Rgb(0.5f), {0.5f, 1e-9f})), Lobes::followed));
+    const Bsdf steel = made(ward(Rgb(1), Rgb(0.5f), {1e-4f, 3e-4f}));
+    CHECK(has_mirror(steel));
+    CHECK(specular(steel.single(Lobes::specular)->lobe, {.cosine = 0.5f}).mirror == Rgb(0.5f));
     CHECK(reflects(made(schlick(Rgb(1), 0.0082f)), Lobes::gathered));
     CHECK(reflects(made(schlick(Rgb(1), 0.008f)), Lobes::followed));
     const Bsdf polished = made(schlick(Rgb(0.5f), 0));
