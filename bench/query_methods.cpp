@@ -1,6 +1,7 @@
 #include "bench/query_methods.h"
 
 #include "render/dissertation/kd_tree.h"
+#include "render/dissertation/midpoint_tree.h"
 
 #include <nanoflann.hpp>
 
@@ -162,12 +163,15 @@ class Textbook : public QueryMethod {
             if (kind == TreeKind::balanced)
                 balanced_.push_back(build_balanced_tree(std::move(points)));
             else
-                unbalanced_.push_back(build_insertion_tree(points));
+                unbalanced_.push_back(kind == TreeKind::midpoint ? build_midpoint_tree(points)
+                                                                 : build_insertion_tree(points));
     }
     const char* name() const override
     {
         if (kind_ == TreeKind::unbalanced)
             return by_map_ ? "unbalanced, by map" : "unbalanced";
+        if (kind_ == TreeKind::midpoint)
+            return by_map_ ? "midpoint, by map" : "midpoint";
         return by_map_ ? "textbook, by map" : "textbook";
     }
     void prepare(std::size_t k) override { storage_.resize(k); }
@@ -238,7 +242,7 @@ std::vector<BuiltMethod> build_methods(const std::vector<RoomPoint>& photons, co
     std::vector<BuiltMethod> methods;
     methods.push_back(build([&] { return std::make_unique<Nanoflann>(photons, powers); }));
     methods.push_back(build([&] { return std::make_unique<SeededNanoflann>(photons, powers); }));
-    for (const TreeKind kind : {TreeKind::balanced, TreeKind::unbalanced})
+    for (const TreeKind kind : {TreeKind::balanced, TreeKind::unbalanced, TreeKind::midpoint})
         for (const bool by_map : {false, true})
             methods.push_back(
                 build([&] { return std::make_unique<Textbook>(photons, powers, kind, by_map); }));

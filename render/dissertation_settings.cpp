@@ -13,7 +13,8 @@ constexpr Choice<LevelChoice> kLevelChoices[] = {{"paying", LevelChoice::paying}
                                                  {"all", LevelChoice::all}};
 constexpr Choice<TreeKind> kTrees[] = {{"wide", TreeKind::wide},
                                        {"balanced", TreeKind::balanced},
-                                       {"unbalanced", TreeKind::unbalanced}};
+                                       {"unbalanced", TreeKind::unbalanced},
+                                       {"midpoint", TreeKind::midpoint}};
 constexpr Choice<EstimateForm> kEstimates[] = {{"clipped", EstimateForm::clipped},
                                                {"thesis", EstimateForm::thesis}};
 constexpr Choice<GatheredIrradiance> kIrradiances[] = {
@@ -54,8 +55,9 @@ std::vector<OptionRow> dissertation_rows(DissertationOptions& asked)
             {.name = "tree",
              .section = kDissertationSection,
              .field = choice_field<TreeKind>(asked.tree, kTrees),
-             .help = "Tree of photons: wide, balanced (Jensen's kd-tree) or unbalanced (a kd-tree "
-                     "built by insertion)",
+             .help = "Tree of photons: wide, balanced (Jensen's kd-tree), unbalanced (a kd-tree "
+                     "built by insertion) or midpoint (a kd-tree built at once, whose cells are "
+                     "halved)",
              .changes = Changes::passes},
             {.name = "estimate",
              .section = kDissertationSection,

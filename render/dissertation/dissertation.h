@@ -31,7 +31,8 @@ enum class LevelChoice : std::uint8_t {
 enum class TreeKind : std::uint8_t {
     wide,       ///< WideTree
     balanced,   ///< BalancedTree, of the dissertation's time
-    unbalanced, ///< InsertionTree, its rival then
+    unbalanced, ///< InsertionTree, its rival then, built photon by photon
+    midpoint,   ///< InsertionTree, built of all photons at once
 };
 
 /// How the photons found become an irradiance, docs/photon_maps.md.

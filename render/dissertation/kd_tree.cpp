@@ -1,5 +1,7 @@
 #include "render/dissertation/kd_tree.h"
 
+#include "render/dissertation/midpoint_tree.h"
+
 #include <cassert>
 
 namespace hipmap {
@@ -14,7 +16,8 @@ KdTree build_kd_tree(TreeKind kind, std::span<TreePoint> points)
         for (std::uint32_t slot = 0; slot < points.size(); ++slot)
             tree.balanced.points[slot].photon = slot;
     } else {
-        tree.unbalanced = build_insertion_tree(points);
+        tree.unbalanced =
+            kind == TreeKind::midpoint ? build_midpoint_tree(points) : build_insertion_tree(points);
         for (std::uint32_t slot = 0; slot < points.size(); ++slot)
             tree.unbalanced.nodes[slot].photon = slot;
     }

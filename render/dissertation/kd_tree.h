@@ -7,7 +7,7 @@
 
 namespace hipmap {
 
-/// A map's photons in a tree of the dissertation's time, of one of two kinds.  A photon's slot is
+/// A map's photons in a tree of the dissertation's time, of one of two forms.  A photon's slot is
 /// its place in the order of the tree's array.
 struct KdTree {
     BalancedTree balanced;

@@ -1,5 +1,6 @@
 #include "common/math/random.h"
 #include "render/dissertation/kd_tree.h"
+#include "render/dissertation/midpoint_tree.h"
 #include "tests/support/brute_force.h"
 
 #include <catch2/catch.hpp>
@@ -113,6 +114,46 @@ TEST_CASE("insertion tree: matches brute force, with ties", "[dissertation]")
     CHECK(compare_with_brute_force(build) == 4320);
 }
 
+TEST_CASE("midpoint tree: matches brute force, with ties", "[dissertation]")
+{
+    const auto build = [](const auto& points) {
+        std::vector<TreePoint> ordered = numbered(points);
+        return build_midpoint_tree(ordered);
+    };
+    CHECK(compare_with_brute_force(build) == 4320);
+}
+
+TEST_CASE("midpoint tree: its nodes are the points, in their new order", "[dissertation]")
+{
+    for (const float step : {0.0f, 0.125f, 2.0f}) {
+        const std::vector<glm::vec3> points = random_points(5, 5000, step);
+        std::vector<TreePoint> ordered = numbered(points);
+        const InsertionTree tree = build_midpoint_tree(ordered);
+        std::vector<bool> seen(points.size(), false);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const std::uint32_t photon = tree.nodes[i].photon;
+            CHECK(ordered[i].photon == photon);
+            CHECK(tree.nodes[i].position == points[photon]);
+            CHECK_FALSE(seen[photon]);
+            seen[photon] = true;
+        }
+    }
+}
+
+TEST_CASE("midpoint tree: cells are halved, however the photons lie", "[dissertation]")
+{
+    // Half of the photons in a corner of a thousandth of the room's length.
+    std::vector<glm::vec3> points = random_points(9, 4000, 0);
+    for (std::size_t i = 0; i < points.size(); i += 2)
+        points[i] *= 0.001f;
+    std::vector<TreePoint> ordered = numbered(points);
+    const InsertionTree tree = build_midpoint_tree(ordered);
+    const InsertionNode& root = tree.nodes.front();
+    const int axis = static_cast<int>(root.axis);
+    CHECK(root.position[axis] == Approx(0.5f).margin(0.01));
+    CHECK(root.child[1] - root.child[0] > 2500); // photons below the middle
+}
+
 TEST_CASE("balanced tree: holds every point once", "[dissertation]")
 {
     const std::vector<glm::vec3> points = random_points(5, 50000, 0.125f);
@@ -149,7 +190,7 @@ TEST_CASE("kd trees: find as far photons as the wide tree, within the radius and
     const auto left = [](const std::vector<TreePoint>& by_slot) {
         return [&](std::uint32_t slot) { return by_slot[slot].position.x < 0.5f; };
     };
-    for (const TreeKind kind : {TreeKind::balanced, TreeKind::unbalanced}) {
+    for (const TreeKind kind : {TreeKind::balanced, TreeKind::unbalanced, TreeKind::midpoint}) {
         std::vector<TreePoint> by_slot = numbered(points);
         const KdTree tree = build_kd_tree(kind, by_slot);
         for (const glm::vec3& point : random_points(8, 100, 0.0f))
