@@ -39,8 +39,12 @@ def draw_net(rows, path):
     save(figure, path)
 
 
+def interval(found):
+    return found.bounds() if found.freedom else (found.value, found.value)
+
+
 def draw_local_tier(rows, path):
-    """How many times faster than shared maps alone both tiers are."""
+    """How many times faster than shared maps alone local maps make it, with intervals."""
     scenes = values(rows, "scene")
     figure, panels = pyplot.subplots(1, len(scenes), figsize=(4 * len(scenes), 3.6), squeeze=False,
                                      sharey=True)
@@ -50,7 +54,11 @@ def draw_local_tier(rows, path):
             for test in values(pick(rows, scene=scene), "test"):
                 pair = [one(rows, scene=scene, test=test, tree=tree, mode=mode)
                         for mode in ("shared", "thesis")]
-                points.append((test + 0.08 * (shift - 1), *ratio(*pair)))
+                found = ratio(*pair)
+                if found is not None:
+                    points.append((test + 0.08 * (shift - 1), found.value, *interval(found)))
+            if not points:
+                continue
             at, middle, low, high = zip(*points)
             errors = [[max(0, m - l) for m, l in zip(middle, low)],
                       [max(0, h - m) for m, h in zip(middle, high)]]
@@ -61,7 +69,7 @@ def draw_local_tier(rows, path):
         axes.set_xlabel("test")
         axes.set_xticks(values(pick(rows, scene=scene), "test"))
         axes.grid(alpha=0.25)
-    panels[0][0].set_ylabel("net cost: shared / both tiers")
+    panels[0][0].set_ylabel("net cost: shared / thesis")
     panels[0][0].legend()
     save(figure, path)
 

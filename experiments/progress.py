@@ -14,10 +14,15 @@ class Progress:
         self.total, self.weight = total, weight or total
         self.done, self.done_weight = 0, 0
 
+    def skip(self, count, weight):
+        """Leaves out steps.  weight: of them together."""
+        self.total -= count
+        self.weight -= weight
+
     def ran(self, text, weight=1):
         """After each step.  weight: of this step."""
         self.done += 1
         self.done_weight += weight
         left = (time.monotonic() - self.start) * (self.weight / self.done_weight - 1)
-        print(f"[{self.done}/{self.total}] {text}; about {left / 60:.1f} min left",
+        print(f"[{self.done}/{self.total}] {text}; about {max(0, left) / 60:.1f} min left",
               file=sys.stderr, flush=True)

@@ -2,11 +2,15 @@
 
 import csv
 
-from measure import (Setting, light_paths, measure_together, neighbours, ratio, run_tool,
+import ratios
+from measure import (LEVELS, Setting, light_paths, maps, neighbours, ratio, rounds, run_tool,
                      scene_path)
-from tables import number, one, percent, pick, seconds, table, times, values
+from ratios import written
+from tables import number, one, percent, pick, seconds, table, values
 
 RATIOS = (2, 5, 10, 20, 50)  # M / k
+ONE_MAP_TREES = ("balanced", "unbalanced", "midpoint", "wide")
+FILTER_TIMES = ("ns balanced", "ns wide")
 ASKED = {2: 3, 3: 2}  # scene: test in which the ratio and the filter radius are asked for
 
 
@@ -27,6 +31,11 @@ def clipped_settings(scene, test):
             for estimate in ("thesis", "clipped")]
 
 
+def unbalanced_settings(scene, test):
+    """One map in trees of each kind."""
+    return [Setting(scene, test, "global", tree) for tree in ONE_MAP_TREES]
+
+
 def batches(scenes, tests):
     """{question: lists of settings to be measured together}"""
     asked = [scene for scene in scenes if scene in ASKED and ASKED[scene] in tests]
@@ -34,25 +43,33 @@ def batches(scenes, tests):
     return {"ratio": [ratio_settings(scene, tree) for scene in asked
                       for tree in ("balanced", "wide")],
             "tiers": [tier_settings(scene, test) for scene in scenes for test in some],
+            "unbalanced": [unbalanced_settings(scene, test) for scene in scenes for test in some],
             "clipped": [clipped_settings(scene, test) for scene in scenes for test in some]}
 
 
-def measure_batches(bench, all_batches, ran):
-    return {name: [row for settings in lists for row in measure_together(bench, settings, ran)]
+def measure_batches(all_batches, measured):
+    """measured(settings): their rows."""
+    return {name: [row for settings in lists for row in measured(settings)]
             for name, lists in all_batches.items()}
 
 
+def filter_rows(bench, scene, test):
+    text = run_tool(bench, "filter_radius", scene_path(scene), "--photons",
+                    light_paths(bench, scene, test), "--neighbours", neighbours(bench, test),
+                    "--size", bench.size)
+    return list(csv.DictReader(text.splitlines(), delimiter=";"))
+
+
 def run_filter(bench, scenes, tests):
-    """Rows of filter_radius; CSV by the scene and test."""
+    """Rows of filter_radius; CSV by the scene and test.  Nanoseconds are of each round."""
     rows = []
     for scene, test in ASKED.items():
         if scene not in scenes or test not in tests:
             continue
-        text = run_tool(bench, "filter_radius", scene_path(scene), "--photons",
-                        light_paths(bench, scene, test), "--neighbours", neighbours(bench, test),
-                        "--size", bench.size)
-        rows += [{"scene": scene, "test": test, **row}
-                 for row in csv.DictReader(text.splitlines(), delimiter=";")]
+        measured = [filter_rows(bench, scene, test) for _ in range(rounds(bench, scene, test))]
+        rows += [{"scene": scene, "test": test, **same[0],
+                  **{name: [float(row[name]) for row in same] for name in FILTER_TIMES}}
+                 for same in zip(*measured)]
     return rows
 
 
@@ -72,6 +89,11 @@ def local_shares(kinds):
     return ((begun - lost) / asked, lost / asked) if asked else (0, 0)
 
 
+def level_maps(row, level):
+    """Maps of a level, of both kinds of photons."""
+    return sum(maps(row, kind, level) for kind in row["kinds"])
+
+
 def ratio_table(rows):
     lines = []
     for scene in values(rows, "scene"):
@@ -79,11 +101,11 @@ def ratio_table(rows):
             shared = one(rows, scene=scene, tree=tree, mode="shared")
             for row in pick(rows, scene=scene, tree=tree, mode="thesis"):
                 answered, lost = local_shares(row["kinds"].values())
-                lines.append([scene, row["test"], tree, row["ratio"], row["local_maps"],
+                lines.append([scene, row["test"], tree, row["ratio"], level_maps(row, "local_maps"),
                               percent(answered), percent(lost), seconds(row["build_s"]),
-                              seconds(row["net_s"]), times(ratio(shared, row))])
+                              seconds(row["net_s"]), written(ratio(shared, row))])
     return table(["scene", "test", "tree", "M / k", "local maps", "answered there", "abandoned",
-                  "build, s", "net, s", "shared / both"], lines)
+                  "build, s", "net, s", "shared / thesis"], lines)
 
 
 def tier_table(rows, main_rows):
@@ -95,16 +117,17 @@ def tier_table(rows, main_rows):
             paying, every = (one(found, mode="hierarchical", tiers=t) for t in ("paying", "all"))
             old = [one(main_rows, scene=scene, test=test, tree="balanced", mode=mode)
                    for mode in ("shared", "thesis", "hierarchical")]
-            lines.append([scene, test, paying["local_maps"] + paying["group_maps"],
-                          every["local_maps"], every["group_maps"], times(ratio(shared, paying)),
-                          times(ratio(shared, every)), seconds(shared["build_s"]),
+            lines.append([scene, test, sum(level_maps(paying, level) for level in LEVELS[1:]),
+                          *(level_maps(every, level) for level in LEVELS[1:]),
+                          written(ratio(shared, paying)),
+                          written(ratio(shared, every)), seconds(shared["build_s"]),
                           seconds(every["build_s"]),
-                          *((times(ratio(old[0], row)) for row in old[1:]) if all(old)
+                          *((written(ratio(old[0], row)) for row in old[1:]) if all(old)
                             else ("-", "-"))])
-    return table(["scene", "test", "maps of tiers that pay", "local maps, all tiers",
-                  "group maps, all tiers", "wide: shared / paying", "wide: shared / all",
-                  "build shared, s", "build all, s", "balanced: shared / both of the thesis",
-                  "balanced: shared / three tiers"], lines)
+    return table(["scene", "test", "maps of levels that pay", "local maps, all levels",
+                  "group maps, all levels", "wide: shared / paying", "wide: shared / all",
+                  "build shared, s", "build all, s", "balanced: shared / thesis",
+                  "balanced: shared / hierarchical"], lines)
 
 
 def caustic_table(rows):
@@ -125,7 +148,7 @@ def caustic_table(rows):
 def filter_table(rows):
     lines = [[row["scene"], row["test"], row["rule"],
               *(f"{100 * float(row[name]):.1f} %" for name in ("answered", "in vain", "missed")),
-              row["ns balanced"], row["ns wide"]] for row in rows]
+              *(f"{ratios.mean_cost(row[name]):.0f}" for name in FILTER_TIMES)] for row in rows]
     return table(["scene", "test", "radius predicted by", "answered", "begun in vain", "missed",
                   "balanced, ns", "wide, ns"], lines)
 
@@ -137,8 +160,24 @@ def clipped_table(rows):
             plain, ours = (one(rows, scene=scene, test=test, estimate=estimate)
                            for estimate in ("thesis", "clipped"))
             lines.append([scene, test, seconds(plain["net_s"]), seconds(ours["net_s"]),
-                          times(ratio(ours, plain))])
+                          written(ratio(ours, plain))])
     return table(["scene", "test", "the dissertation's, s", "ours, s", "ours / theirs"], lines)
+
+
+def built(row):
+    return row["build_runs"]
+
+
+def unbalanced_table(rows):
+    lines = []
+    for scene in values(rows, "scene"):
+        for test in values(pick(rows, scene=scene), "test"):
+            found = [one(rows, scene=scene, test=test, tree=tree) for tree in ONE_MAP_TREES]
+            lines += [[scene, test, row["tree"], seconds(row["build_s"]), seconds(row["net_s"]),
+                       written(ratio(found[0], row, built)), written(ratio(found[0], row))]
+                      for row in found]
+    return table(["scene", "test", "tree", "build, s", "net, s", "build: balanced / this",
+                  "net: balanced / this"], lines)
 
 
 def best_ratio(rows):
@@ -150,21 +189,20 @@ def best_ratio(rows):
             best = min(pick(rows, scene=scene, tree=tree, mode="thesis"),
                        key=lambda row: row["net_s"])
             gain = ratio(shared, best)
-            clear = "gains" if gain[1] > 1 else "loses" if gain[2] < 1 else "makes no clear odds"
+            clear = {True: "gains", False: "loses", None: "undecided"}[gain and gain.exceeds(1)]
             said.append(f"on scene {scene}, {tree} trees, M = {best['ratio']} k ({clear}: "
-                        f"{times(gain)} of shared maps alone)")
+                        f"shared / thesis {written(gain)})")
     return "Least net cost: " + "; ".join(said) + ".\n"
 
 
-def most_by_foresight(rows):
+def most_by_prediction(rows):
     """What a perfect filter radius would gain over shared maps alone."""
     said = []
     for scene in values(rows, "scene"):
         alone, right, theirs = (one(rows, scene=scene, rule=rule) for rule in
                                 ("shared map alone", "the right one", "r' of the dissertation"))
-        for tree in ("balanced", "wide"):
-            name = f"ns {tree}"
-            said.append(f"scene {scene}, {tree} trees: {float(alone[name]) / float(right[name]):.3f}"
-                        f" times as fast with a rule that is always right, "
-                        f"{float(alone[name]) / float(theirs[name]):.3f} with r'")
+        for name in FILTER_TIMES:
+            best, now = (written(ratios.of_rounds(alone[name], row[name])) for row in (right, theirs))
+            said.append(f"scene {scene}, {name.removeprefix('ns ')} trees: {best} times as fast with a "
+                        f"rule that is always right, {now} with r'")
     return "Against the shared map alone, " + "; ".join(said) + ".\n"

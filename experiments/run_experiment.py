@@ -3,6 +3,7 @@
 
     experiments/run_experiment.py                      # writes docs/experiments.md
     experiments/run_experiment.py --quick --scenes 1   # a look; writes below out/
+    experiments/run_experiment.py --check              # compares identical computations of the last run
 
 Needs the programs in build/release/bin and, for the plots, Debian's python3-matplotlib.
 """
@@ -21,14 +22,15 @@ import time
 
 import document
 import figures
+import identical
 import measure
 import pictures
 import programs
 import questions
 from progress import Progress
 
-QUICK = {"divide": 10, "size": 96, "most_rounds": 1}
-FULL = {"divide": 1, "size": 256, "most_rounds": 3}
+QUICK = {"divide": 10, "size": 96, "most_rounds": 1, "net_seconds": 0}
+FULL = {"divide": 1, "size": 256, "most_rounds": 12, "net_seconds": 0.5}
 PROGRAMS = ("preprocess", "render", "crease_profile", "filter_radius")
 # Seconds of a light path and of a photon found, about; for the time left.
 PATH_SECONDS, FOUND_SECONDS, START_SECONDS = 1.5e-6, 1e-7, 0.05
@@ -43,13 +45,16 @@ def parse_options():
     parser.add_argument("--quick", action="store_true",
                         help="a tenth of the photons and neighbours, small images, one run each")
     parser.add_argument("--rounds", type=int,
-                        help="times to run each at most [3; with --quick 1]")
+                        help="times to run each at most [12; with --quick 1]")
     parser.add_argument("--to", type=pathlib.Path,
                         help="folder to write to [docs; with --quick out/experiments]")
     parser.add_argument("--tools", type=pathlib.Path, default=measure.ROOT / "build/release/bin",
                         help="folder of the programs [build/release/bin]")
     parser.add_argument("--again", action="store_true",
                         help="measure nothing: write the document and plots from results.json")
+    parser.add_argument("--check", action="store_true",
+                        help="measure nothing: say which identical computations of results.json differ by "
+                             "more than their intervals; exit code 1 if any do")
     parser.add_argument("--update", action="store_true",
                         help="measure these scenes and tests anew, keep the rest of results.json")
     options = parser.parse_args()
@@ -64,15 +69,30 @@ def weight(bench, setting):
     return START_SECONDS + PATH_SECONDS * paths + FOUND_SECONDS * found
 
 
-def follow(bench, batches):
-    """ran(setting, row), which says how far the batches are."""
-    settings = [setting for batch in batches for setting in batch]
-    times = [measure.rounds(bench, setting.scene, setting.test) for setting in settings]
-    progress = Progress(sum(times), sum(count * weight(bench, setting)
-                                        for count, setting in zip(times, settings)))
-    return lambda setting, row: progress.ran(
-        f"scene {setting.scene}, test {setting.test}, {setting.mode}, {setting.tree}: "
-        f"{row['stored']:,} photons", weight(bench, setting))
+class Measuring:
+    """Measures batches of settings and says how far they are."""
+
+    def __init__(self, bench, batches):
+        self.bench = bench
+        weights = [self.batch_weight(batch, self.rounds(batch)) for batch in batches]
+        self.progress = Progress(sum(self.rounds(batch) * len(batch) for batch in batches),
+                                 sum(weights))
+
+    def rounds(self, batch):
+        return measure.rounds(self.bench, batch[0].scene, batch[0].test)
+
+    def batch_weight(self, batch, rounds):
+        return rounds * sum(weight(self.bench, setting) for setting in batch)
+
+    def ran(self, setting, row):
+        self.progress.ran(f"scene {setting.scene}, test {setting.test}, {setting.mode}, "
+                          f"{setting.tree}: {row['stored']:,} photons", weight(self.bench, setting))
+
+    def rows(self, batch):
+        rows = measure.measure_together(self.bench, batch, self.ran)
+        spared = self.rounds(batch) - len(rows[0]["image_runs"])
+        self.progress.skip(spared * len(batch), self.batch_weight(batch, spared))
+        return rows
 
 
 def commit():
@@ -94,11 +114,9 @@ def run_all(bench, options):
     print("measuring creases and filter radii", file=sys.stderr)
     singly = {"creases": questions.run_creases(bench, 10_000 // bench.divide),
               "filter": questions.run_filter(bench, options.scenes, options.tests)}
-    ran = follow(bench, main + [batch for batches in asked.values() for batch in batches])
-    return {**singly,
-            "rows": [row for batch in main
-                     for row in measure.measure_together(bench, batch, ran)],
-            "questions": questions.measure_batches(bench, asked, ran)}
+    measuring = Measuring(bench, main + [batch for batches in asked.values() for batch in batches])
+    return {**singly, "rows": [row for batch in main for row in measuring.rows(batch)],
+            "questions": questions.measure_batches(asked, measuring.rows)}
 
 
 def write(results, drawn, to):
@@ -145,23 +163,37 @@ def update(options, results_file):
             measure.make_partition(bench, scene)
         batches = list(itertools.starmap(main_batch,
                                          itertools.product(options.scenes, options.tests)))
-        ran = follow(bench, batches)
-        rows = [row for batch in batches
-                for row in measure.measure_together(bench, batch, ran)]
+        measuring = Measuring(bench, batches)
+        rows = [row for batch in batches for row in measuring.rows(batch)]
     new = {(row["scene"], row["test"]): row for row in rows}
     kept = [row for row in results["rows"] if (row["scene"], row["test"]) not in new]
     results["about"].setdefault("again", []).extend(
-        f"scene {scene}, test {test} ({measure.rounds(bench, scene, test)} rounds)"
-        for scene, test in new)
+        f"scene {scene}, test {test} ({len(row['image_runs'])} rounds)"
+        for (scene, test), row in new.items())
     results["rows"] = sorted(kept + rows, key=lambda row: (row["scene"], row["test"]))
     results_file.write_text(json.dumps(results, indent=1) + "\n")
     return results
+
+
+def check(results, required):
+    """Ends this program if identical computations differ.  required: also if none were measured."""
+    complaints = identical.complaints(results)
+    for line in complaints:
+        print(line, file=sys.stderr)
+    measured = any(identical.is_measured(pair[2]) for pair in identical.find_all(results))
+    if complaints and (measured or required):
+        sys.exit(1)
+    if not complaints:
+        print("identical computations agree within their intervals", file=sys.stderr)
 
 
 def main():
     options = parse_options()
     results_file = options.to / "experiments" / "results.json"
     results_file.parent.mkdir(parents=True, exist_ok=True)
+    if options.check:
+        check(json.loads(results_file.read_text()), True)
+        return
     if options.again:
         results = json.loads(results_file.read_text())
     else:
@@ -171,6 +203,7 @@ def main():
                      f"build/release --target {' '.join(PROGRAMS)}")
         results = (update if options.update else run)(options, results_file)
     write(results, results["pictures"], options.to)
+    check(results, False)
 
 
 if __name__ == "__main__":

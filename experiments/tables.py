@@ -1,6 +1,7 @@
 """Tables of what the experiment measured, in Markdown."""
 
-from measure import MODES, SCENES, TREES, ratio
+from measure import LEVELS, MODES, SCENES, TREES, maps, ratio
+from ratios import written
 
 # Photons stored in tests 1 to 5 by the dissertation; it says no more of scene 3.
 DISSERTATION_STORED = {1: (26019, 50513, 152881, 384119, 778138),
@@ -26,15 +27,6 @@ def percent(share):
     return f"{100 * share:.0f} %"
 
 
-def times(measured):
-    """Of measure.ratio: the ratio, and its spread over the rounds."""
-    middle, low, high = measured
-    if not (low > 0 and middle > 0):
-        return "lost in noise"
-    spread = "" if f"{low:.2f}" == f"{high:.2f}" else f" ({low:.2f} to {high:.2f})"
-    return f"{middle:.2f}{spread}"
-
-
 def pick(rows, **wanted):
     """The rows that have these values."""
     return [row for row in rows if all(row[key] == value for key, value in wanted.items())]
@@ -57,9 +49,18 @@ def net_table(rows, tree):
         row = {mode: one(rows, test=test, tree=tree, mode=mode) for mode in MODES}
         lines.append([test, number(row["global"]["stored"]),
                       *(seconds(row[mode]["net_s"]) for mode in MODES),
-                      *(times(ratio(row["global"], row[mode])) for mode in MODES[1:])])
+                      *(written(ratio(row["global"], row[mode])) for mode in MODES[1:])])
     against = [f"global / {mode}" for mode in MODES[1:]]
     return table(["test", "photons", *(f"{mode}, s" for mode in MODES), *against], lines)
+
+
+def counted(row):
+    """The maps that a rendering searched, by kind of photon; levels without maps are left out."""
+    said = []
+    for kind in ("global", "caustic"):
+        counts = [(maps(row, kind, level), level.removesuffix("_maps")) for level in LEVELS]
+        said.append(f"{kind} " + " + ".join(f"{count} {name}" for count, name in counts if count))
+    return "; ".join(said)
 
 
 def raw_table(rows, mode):
@@ -69,29 +70,31 @@ def raw_table(rows, mode):
         row = {tree: one(rows, test=test, tree=tree, mode=mode) for tree in TREES}
         first = row["balanced"]
         lines.append([test, first["k"], number(first["emitted"]), number(first["stored"]),
-                      first["shared_maps"], first["local_maps"], first["group_maps"],
+                      counted(first), counted(row["wide"]), len(first["image_runs"]),
                       *(seconds(row[tree]["build_s"]) for tree in TREES),
                       *(seconds(row[tree]["image_s"]) for tree in TREES),
                       seconds(first["empty_s"])])
-    return table(["test", "k", "emitted", "stored", "shared maps", "local maps", "group maps",
+    return table(["test", "k", "emitted", "stored", "maps of kd-trees", "maps of wide trees", "rounds",
                   *(f"build {tree}, s" for tree in TREES),
                   *(f"render {tree}, s" for tree in TREES), "empty, s"], lines)
 
 
 def stored_table(rows):
-    """Whether the scenes store what the dissertation's did."""
+    """Whether the scenes store what the dissertation's did, in mode thesis."""
     lines = []
     for scene in values(rows, "scene"):
         for row in pick(rows, scene=scene, tree="balanced", mode="thesis"):
             theirs = DISSERTATION_STORED[scene][row["test"] - 1]
-            shared = row["shared_maps"] / (row["shared_maps"] + row["local_maps"])
+            shared, local = (maps(row, "global", level) for level in LEVELS[:2])
             lines.append([scene, row["test"], number(row["emitted"]), number(row["aimed"]),
                           number(row["stored"]), number(theirs),
-                          f"{row['stored'] / theirs:.2f}" if theirs else "-", row["shared_maps"],
-                          row["local_maps"], percent(shared),
-                          f"{DISSERTATION_SHARED_PERCENT[scene]} %"])
+                          f"{row['stored'] / theirs:.2f}" if theirs else "-", shared, local,
+                          percent(shared / (shared + local)),
+                          f"{DISSERTATION_SHARED_PERCENT[scene]} %",
+                          *(maps(row, "caustic", level) for level in LEVELS[:2])])
     return table(["scene", "test", "emitted", "aimed besides", "stored", "theirs", "ours / theirs",
-                  "shared maps", "local maps", "shared of all", "theirs"], lines)
+                  "global: shared maps", "global: local maps", "global: shared of all", "theirs",
+                  "caustic: shared maps", "caustic: local maps"], lines)
 
 
 def scene_part(rows, scene, drawn):

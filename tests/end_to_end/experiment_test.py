@@ -4,8 +4,11 @@
 """
 
 import json
+import math
 import os
 import pathlib
+import random
+import statistics
 import subprocess
 import sys
 import tempfile
@@ -15,7 +18,9 @@ ROOT, TOOLS = sys.argv[1:3]
 SCRIPT = os.path.join(ROOT, "experiments/run_experiment.py")
 sys.path.insert(0, os.path.dirname(SCRIPT))
 import claims
+import identical
 import measure
+import ratios
 import run_experiment
 
 
@@ -26,9 +31,17 @@ def run(tools, folder):
 
 
 def row(mode, net, **others):
-    """A row with the net costs of its rounds."""
-    return {"scene": 1, "test": 5, "tree": "balanced", "mode": mode, "empty_s": 1.0,
-            "image_runs": [1 + cost for cost in net], **others}
+    """A row with the net costs of its rounds, of an image of four times the pixels."""
+    return {"scene": 1, "test": 5, "tree": "balanced", "mode": mode, "estimate": "thesis",
+            "tiers": "paying", "ratio": 10, "size": 192, "scale": 4.0, "kinds": {},
+            "largest_map": 1, "stored": 9,
+            "empty_runs": [1.0] * len(net), "image_runs": [1 + 4 * cost for cost in net], **others}
+
+
+def rows_of(costs, above="global", below="shared"):
+    """Rows of test 5 on both kinds of trees; costs: {tree: (of above, of below)}."""
+    return [row(mode, net, tree=tree) for tree, both in costs.items()
+            for mode, net in zip((above, below), both)]
 
 
 class Experiment(unittest.TestCase):
@@ -40,7 +53,7 @@ class Experiment(unittest.TestCase):
     def test_rows_and_document(self):
         done = run(TOOLS, self.folder)
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertIn("[34/34]", done.stderr)
+        self.assertIn("[42/42]", done.stderr)
         document = pathlib.Path(self.folder, "experiments.md").read_text(encoding="utf-8")
         results = json.loads(pathlib.Path(self.folder, "experiments/results.json").read_text())
         rows = results["rows"]
@@ -51,34 +64,89 @@ class Experiment(unittest.TestCase):
             self.assertEqual(one["stored"], rows[tree // 12 * 12]["stored"])
             self.assertEqual(one["stored"], shared["stored"])
             self.assertEqual(one["stored"], thesis["stored"])
-            self.assertEqual(shared["shared_maps"], tiers["shared_maps"])
-            self.assertLessEqual(one["shared_maps"], 2)
-            self.assertGreater(shared["shared_maps"], 6)
-            self.assertEqual(shared["local_maps"], 0)
-            self.assertGreater(thesis["local_maps"], 0)
+            counts = [[measure.maps(row_, "global", level) for level in measure.LEVELS[:2]]
+                      for row_ in (one, shared, thesis, tiers)]
+            self.assertEqual(counts[1][0], counts[3][0])
+            self.assertEqual(counts[0][0], 1)
+            self.assertGreater(counts[1][0], 6)
+            self.assertEqual(counts[1][1], 0)
+            self.assertGreater(counts[2][1], 0)
             self.assertIn(f"| {one['stored']:,} |", document)
         for row_ in rows:
             self.assertAlmostEqual(row_["net_s"], row_["image_s"] - row_["empty_s"])
-        self.assertEqual(document.count("| **"), len(claims.judge(rows, results["creases"])))
+        self.assertEqual(document.count("| **"), len(claims.judge(results)))
         for name in results["pictures"].values():
             self.assertIn(f"(experiments/{name})", document)
             self.assertTrue(pathlib.Path(self.folder, "experiments", name).exists())
 
-    def test_a_ratio_is_of_the_fastest_runs_and_spans_the_rounds(self):
-        middle, low, high = measure.ratio(row("global", [4, 6]), row("shared", [3, 2]))
-        self.assertAlmostEqual(middle, 2)
-        self.assertAlmostEqual(low, 4 / 3)
-        self.assertAlmostEqual(high, 3)
+    def test_a_ratio_is_the_mean_of_the_rounds_with_its_interval(self):
+        found = measure.ratio(row("global", [4, 6, 5]), row("shared", [2, 3, 5]))
+        logs = [math.log(2), math.log(2), 0]
+        self.assertAlmostEqual(found.log, 2 * math.log(2) / 3)
+        self.assertAlmostEqual(found.error, statistics.stdev(logs) / math.sqrt(3))
+        low, high = found.bounds()  # Student's limit of two degrees of freedom
+        self.assertAlmostEqual(math.log(high / low) / 2, 4.3027 * found.error, places=3)
+        self.assertAlmostEqual(measure.net_runs(row("global", [4]))[0], 4)
+        self.assertEqual(ratios.written(measure.ratio(row("global", [4]), row("shared", [2]))),
+                         "2.00 (one round)")
+        self.assertEqual(ratios.written(measure.ratio(row("global", [4, -1]),
+                                                      row("shared", [2, 2]))), "lost in noise")
 
-    def test_a_claim_is_held_on_both_trees_or_only_on_the_weaker_or_not(self):
+    def test_intervals_hold_the_true_ratio_as_often_as_they_say(self):
+        draw = random.Random(3)
+
+        def runs(mean):
+            return [mean * math.exp(draw.gauss(0, 0.1)) for _ in range(5)]
+        found = [ratios.of_rounds(runs(3), runs(2)).bounds() for _ in range(2000)]
+        held = sum(low <= 1.5 <= high for low, high in found) / len(found)
+        self.assertAlmostEqual(held, 0.95, delta=0.015)
+
+    def test_a_verdict_has_four_values(self):
         def judged(balanced, wide):
-            rows = [row("global", [1]), row("shared", [1 / balanced]),
-                    row("global", [1], tree="wide"), row("shared", [1 / wide], tree="wide")]
-            return claims.far_ahead(rows, [1], "shared")[-1]
+            rows = rows_of({tree: ([ratio * 0.99, ratio, ratio * 1.01], [1, 1, 1])
+                            for tree, ratio in (("balanced", balanced), ("wide", wide))})
+            shown = [claims.far_ahead(rows, 1, "shared", "").shown(tree)
+                     for tree in ("balanced", "wide")]
+            return claims.verdict(*shown)
         self.assertEqual(judged(2, 2), claims.HELD)
-        self.assertEqual(judged(2, 1.2), claims.WEAKER)
-        self.assertEqual(judged(1.2, 2), claims.NOT)
-        self.assertEqual(claims.far_ahead([row("global", [1])], [1], "shared")[-1], claims.UNKNOWN)
+        self.assertEqual(judged(2, 1.2), claims.THEN)
+        self.assertEqual(judged(2, 1.5), claims.THEN)
+        self.assertEqual(judged(1.2, 2), claims.REFUTED)
+        self.assertEqual(judged(1.5, 2), claims.UNDECIDED)
+        self.assertIsNone(claims.far_ahead([row("global", [1])], 1, "shared", "").shown("wide"))
+        self.assertEqual(claims.verdict(None, None), claims.UNKNOWN)
+
+    def test_a_claim_that_one_loses_holds_below_its_threshold(self):
+        rows = rows_of({"balanced": ([0.9, 0.91, 0.89], [1, 1, 1])}, "shared", "thesis")
+        lost = claims.local_maps(rows, (1, 5), ("lose", "", 1, True))
+        self.assertTrue(lost.shown("balanced").holds)
+        self.assertFalse(claims.local_maps(rows, (1, 5), ("gain", "", 1, False))
+                         .shown("balanced").holds)
+
+    def test_claims_are_judged_on_the_scenes_they_were_made_for(self):
+        rows = rows_of({"balanced": ([2, 2], [1, 1]), "wide": ([2, 2], [1, 1])})
+        judged = claims.judge({"rows": rows, "questions": {}, "creases": []})
+        made_for = [line[1] for line in judged if "far ahead" in line[0]]
+        self.assertEqual(made_for, [1, 2, 1, 2])
+        self.assertNotIn("-", [line[2] for line in judged if line[1] != "-"])
+
+    def test_identical_computations_that_differ_are_found(self):
+        def found(thesis, **kinds):
+            rows = [row("shared", [1.0, 1.01, 0.99, 1.0]), row("thesis", thesis, **kinds)]
+            return identical.complaints({"rows": rows, "questions": {}})
+        slower = [1.2, 1.21, 1.19, 1.2]
+        self.assertEqual(found([1.01, 1.0, 1.0, 0.99]), [])
+        self.assertEqual(len(found(slower)), 1)
+        self.assertIn("shared and thesis", found(slower)[0])
+        used = {"kinds": {"global": {"local_maps": 3}}}
+        self.assertIn("no identical", found(slower, **used)[0])
+
+    def test_a_run_ends_when_its_ratios_are_precise(self):
+        def is_precise(*nets):
+            return measure.is_precise([row("shared", net) for net in nets])
+        self.assertTrue(is_precise([1, 1.01, 0.99], [2, 2.02, 2.0]))
+        self.assertFalse(is_precise([1, 1.1, 0.9], [2, 2, 2]))
+        self.assertFalse(is_precise([1], [2]))
 
     def test_light_primitives_are_glowing_triangles_and_lamps(self):
         counts = [measure.light_primitives(measure.scene_path(scene)) for scene in (1, 2, 3)]
