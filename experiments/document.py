@@ -98,6 +98,10 @@ forces it. On kd-trees it is always used.
         parts += ["### Unbalanced trees\n", """Mode `global`. `unbalanced` is built by inserting photon after photon, `midpoint` all
 at once: cells are split in their middle. Both are searched alike.
 """, questions.unbalanced_table(asked["unbalanced"])]
+    if results.get("rebuilds"):
+        parts += ["### One map rebuilt alone\n", """Processor time to build all shared maps of one set of photons, and of the photons
+of one map alone: the largest, and the median map by photons. Photons of caustics are left out.
+""", questions.rebuild_table(results["rebuilds"])]
     parts += ["### Caustics apart from the rest\n",
               "Mode `thesis` on balanced trees, by kind of photon.\n",
               questions.caustic_table(results["rows"])]

@@ -124,7 +124,6 @@ def summary(stats):
     photons = stats["photons"]
     kinds = {kind: photons[kind] for kind in ("caustic", "global")}
     return {"stored": photons["stored"], "aimed": photons["aimed"],
-            "largest_map": max(kind["largest_map"] for kind in kinds.values()),
             "kinds": {name: {key: kind[key] for key in ("stored", "queries", *LEVELS, "local",
                                                         "group") if key in kind}
                       for name, kind in kinds.items()},

@@ -1,6 +1,7 @@
 """What the dissertation left open: measures, and tables of what came out."""
 
 import csv
+import itertools
 
 import ratios
 from measure import (LEVELS, Setting, light_paths, maps, neighbours, ratio, rounds, run_tool,
@@ -10,6 +11,7 @@ from tables import number, one, percent, pick, seconds, table, values
 
 RATIOS = (2, 5, 10, 20, 50)  # M / k
 ONE_MAP_TREES = ("balanced", "unbalanced", "midpoint", "wide")
+REBUILD_TIMES = ("ms all", "ms largest", "ms median")
 FILTER_TIMES = ("ns balanced", "ns wide")
 ASKED = {2: 3, 3: 2}  # scene: test in which the ratio and the filter radius are asked for
 
@@ -31,6 +33,11 @@ def clipped_settings(scene, test):
             for estimate in ("thesis", "clipped")]
 
 
+def some_of(tests):
+    """The tests in which most questions are asked."""
+    return [test for test in (2, 4) if test in tests]
+
+
 def unbalanced_settings(scene, test):
     """One map in trees of each kind."""
     return [Setting(scene, test, "global", tree) for tree in ONE_MAP_TREES]
@@ -39,7 +46,7 @@ def unbalanced_settings(scene, test):
 def batches(scenes, tests):
     """{question: lists of settings to be measured together}"""
     asked = [scene for scene in scenes if scene in ASKED and ASKED[scene] in tests]
-    some = [test for test in (2, 4) if test in tests]
+    some = some_of(tests)
     return {"ratio": [ratio_settings(scene, tree) for scene in asked
                       for tree in ("balanced", "wide")],
             "tiers": [tier_settings(scene, test) for scene in scenes for test in some],
@@ -71,6 +78,33 @@ def run_filter(bench, scenes, tests):
                   **{name: [float(row[name]) for row in same] for name in FILTER_TIMES}}
                  for same in zip(*measured)]
     return rows
+
+
+def run_rebuilds(bench, scenes, tests):
+    """A row by scene, test and tree; milliseconds are of each round."""
+    rows = {}
+    for scene, test in itertools.product(scenes, some_of(tests)):
+        text = run_tool(bench, "rebuild_maps", scene_path(scene), "--photons",
+                        max(1000, light_paths(bench, scene, test)), "--neighbours",
+                        neighbours(bench, test), "--rounds", rounds(bench, scene, test))
+        for line in csv.DictReader(text.splitlines(), delimiter=";"):
+            row = rows.setdefault((scene, test, line["tree"]), {
+                "scene": scene, "test": test, "tree": line["tree"],
+                **{name: int(line[name]) for name in ("maps", "photons", "largest", "median")},
+                **{name: [] for name in REBUILD_TIMES}})
+            for name in REBUILD_TIMES:
+                row[name].append(float(line[name]))
+    return list(rows.values())
+
+
+def rebuild_table(rows):
+    lines = [[row["scene"], row["test"], row["tree"], row["maps"], number(row["photons"]),
+              number(row["largest"]), number(row["median"]),
+              *(f"{ratios.mean_cost(row[name]):.3f}" for name in REBUILD_TIMES),
+              *(written(ratios.of_rounds(row["ms all"], row[name])) for name in REBUILD_TIMES[1:])]
+             for row in rows]
+    return table(["scene", "test", "tree", "maps", "photons", "of the largest", "of the median map",
+                  "all, ms", "largest, ms", "median, ms", "all / largest", "all / median"], lines)
 
 
 def run_creases(bench, sets):

@@ -31,7 +31,7 @@ from progress import Progress
 
 QUICK = {"divide": 10, "size": 96, "most_rounds": 1, "net_seconds": 0}
 FULL = {"divide": 1, "size": 256, "most_rounds": 12, "net_seconds": 0.5}
-PROGRAMS = ("preprocess", "render", "crease_profile", "filter_radius")
+PROGRAMS = ("preprocess", "render", "crease_profile", "filter_radius", "rebuild_maps")
 # Seconds of a light path and of a photon found, about; for the time left.
 PATH_SECONDS, FOUND_SECONDS, START_SECONDS = 1.5e-6, 1e-7, 0.05
 
@@ -111,9 +111,10 @@ def run_all(bench, options):
     """The results, but for what the run itself was."""
     main = list(itertools.starmap(main_batch, itertools.product(options.scenes, options.tests)))
     asked = questions.batches(options.scenes, options.tests)
-    print("measuring creases and filter radii", file=sys.stderr)
+    print("measuring creases, filter radii and rebuilt maps", file=sys.stderr)
     singly = {"creases": questions.run_creases(bench, 10_000 // bench.divide),
-              "filter": questions.run_filter(bench, options.scenes, options.tests)}
+              "filter": questions.run_filter(bench, options.scenes, options.tests),
+              "rebuilds": questions.run_rebuilds(bench, options.scenes, options.tests)}
     measuring = Measuring(bench, main + [batch for batches in asked.values() for batch in batches])
     return {**singly, "rows": [row for batch in main for row in measuring.rows(batch)],
             "questions": questions.measure_batches(asked, measuring.rows)}

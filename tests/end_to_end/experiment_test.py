@@ -34,7 +34,6 @@ def row(mode, net, **others):
     """A row with the net costs of its rounds, of an image of four times the pixels."""
     return {"scene": 1, "test": 5, "tree": "balanced", "mode": mode, "estimate": "thesis",
             "tiers": "paying", "ratio": 10, "size": 192, "scale": 4.0, "kinds": {},
-            "largest_map": 1, "stored": 9,
             "empty_runs": [1.0] * len(net), "image_runs": [1 + 4 * cost for cost in net], **others}
 
 
@@ -74,6 +73,11 @@ class Experiment(unittest.TestCase):
             self.assertIn(f"| {one['stored']:,} |", document)
         for row_ in rows:
             self.assertAlmostEqual(row_["net_s"], row_["image_s"] - row_["empty_s"])
+        for rebuilt in results["rebuilds"]:
+            self.assertLess(rebuilt["median"], rebuilt["largest"])
+            self.assertLess(rebuilt["largest"], rebuilt["photons"])
+        self.assertEqual({rebuilt["tree"] for rebuilt in results["rebuilds"]},
+                         {*measure.TREES, "midpoint"})
         self.assertEqual(document.count("| **"), len(claims.judge(results)))
         for name in results["pictures"].values():
             self.assertIn(f"(experiments/{name})", document)
