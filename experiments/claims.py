@@ -113,8 +113,8 @@ def unbalanced(rows, scene, how, kind):
         pair = [one(rows, scene=scene, test=last, tree=of, mode="global") for of in (tree, kind)]
         return ratio(*pair, of=lambda row: row["build_runs"]) if all(pair) else None
 
-    return Claim(f"Unbalanced trees are built faster, {how}: one map in test {last} (this tree / "
-                 f"{kind})", scene, "faster", find, 1)
+    return Claim(f"Unbalanced trees are built faster, {how}: one map in the last test (this "
+                 f"tree / {kind})", scene, "faster", find, 1)
 
 
 def rebuilt_alone(rows, scene):
@@ -126,7 +126,7 @@ def rebuilt_alone(rows, scene):
         return of_rounds(row["ms all"], row["ms largest"]) if row else None
 
     return Claim("A single map can be rebuilt alone, at less than half the cost of all: the largest in "
-                 f"test {last} (all / largest)", scene, "can be", find, 2)
+                 "the last test (all / largest)", scene, "can be", find, 2)
 
 
 def ratio_claims(results):

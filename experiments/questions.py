@@ -206,10 +206,11 @@ def unbalanced_table(rows):
     lines = []
     for scene in values(rows, "scene"):
         for test in values(pick(rows, scene=scene), "test"):
-            found = [one(rows, scene=scene, test=test, tree=tree) for tree in ONE_MAP_TREES]
+            first, *others = (one(rows, scene=scene, test=test, tree=tree) for tree in ONE_MAP_TREES)
             lines += [[scene, test, row["tree"], seconds(row["build_s"]), seconds(row["net_s"]),
-                       written(ratio(found[0], row, built)), written(ratio(found[0], row))]
-                      for row in found]
+                       *(("1", "1") if row is first else
+                         (written(ratio(first, row, built)), written(ratio(first, row))))]
+                      for row in (first, *others)]
     return table(["scene", "test", "tree", "build, s", "net, s", "build: balanced / this",
                   "net: balanced / this"], lines)
 
