@@ -70,7 +70,8 @@ class RENDER_PT_hipmap_method(HipmapPanel, bpy.types.Panel):
 
     def draw(self, context):
         """Shows the panel."""
-        column = self.column(context, "integrator", "samples", "photons", "seed")
+        column = self.column(context, "integrator", "samples", "photons", "seed",
+                             "remove_fireflies")
         column.operator("render.hipmap_effects")
 
 

@@ -45,6 +45,10 @@ class HipmapSettings(bpy.types.PropertyGroup):
         description="Light paths of a pass; 0: as many as the pass has samples")
     seed: bpy.props.IntProperty(
         name="Seed", default=0, min=0, description="The same seed gives the same image")
+    remove_fireflies: bpy.props.BoolProperty(
+        name="Remove Fireflies", default=False,
+        description="Take rare bright samples out of the finished image; its error counts the "
+                    "light removed")
     angle: bpy.props.FloatProperty(
         name="Angle Threshold", default=math.radians(30), min=0, max=math.pi, subtype="ANGLE",
         description="Neighbouring faces whose normals differ by less share photons")
