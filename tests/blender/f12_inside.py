@@ -104,8 +104,10 @@ def quote():
     scene = open_scene("modifiers", "quote")
     bpy.ops.render.hipmap_quote()
     facts["costs"] = sys.modules["hipmap.quote"]._costs["Scene"]
+    notes = sys.modules["hipmap.job"].read_notes(os.path.join(out("quote"), "Scene_ViewLayer"))
+    facts["quoted_passes"] = notes["passes"]["scene.state"]
     scene.hipmap.proceed = True
-    render(out("quote_10.f32"))
+    render(out("quoted.f32"))
 
 
 def border():
