@@ -53,6 +53,17 @@ double noise_of(const PixelStatistics& pixel)
     return pixel[0].noise + pixel[1].noise + pixel[2].noise;
 }
 
+/// Returns whether most of the noise comes from batches that are brighter than the mean of all: a
+/// dark batch among bright ones is no firefly.
+bool is_bright(const PixelStatistics& pixel)
+{
+    double sum = 0;
+    for (const ChannelStatistics& channel : pixel)
+        for (const double deviation : channel.deviation)
+            sum += channel.steady * deviation * std::abs(deviation);
+    return sum > 0;
+}
+
 /// Pixels that may be fireflies, and the least noise of one; docs/error.md (19).
 struct Candidates {
     std::vector<double> noise;       ///< [pixels] noise_of each
@@ -203,8 +214,9 @@ std::optional<Fireflies> find_fireflies(const Film& film, const ImageError& erro
     double carried = 0, kept = found->rest;
     for (const std::size_t pixel : found->pixels) {
         const double noise = found->noise[pixel];
-        out.pixels += noise > found->bright ? 1 : 0;
-        (noise > found->bright ? carried : kept) += noise;
+        const bool is_firefly = noise > found->bright && is_bright(read_pixel(reader, pixel));
+        out.pixels += is_firefly ? 1 : 0;
+        (is_firefly ? carried : kept) += noise;
     }
     out.share = scale * carried / (error.error * error.error);
     if (out.share < kLeastShare)
@@ -232,6 +244,8 @@ RemovedFireflies remove_fireflies(Film& film)
         if (!(noise > found->bright))
             continue;
         const PixelStatistics before = read_pixel(reader, pixel);
+        if (!is_bright(before))
+            continue;
         PixelSums aside = set_aside(film, pixel, brightest_batch(reader, before));
         const PixelStatistics after = read_pixel(reader, pixel);
         const double left = noise_left(before, after);

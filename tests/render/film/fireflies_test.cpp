@@ -83,6 +83,13 @@ TEST_CASE("find_fireflies: pixels with one bright sample carry most of the error
     }
 }
 
+TEST_CASE("find_fireflies: a dark batch among bright ones is none", "[film]")
+{
+    Film film = noisy_film(5, -100);
+    CHECK(!fireflies_of(film));
+    CHECK(remove_fireflies(film).pixels == 0);
+}
+
 TEST_CASE("find_fireflies: more than a handful of bright pixels are the image's noise", "[film]")
 {
     CHECK(!fireflies_of(noisy_film(48, 100)));
