@@ -84,10 +84,10 @@ std::optional<Candidates> find_candidates(const Film& film, const ChannelReader&
     out.noise.resize(pixels);
     for (std::size_t pixel = 0; pixel < pixels; ++pixel)
         out.noise[pixel] = noise_of(read_pixel(reader, pixel));
-    std::vector<std::size_t> order(pixels);
-    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::vector<std::uint32_t> order(pixels);
+    std::iota(order.begin(), order.end(), 0u);
     const auto others = order.begin() + static_cast<std::ptrdiff_t>(most);
-    std::nth_element(order.begin(), others, order.end(), [&](std::size_t a, std::size_t b) {
+    std::nth_element(order.begin(), others, order.end(), [&](std::uint32_t a, std::uint32_t b) {
         return out.noise[a] != out.noise[b] ? out.noise[a] > out.noise[b] : a < b;
     });
     out.pixels.assign(order.begin(), others);
@@ -136,13 +136,12 @@ void exchange(Film& film, std::size_t pixel, PixelSums& aside)
 }
 
 /// Sets the sums of the batches aside that share narrow sums with `batch`, or of it alone where
-/// there are none.
-PixelSums set_aside(Film& film, std::size_t pixel, std::uint64_t batch)
+/// there are none.  kept: of the film.
+PixelSums set_aside(Film& film, const KeptPasses& kept, std::size_t pixel, std::uint64_t batch)
 {
     PixelSums out;
     out.narrow_batch = batch % kNarrowBatches;
     const bool alone = film.narrow.empty() && film.cut.empty();
-    const KeptPasses kept(film);
     for (std::uint64_t one = 0; one < kBatches; ++one) {
         const auto passes = static_cast<std::uint32_t>(kept.of_batch(pixel, one));
         if (passes == 0 || (alone ? one != batch : one % kNarrowBatches != out.narrow_batch))
@@ -238,6 +237,7 @@ RemovedFireflies remove_fireflies(Film& film)
     const std::optional<Candidates> found = find_candidates(film, reader, kRemoved);
     if (!found)
         return out;
+    const KeptPasses kept(film);
     double more_than_once = kLeastFireflies, carried = 0;
     for (const std::size_t pixel : found->pixels) {
         const double noise = found->noise[pixel];
@@ -246,7 +246,7 @@ RemovedFireflies remove_fireflies(Film& film)
         const PixelStatistics before = read_pixel(reader, pixel);
         if (!is_bright(before))
             continue;
-        PixelSums aside = set_aside(film, pixel, brightest_batch(reader, before));
+        PixelSums aside = set_aside(film, kept, pixel, brightest_batch(reader, before));
         const PixelStatistics after = read_pixel(reader, pixel);
         const double left = noise_left(before, after);
         if (after[0].batches < 2 || left > std::max(found->bright, kSeenAgain * noise)) {
