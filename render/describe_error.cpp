@@ -12,6 +12,27 @@
 
 namespace hipmap {
 
+namespace {
+
+std::string describe_removed(const RemovedFireflies& removed)
+{
+    if (removed.pixels == 0)
+        return "fireflies: none to remove";
+    return "fireflies: removed from " + counted(removed.pixels, "pixel") + ", with " +
+           percent(removed.light) + " of the light";
+}
+
+std::string describe_kept(const Fireflies& fireflies)
+{
+    return "fireflies: " + counted(fireflies.pixels, "pixel carries", "pixels carry") + " " +
+           percent(fireflies.share) + " of the squared error, which is " +
+           percent(fireflies.error_without) +
+           " without them; render more passes, remove them by --fireflies remove, or make small "
+           "bright lights larger";
+}
+
+} // namespace
+
 std::string percent(double share)
 {
     const double value = 100 * share;
@@ -42,29 +63,11 @@ std::string describe_error(const ErrorCheck& check)
     return text;
 }
 
-std::string describe_removed(const RemovedFireflies& removed)
-{
-    if (removed.pixels == 0)
-        return "fireflies: none to remove";
-    return "fireflies: removed from " + counted(removed.pixels, "pixel") + ", with " +
-           percent(removed.light) + " of the light";
-}
-
-std::string describe_fireflies(const Fireflies& fireflies)
-{
-    return "fireflies: " + counted(fireflies.pixels, "pixel carries", "pixels carry") + " " +
-           percent(fireflies.share) + " of the squared error, which is " +
-           percent(fireflies.error_without) +
-           " without them; render more passes, remove them by --fireflies remove, or make small "
-           "bright lights larger";
-}
-
-void print_fireflies(const ShownFireflies& fireflies, Report& report)
+std::string describe_fireflies(const ShownFireflies& fireflies)
 {
     if (fireflies.removed)
-        report.line(describe_removed(*fireflies.removed));
-    else if (fireflies.kept)
-        report.line(describe_fireflies(*fireflies.kept));
+        return describe_removed(*fireflies.removed);
+    return fireflies.kept ? describe_kept(*fireflies.kept) : "";
 }
 
 std::string describe_unseen(const UnseenLight& unseen, const std::string& light)

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "common/report.h"
 #include "render/film/error_cost.h"
 #include "render/film/fireflies.h"
 #include "render/film/render_state.h"
@@ -20,14 +19,10 @@ std::string percent(double share);
 /// Describes the estimated error of an image in words.
 std::string describe_error(const ErrorCheck& check);
 
-/// Describes the pixels that carry much of the error, and what to do about them.
-std::string describe_fireflies(const Fireflies& fireflies);
-
-/// "fireflies: removed from 17 pixels, with 1.2 % of the light"
-std::string describe_removed(const RemovedFireflies& removed);
-
-/// Prints one of the two, if there is something to tell.
-void print_fireflies(const ShownFireflies& fireflies, Report& report);
+/// Describes the fireflies that were removed ("fireflies: removed from 17 pixels, with 1.2 % of the
+/// light"), or else the pixels that carry much of the error and what to do about them.  Empty if
+/// neither is known.
+std::string describe_fireflies(const ShownFireflies& fireflies);
 
 /// Describes the light that no path has met, and what to do about it.  light: to which it may be
 /// due.

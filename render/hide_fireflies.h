@@ -6,9 +6,9 @@
 
 namespace hipmap {
 
-/// Removes the fireflies of the state's film if `choice` says so, and makes its last check tell the
-/// error of what is left.  The state is then one to show: write its file before.  Returns what was
-/// removed; none if nothing was to be.
-std::optional<RemovedFireflies> hide_fireflies(FireflyChoice choice, RenderState& state);
+/// Finds the fireflies of the state's film.  Removes them if `choice` says so, and makes the last
+/// check of the state tell the error of what is left: the state is then one to show, so write its
+/// file before.
+ShownFireflies hide_fireflies(FireflyChoice choice, RenderState& state);
 
 } // namespace hipmap

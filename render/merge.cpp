@@ -36,19 +36,10 @@ void print_merged(const RenderState& state, const ShownFireflies& fireflies, Rep
                 (known < 1
                      ? "; of the " + percent(known) + " of the pixels that hold two passes or more"
                      : ""));
-    print_fireflies(fireflies, report);
+    if (const std::string line = describe_fireflies(fireflies); !line.empty())
+        report.line(line);
     if (state.film.parts.empty())
         report.line(describe_cost(state, 0));
-}
-
-/// Removes them from the state if they are to be.
-ShownFireflies shown_fireflies(FireflyChoice choice, RenderState& state)
-{
-    ShownFireflies out;
-    if (!state.checks.empty())
-        out.kept = find_fireflies(state.film, state.checks.back().error);
-    out.removed = hide_fireflies(choice, state);
-    return out;
 }
 
 } // namespace
@@ -69,7 +60,7 @@ int merge_states(const MergeArguments& arguments)
     print_missing(state, missing, report);
     if (!files.state.empty())
         write_state(files.state, state);
-    const ShownFireflies fireflies = shown_fireflies(files.fireflies, state);
+    const ShownFireflies fireflies = hide_fireflies(files.fireflies, state);
     print_merged(state, fireflies, report);
     if (!files.state.empty())
         report.wrote(files.state);

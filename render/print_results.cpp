@@ -100,7 +100,8 @@ void print_error(const RenderArguments& arguments, const RenderedFrame& frame, R
     ErrorCheck last = state.checks.back();
     last.error = with_lost_light(last.error, frame.missed.lost);
     report.line(describe_error(last));
-    print_fireflies(frame.fireflies, report);
+    if (const std::string line = describe_fireflies(frame.fireflies); !line.empty())
+        report.line(line);
     report.line(describe_cost(state, arguments.stops.error));
     if (!arguments.quote)
         return;

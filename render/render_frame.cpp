@@ -3,7 +3,6 @@
 #include "common/scene/scene_names.h"
 #include "common/stopwatch.h"
 #include "render/describe_error.h"
-#include "render/film/fireflies.h"
 #include "render/frame_source.h"
 #include "render/layers/surface_layers.h"
 #include "render/live_images.h"
@@ -137,15 +136,13 @@ bool shows_nothing(const Image& image)
     return std::ranges::all_of(image.pixels, [](const Rgb& pixel) { return is_black(pixel); });
 }
 
-/// Finds fireflies, light that was missed, and what a black image looks at.
+/// Finds light that was missed, and what a black image looks at.
 void look_at_image(const RenderScene& scene, const RenderOptions& options, RenderedFrame& frame)
 {
     frame.missed =
         find_missed_light(frame.statistics, options.filter, frame.state.film.pixel_count());
     if (frame.missed.unseen)
         frame.unseen = describe_light(scene, frame.missed.unseen->light);
-    if (!frame.state.checks.empty())
-        frame.fireflies.kept = find_fireflies(frame.state.film, frame.state.checks.back().error);
     if (!frame.result.image.pixels.empty() && shows_nothing(frame.result.image))
         frame.seen = describe_seen(scene, options);
 }

@@ -120,7 +120,7 @@ int render(const RenderArguments& request, const FrameRun& run)
         lines.emplace(std::cout, frame.arguments);
     const FrameControl control = {g_stop, lines ? &*lines : nullptr, run.ranks};
     RenderedFrame rendered = render_frame(frame, run.source, run.previous, control, report);
-    rendered.fireflies.removed = hide_fireflies(frame.arguments.files.fireflies, rendered.state);
+    rendered.fireflies = hide_fireflies(frame.arguments.files.fireflies, rendered.state);
     if (rendered.fireflies.removed && rendered.fireflies.removed->pixels > 0)
         rendered.result.image = film_image(rendered.state.film);
     together(run.ranks, [&] {

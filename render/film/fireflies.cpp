@@ -18,7 +18,7 @@ struct Search {
     double bright;           ///< the least ratio of its noise to the mean of those that cannot be
 };
 
-/// What is told is to be beyond doubt; what is removed is looked at once more.
+/// The message names clear cases only. Removal looks at more pixels and tests each one again.
 constexpr Search kTold{1000, 100}, kRemoved{200, 30};
 
 /// Noise that is left of a pixel, over what it had, above which a second batch has found the light

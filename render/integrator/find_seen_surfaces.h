@@ -6,7 +6,7 @@
 namespace hipmap {
 
 /// Finds where photons count in an image, from the points where a pilot asked for them.  photons:
-/// of a pass; kinds of light that it leaves out do not count.  docs/error.md (21).
+/// the options of a pass; light classes that it does not trace are ignored.  docs/error.md (21).
 SeenSurfaces find_seen_surfaces(const MappedScene& mapped, const Importons& importons,
                                 const PhotonOptions& photons);
 

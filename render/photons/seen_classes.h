@@ -22,7 +22,7 @@ struct SeenClasses {
         std::uint32_t paths = 0; ///< that left a photon of any class, at most kMostPaths
         float caustic = 0; ///< the largest power of a light path that may leave caustic photons,
                            ///<   the sum of its channels
-        float global = 0;  ///< the same of other photons
+        float global = 0;  ///< the largest power of one that may leave other photons
     };
     static constexpr std::size_t kClasses = 1 << 12;      ///< classes share places by their hash
     static constexpr std::uint32_t kMostPaths = 1u << 30; ///< that are counted

@@ -32,8 +32,8 @@ struct UnseenLight {
 /// Estimates the light that no path has met.  Nothing: no pass was counted.
 std::optional<UnseenLight> find_unseen_light(const SeenClasses& classes, const SeenScale& scale);
 
-/// Returns an upper limit of the share of the image's light that one photon carries in all passes
-/// that were counted; 0: none was counted, or there is no light.
+/// Returns an upper limit of the share of the image's light that one photon carries, over all
+/// counted passes.  Returns 0 if no pass was counted or the image has no light.
 double share_of_path(const SeenClasses& classes, const SeenScale& scale);
 
 } // namespace hipmap
