@@ -2,6 +2,7 @@
 
 #include "render/integrator/gather_radius.h"
 #include "render/integrator/pixel_samples.h"
+#include "render/maps/gather.h"
 
 #include <tbb/parallel_for.h>
 
@@ -77,18 +78,31 @@ void append(std::vector<Photon>& to, const std::vector<Photon>& from, float weig
 /// The photons of one kind that a path left, and the importons that they are worth something to.
 struct LeftPhotons {
     const std::vector<Photon>& photons;
-    const ChosenMaps& importons;
+    const PhotonMaps& importons;
     std::uint64_t begin = 0, end = 0;
 };
 
-double worth_of(const MapSurfaces& surfaces, const LeftPhotons& left, ChosenScratch& scratch)
+/// The density of importons over the whole disc: what boundaries hide of it would cost more to find
+/// than a guide gains by it.
+Rgb density_around(const PhotonMaps& importons, const MapSurfaces& surfaces,
+                   const PhotonQuery& query, SearchScratch& scratch)
+{
+    const NearestSum found = sum_photons(importons, surfaces.partition, query, scratch).nearest;
+    if (found.photons == 0)
+        return Rgb(0);
+    double area = surfaces.area_at(query.face);
+    if (found.photons == importons.options.neighbours)
+        area = std::min(area, disc_area(std::sqrt(found.farthest2)));
+    return per_area(importons.power_scale, glm::dvec3(found.power), area);
+}
+
+double worth_of(const MapSurfaces& surfaces, const LeftPhotons& left, SearchScratch& scratch)
 {
     double out = 0;
     for (std::uint64_t i = left.begin; i < left.end; ++i) {
         const Photon& photon = left.photons[i];
-        const PhotonQuery query = query_at(photon, surfaces);
-        const Rgb each =
-            photon.power * estimate_irradiance(left.importons, surfaces, query, scratch);
+        const Rgb each = photon.power * density_around(left.importons, surfaces,
+                                                       query_at(photon, surfaces), scratch);
         out += double{each.x} + double{each.y} + double{each.z};
     }
     return std::isfinite(out) ? out : 0;
@@ -145,7 +159,7 @@ PhotonWorth make_worth(const Importons& importons, const MapSurfaces& surfaces,
 {
     const MapOptions options{.neighbours = kNeighbours};
     const auto build = [&](const std::vector<Photon>& of) {
-        return build_chosen_maps(of, surfaces, options, {});
+        return build_photon_maps(of, surfaces.partition, options);
     };
     return {build(importons.caustic), build(importons.global), build(importons.indirect),
             std::move(weigh)};
@@ -158,7 +172,7 @@ std::vector<double> worth_of_paths(const MappedScene& mapped, const PhotonWorth&
     std::vector<double> out(traced.after_path.size());
     using Range = tbb::blocked_range<std::size_t>;
     tbb::parallel_for(Range(0, out.size()), [&](const Range& paths) {
-        ChosenScratch scratch;
+        SearchScratch scratch;
         for (std::size_t i = paths.begin(); i < paths.end(); ++i) {
             const PhotonCounts before = i == 0 ? PhotonCounts{} : traced.after_path[i - 1];
             const PhotonCounts& after = traced.after_path[i];

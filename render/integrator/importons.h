@@ -58,7 +58,7 @@ std::vector<GatherRecord> trace_gather_rays(const RenderScene& scene, const Rend
 
 /// What photons are worth to an image: maps of its importons.
 struct PhotonWorth {
-    ChosenMaps caustic, global, indirect;
+    PhotonMaps caustic, global, indirect;
     /// Returns the photons of the indirect map, one for each bounce.
     std::function<std::vector<Photon>(const TracedPhotons&)> weigh;
 };

@@ -15,7 +15,7 @@ constexpr int kRounds = 6;
 constexpr std::uint64_t kFirstPart = 8, kPart = 2;
 constexpr std::uint64_t kFewestPaths = 1 << 14, kFewestAimed = 1 << 12;
 /// More teach a guide little, and the paths of all rounds are kept.
-constexpr std::uint64_t kMostPaths = 1 << 21;
+constexpr std::uint64_t kMostPaths = 1 << 17;
 
 std::uint64_t part_of(std::uint64_t paths, std::uint64_t part, std::uint64_t fewest)
 {
