@@ -16,6 +16,7 @@ struct FramePasses {
 /// Makes the passes of a scene as it is or, if the plan has motion blur, of its moments while the
 /// shutter is open.  As make_pass_source; the source of moments throws as load_moment.
 PassSource make_frame_source(const FramePasses& passes, const RenderScene& scene,
-                             RenderStatistics& statistics, PhotonCache* cache);
+                             RenderStatistics& statistics, PhotonCache* cache,
+                             const PilotControl& pilots = {});
 
 } // namespace hipmap

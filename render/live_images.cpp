@@ -15,6 +15,9 @@ constexpr double kWritingShare = 0.05;
 /// The change of an automatic exposure that is followed, in stops.
 constexpr float kVisibleChange = 0.25f;
 
+/// Seconds of a first pass that is worth a coarse image before it.
+constexpr double kSlowPass = 1;
+
 } // namespace
 
 bool WritingPace::write(const std::function<void()>& write)
@@ -32,7 +35,8 @@ std::vector<std::filesystem::path> LiveImages::rewrite(const RenderState& state)
 {
     const OutputFiles& files = arguments_.files;
     std::vector<std::filesystem::path> out;
-    if (!files.images.empty() && images_.write([&] { write_images(state); }))
+    if (!files.images.empty() &&
+        images_.write([&] { write_images(film_image(state.film), state); }))
         out = files.images;
     if (!files.error_image.empty() && !state.checks.empty() &&
         error_image_.write([&] { write_error_image(files.error_image, state); }))
@@ -45,10 +49,26 @@ std::vector<std::filesystem::path> LiveImages::rewrite(const RenderState& state)
     return out;
 }
 
-void LiveImages::write_images(const RenderState& state)
+std::vector<std::filesystem::path> LiveImages::show(const CoarseImage& coarse)
+{
+    const std::vector<std::filesystem::path>& files = arguments_.files.images;
+    const PixelRect pixels = rendered_pixels(arguments_.render);
+    if (files.empty() || !(coarse.pass > kSlowPass))
+        return {};
+    Image image(pixels.width(), pixels.height());
+    fill_by_coarse(coarse, std::vector<std::uint8_t>(image.pixels.size()), image);
+    RenderState without_passes;
+    if (!arguments_.render.crop.empty())
+        without_passes.film.place = {pixels.x0, pixels.y0, arguments_.render.width,
+                                     arguments_.render.height};
+    return images_.write([&] { write_images(image, without_passes); })
+               ? files
+               : std::vector<std::filesystem::path>();
+}
+
+void LiveImages::write_images(const Image& image, const RenderState& state)
 {
     const OutputFiles& files = arguments_.files;
-    const Image image = film_image(state.film);
     const Display display = {exposure_of(image), files.view};
     for (const std::filesystem::path& path : files.images)
         write_image_of(path, image, state, display);

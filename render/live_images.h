@@ -2,6 +2,7 @@
 
 #include "common/stopwatch.h"
 #include "render/film/render_state.h"
+#include "render/integrator/coarse_image.h"
 #include "render/layers/layer.h"
 #include "render/options.h"
 
@@ -17,14 +18,14 @@ class WritingPace {
     bool write(const std::function<void()>& write);
 
   private:
-    const Stopwatch watch_;
+    const Stopwatch watch_{};
     double written_ = 0; ///< s, when the files were written
     double writing_ = 0; ///< s that writing them took
 };
 
-/// Rewrites the images of a render after passes, so that whole pictures are there if the render is
-/// killed.  The images of --output, the error image and the layers are each written at a pace of
-/// their own: large layers do not delay the image.
+/// Writes the images of a render before it is done: a coarse one first, then after passes, so that
+/// whole pictures are there if the render is killed.  The images of --output, the error image and
+/// the layers are each written at a pace of their own: large layers do not delay the image.
 class LiveImages {
   public:
     /// Returns the layers of first surfaces that were requested.
@@ -42,8 +43,12 @@ class LiveImages {
     /// Returns what was written.  Throws InputError if a file cannot be written.
     std::vector<std::filesystem::path> rewrite(const RenderState& state);
 
+    /// Writes the images by the coarse one, unless the first pass will be there soon.  Returns what
+    /// was written.  Throws as rewrite.
+    std::vector<std::filesystem::path> show(const CoarseImage& coarse);
+
   private:
-    void write_images(const RenderState& state);
+    void write_images(const Image& image, const RenderState& state);
     float exposure_of(const Image& image);
 
     const RenderArguments& arguments_;

@@ -69,6 +69,12 @@ void ProgressLines::progress(const RunProgress& progress)
            {"error", progress.error ? json(progress.error->error) : json()}});
 }
 
+void ProgressLines::coarse(const std::vector<std::filesystem::path>& written)
+{
+    const std::lock_guard lock(mutex_);
+    print({{"event", "coarse"}, {"passes", 0}, {"error", json()}, {"images", names_of(written)}});
+}
+
 void ProgressLines::pass(const RenderState& state,
                          const std::vector<std::filesystem::path>& rewritten)
 {

@@ -20,6 +20,8 @@ class ProgressLines {
 
     /// Prints how far the pass is, ten times a second at most.
     void progress(const RunProgress& progress);
+    /// Prints that a coarse image was written before the first pass.
+    void coarse(const std::vector<std::filesystem::path>& written);
     /// Prints the end of a pass.  rewritten: images that it rewrote.
     void pass(const RenderState& state, const std::vector<std::filesystem::path>& rewritten);
     /// Prints the end, when all files are written.

@@ -25,13 +25,15 @@ std::string label_of(const RenderArguments& arguments)
     return out;
 }
 
-/// Takes the state that was found, if there is one.
-RenderState begin_or_resume(PreparedFrame& frame, const PassSource& source)
+/// Takes the state that was found, if there is one.  stopped: no pass will be added, and pilots may
+/// not have said what the state must be of.
+RenderState begin_or_resume(PreparedFrame& frame, const PassSource& source, bool stopped)
 {
     const std::string label = label_of(frame.arguments);
     if (frame.found) {
         RenderState state =
-            resume_state(source, std::move(*frame.found), frame.arguments.files.state);
+            stopped ? std::move(*frame.found)
+                    : resume_state(source, std::move(*frame.found), frame.arguments.files.state);
         state.label = std::min(label, state.label);
         return state;
     }
@@ -42,13 +44,12 @@ RenderState begin_or_resume(PreparedFrame& frame, const PassSource& source)
 }
 
 /// place: among frames, whose lines say it; null: there is a single one.
-void print_resuming(const PreparedFrame& frame, const RenderState& state, const FramePlace* place,
-                    Report& report)
+void print_resuming(const PreparedFrame& frame, const FramePlace* place, Report& report)
 {
     if (!frame.found)
         return;
     const std::string text = "resuming with " +
-                             counted(count(state.film.passes), "pass", "passes") + " from " +
+                             counted(count(frame.found->film.passes), "pass", "passes") + " from " +
                              frame.arguments.files.state.string();
     if (place != nullptr)
         report.detail(text);
@@ -56,8 +57,10 @@ void print_resuming(const PreparedFrame& frame, const RenderState& state, const 
         report.line(text);
 }
 
-std::string describe_pixels(const PassSource& source)
+std::string describe_pixels(const RenderOptions& options)
 {
+    PassSource source;
+    set_window(source, options);
     const std::string size = std::to_string(source.width) + "x" + std::to_string(source.height);
     const ImagePlace& place = source.place;
     if (place.whole_width == 0)
@@ -88,6 +91,23 @@ std::string describe_progress(const RunProgress& progress, const FramePlace* pla
     if (const std::optional<double> left = place->seconds_left(progress.done.value_or(0)))
         note += ", all frames " + brief_time(*left) + " left";
     return note;
+}
+
+/// Shows the coarse image of a render that has no passes yet, and keeps it.
+PilotControl pilot_control(const FrameControl& control, bool begins, CoarseImage& kept,
+                           LiveImages& images, Report& report)
+{
+    PilotControl out{&control.stop, {}};
+    if (!begins || (control.ranks != nullptr && !control.ranks->leads()))
+        return out;
+    out.coarse = [&, lines = control.lines](const CoarseImage& coarse) {
+        kept = coarse;
+        const std::vector<std::filesystem::path> written = images.show(coarse);
+        if (lines != nullptr && !written.empty())
+            lines->coarse(written);
+        report.progress({}, "preparing");
+    };
+    return out;
 }
 
 /// place: among frames; null: there is a single one.  images: rewritten after passes.
@@ -165,6 +185,26 @@ PhotonCache* find_cache(const PreparedFrame& frame, PreviousFrame* previous)
                       frame.arguments.photon_cache_mib);
 }
 
+/// place: among frames; null: there is a single one.
+void begin_report(const PreparedFrame& frame, const FramePlace* place, Report& report)
+{
+    print_resuming(frame, place, report);
+    report.begin((place != nullptr ? place->text() + ", " : "rendering ") +
+                 describe_pixels(frame.arguments.render) + describe_stops(frame.arguments.stops));
+}
+
+/// cache: null: none.
+void end_report(const FramePlace* place, const PhotonCache* cache, Report& report)
+{
+    if (place != nullptr)
+        report.end_quietly();
+    else
+        report.end();
+    if (cache != nullptr && cache->served > 0)
+        report.detail("only the camera moved: reused the photon maps of " +
+                      std::to_string(cache->served) + " passes");
+}
+
 RenderedFrame render_passes(PreparedFrame& frame, SceneSource& source, PreviousFrame* previous,
                             const FrameControl& control, Report& report)
 {
@@ -174,34 +214,31 @@ RenderedFrame render_passes(PreparedFrame& frame, SceneSource& source, PreviousF
     const RenderScene scene(frame.loaded.scene, frame.partition, std::move(frame.sky));
     out.rays.add(building);
     const FramePasses own = {frame, source, frame.effects, frame.arguments.render};
-    const Stopwatch piloting;
-    const PassSource passes = make_frame_source(own, scene, out.statistics, cache);
-    out.pilots.add(piloting);
-    out.state = begin_or_resume(frame, passes);
-    out.resumed = count(out.state.film.passes);
     const FramePlace* const place = place_of(previous);
-    print_resuming(frame, out.state, place, report);
-    report.begin((place != nullptr ? place->text() + ", " : "rendering ") +
-                 describe_pixels(passes) + describe_stops(frame.arguments.stops));
+    begin_report(frame, place, report);
     const auto surfaces = [&]() -> const std::vector<LayerImage>& {
         if (out.layers.empty())
             out.layers = requested_surfaces(scene, frame.arguments);
         return out.layers;
     };
     LiveImages images(frame.arguments, surfaces);
+    CoarseImage coarse;
+    const Stopwatch piloting;
+    const PassSource passes =
+        make_frame_source(own, scene, out.statistics, cache,
+                          pilot_control(control, !frame.found, coarse, images, report));
+    out.pilots.add(piloting);
+    out.state = begin_or_resume(frame, passes, control.stop);
+    out.resumed = count(out.state.film.passes);
     out.result = run_and_save(frame.arguments, passes, make_control(place, control, images, report),
                               out.state, control.ranks);
+    if (!out.result.kept.empty() && !coarse.image.pixels.empty())
+        fill_by_coarse(coarse, out.result.kept, out.result.image);
     surfaces();
     look_at_image(scene, frame.arguments.render, out);
     if (frame.arguments.quote && control.ranks == nullptr)
         out.quote = make_quote({own, scene, out}, control.stop);
-    if (place != nullptr)
-        report.end_quietly();
-    else
-        report.end();
-    if (cache != nullptr && cache->served > 0)
-        report.detail("only the camera moved: reused the photon maps of " +
-                      std::to_string(cache->served) + " passes");
+    end_report(place, cache, report);
     return out;
 }
 

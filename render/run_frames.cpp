@@ -90,9 +90,10 @@ int end_of(const RenderedFrame& rendered, FramePlace* place, Report& report)
     if (rendered.result.reason == StopReason::caller) {
         const std::uint64_t passes = count(rendered.state.film.passes);
         report.line("stopped by a signal " +
-                    (passes == 0 ? "in the first pass; the image holds what it had rendered"
-                                 : "after " + counted(passes, "pass", "passes") +
-                                       "; the image holds " + (passes == 1 ? "it" : "them")));
+                    (passes == 0
+                         ? "in the first pass; the image is coarse where it was not rendered yet"
+                         : "after " + counted(passes, "pass", "passes") + "; the image holds " +
+                               (passes == 1 ? "it" : "them")));
         return kExitStopped;
     }
     if (place != nullptr)

@@ -148,7 +148,8 @@ class HipmapEngine(ViewportEngine, bpy.types.RenderEngine):
 
     def _show(self, event, layer):
         """Shows what an event tells: progress, a pass, the end."""
-        parts = [f"{event['passes']} passes" if event["passes"] != 1 else "1 pass"]
+        passes = event["passes"]
+        parts = [f"{passes} passes" if passes > 1 else "1 pass" if passes else "first pass"]
         if event["error"] is not None:
             parts.append("error " + _percent(event["error"]))
         self._tell_state(", ".join(parts))

@@ -65,12 +65,12 @@ struct DirectMethod {
 } // namespace
 
 PassSource make_direct_source(const RenderScene& scene, const RenderOptions& options,
-                              RenderStatistics& statistics)
+                              RenderStatistics& statistics, const PilotControl& pilots)
 {
     SampleAllocation allocation;
     allocation.lights =
         allocate_light_samples(measure_light_noise(scene, options), options.samples);
-    return make_sampled_source<DirectMethod>(scene, options, statistics, allocation);
+    return make_sampled_source<DirectMethod>(scene, options, statistics, pilots, allocation);
 }
 
 } // namespace hipmap

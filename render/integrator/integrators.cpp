@@ -14,9 +14,10 @@ namespace {
 
 template <auto make>
 PassSource without_cache(const RenderScene& scene, const RenderOptions& options,
-                         RenderStatistics& statistics, PhotonCache* /*cache*/)
+                         RenderStatistics& statistics, PhotonCache* /*cache*/,
+                         const PilotControl& pilots)
 {
-    return make(scene, options, statistics);
+    return make(scene, options, statistics, pilots);
 }
 
 constexpr IntegratorKind kKinds[] = {
@@ -61,9 +62,10 @@ const IntegratorKind& kind_of(Integrator id)
 }
 
 PassSource make_pass_source(const RenderScene& scene, const RenderOptions& options,
-                            RenderStatistics& statistics, PhotonCache* cache)
+                            RenderStatistics& statistics, PhotonCache* cache,
+                            const PilotControl& pilots)
 {
-    return kind_of(options.integrator).make(scene, options, statistics, cache);
+    return kind_of(options.integrator).make(scene, options, statistics, cache, pilots);
 }
 
 } // namespace hipmap

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/integrator/coarse_image.h"
 #include "render/integrator/pass_source.h"
 
 #include <span>
@@ -15,7 +16,8 @@ struct IntegratorKind {
     bool bounces;     ///< it finds light that comes by several surfaces without photon maps
     /// As make_pass_source.
     PassSource (*make)(const RenderScene& scene, const RenderOptions& options,
-                       RenderStatistics& statistics, PhotonCache* cache);
+                       RenderStatistics& statistics, PhotonCache* cache,
+                       const PilotControl& pilots);
 };
 
 /// Returns all integrators, the default first.
@@ -25,8 +27,10 @@ const IntegratorKind& kind_of(Integrator id);
 
 /// Makes the integrator that the options name.  Adds what passes do to `statistics`.  cache: of
 /// previous images of the scene, used and filled by integrator progressive; may be null.
-/// Everything is borrowed, and must outlive the source.  Renders the pilot.
+/// Everything but `pilots` is borrowed, and must outlive the source.  Renders pilots, and a coarse
+/// image if `pilots` ask for it.
 PassSource make_pass_source(const RenderScene& scene, const RenderOptions& options,
-                            RenderStatistics& statistics, PhotonCache* cache = nullptr);
+                            RenderStatistics& statistics, PhotonCache* cache = nullptr,
+                            const PilotControl& pilots = {});
 
 } // namespace hipmap

@@ -19,9 +19,9 @@ double shutter_share(std::uint64_t seed, std::uint64_t pass)
 }
 
 PassSource make_moving_source(const MovingScene& moving, const RenderOptions& options,
-                              RenderStatistics& statistics)
+                              RenderStatistics& statistics, const PilotControl& pilots)
 {
-    PassSource source = make_pass_source(moving.still, options, statistics);
+    PassSource source = make_pass_source(moving.still, options, statistics, nullptr, pilots);
     source.render = [moving, seed = options.seed,
                      render_in = source.render_in](std::uint64_t pass, const PassControl& control) {
         const Scene scene = moving.at(shutter_share(seed, pass));

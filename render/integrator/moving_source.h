@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/integrator/coarse_image.h"
 #include "render/integrator/pass_source.h"
 
 namespace hipmap {
@@ -18,6 +19,6 @@ double shutter_share(std::uint64_t seed, std::uint64_t pass);
 /// moment, so that the mean of the passes is the mean over the shutter time, docs/animation.md.
 /// Borrows and counts as make_pass_source does.  Each pass also builds its RenderScene.
 PassSource make_moving_source(const MovingScene& moving, const RenderOptions& options,
-                              RenderStatistics& statistics);
+                              RenderStatistics& statistics, const PilotControl& pilots = {});
 
 } // namespace hipmap

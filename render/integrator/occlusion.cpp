@@ -65,9 +65,9 @@ struct OcclusionMethod : WithoutScratch {
 } // namespace
 
 PassSource make_occlusion_source(const RenderScene& scene, const RenderOptions& options,
-                                 RenderStatistics& statistics)
+                                 RenderStatistics& statistics, const PilotControl& pilots)
 {
-    return make_sampled_source<OcclusionMethod>(scene, options, statistics);
+    return make_sampled_source<OcclusionMethod>(scene, options, statistics, pilots);
 }
 
 } // namespace hipmap

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/integrator/coarse_image.h"
 #include "render/integrator/pass_source.h"
 
 namespace hipmap {
@@ -13,6 +14,6 @@ inline constexpr float kOcclusionReach = 1.0f / 8;
 /// reach; 0 where there is no face.  Materials (but for opacity), media and lights do not count.
 /// Borrows and counts as make_pass_source does.
 PassSource make_occlusion_source(const RenderScene& scene, const RenderOptions& options,
-                                 RenderStatistics& statistics);
+                                 RenderStatistics& statistics, const PilotControl& pilots);
 
 } // namespace hipmap

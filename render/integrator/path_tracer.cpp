@@ -173,9 +173,9 @@ Rgb trace_path(const RenderScene& scene, const Ray& ray, RandomSequence& random,
 }
 
 PassSource make_path_source(const RenderScene& scene, const RenderOptions& options,
-                            RenderStatistics& statistics)
+                            RenderStatistics& statistics, const PilotControl& pilots)
 {
-    return make_sampled_source<PathMethod>(scene, options, statistics);
+    return make_sampled_source<PathMethod>(scene, options, statistics, pilots);
 }
 
 } // namespace hipmap

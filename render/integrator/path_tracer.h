@@ -2,6 +2,7 @@
 
 #include "common/math/random.h"
 #include "render/effects/light_classes.h"
+#include "render/integrator/coarse_image.h"
 #include "render/integrator/pass_source.h"
 #include "render/shading/interaction.h"
 
@@ -20,6 +21,6 @@ Rgb trace_path(const RenderScene& scene, const Ray& ray, RandomSequence& random,
 
 /// Makes the path tracer as an integrator.  Borrows and counts as make_pass_source does.
 PassSource make_path_source(const RenderScene& scene, const RenderOptions& options,
-                            RenderStatistics& statistics);
+                            RenderStatistics& statistics, const PilotControl& pilots);
 
 } // namespace hipmap

@@ -41,17 +41,16 @@ bool has_volume_photons(const RenderScene& scene)
 
 } // namespace
 
-std::shared_ptr<const PhotonGuides> learn_guides(const MappedScene& mapped,
-                                                 const PhotonOptions& photons,
-                                                 const PhotonWorth& worth,
-                                                 std::span<const EmissionSeed> seeds)
+std::shared_ptr<const PhotonGuides>
+learn_guides(const MappedScene& mapped, const PhotonOptions& photons, const PhotonWorth& worth,
+             std::span<const EmissionSeed> seeds, const PilotControl& pilots)
 {
     if (has_volume_photons(mapped.scene))
         return nullptr;
     const EmissionGuide by_power = even_guide(mapped.scene.lights, Emitters::all_but_media);
     GuideLearner without_aim(by_power, RandomStream::photons, seeds);
     GuideLearner aimed(by_power, RandomStream::caustics);
-    for (int round = 0; round < kRounds; ++round) {
+    for (int round = 0; round < kRounds && !pilots.stopped(); ++round) {
         PhotonOptions pilot = round_options(photons, round);
         const PhotonGuides guides{without_aim.guide(), aimed.guide()};
         pilot.guides = &guides;

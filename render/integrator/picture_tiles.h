@@ -1,6 +1,7 @@
 #pragma once
 
 #include "common/stopwatch.h"
+#include "render/integrator/coarse_image.h"
 #include "render/integrator/pixel_samples.h"
 
 #include <tbb/parallel_for.h>
@@ -167,6 +168,40 @@ RenderedPass render_tiles(const PictureJob& job, const PassControl& control,
     statistics.passes += out.whole ? 1 : 0;
     statistics.seconds_image += watch.seconds();
     statistics.processor_image += watch.processor_seconds();
+    return out;
+}
+
+/// Renders one pixel of each block of the pixels to render, in parallel.  A pixel without a finite
+/// sample, or which a stop left out, is black.  trace: as that of render_tiles.
+template <std::size_t images, typename Scratch, typename Trace>
+CoarseImage render_coarse(const PictureJob& job, const PilotControl& control, const Trace& trace)
+{
+    const Stopwatch watch;
+    constexpr std::uint32_t kMostSamples = 4;
+    RenderOptions options = job.options;
+    options.samples = std::min(options.samples, kMostSamples);
+    const PictureJob few{job.scene, options, job.pass, job.allocation};
+    const PixelRect pixels = rendered_pixels(options);
+    CoarseImage out;
+    out.block = coarse_block(options);
+    out.image = Image((pixels.width() + out.block - 1) / out.block,
+                      (pixels.height() + out.block - 1) / out.block);
+    tbb::parallel_for(0, out.image.height, [&](int v) {
+        Scratch scratch;
+        for (int u = 0; u < out.image.width && !control.stopped(); ++u) {
+            const int x = std::min(pixels.x0 + u * out.block + out.block / 2, pixels.x1 - 1);
+            const int y = std::min(pixels.y0 + v * out.block + out.block / 2, pixels.y1 - 1);
+            const auto samples = sample_pixel<images>(
+                few, x, y, [&](const Ray& ray, SeenLights seen, RandomSequence& random) {
+                    return trace(ray, seen, random, scratch);
+                });
+            const Rgb mean = samples.values[4][0] / samples.weights[4]; // of the pixel itself
+            out.image.at(u, v) = is_finite(mean) ? mean : Rgb(0);
+        }
+    });
+    const double work = static_cast<double>(pixels.width()) * pixels.height() *
+                        job.options.samples / options.samples;
+    out.pass = watch.seconds() * work / static_cast<double>(out.image.pixels.size());
     return out;
 }
 

@@ -223,27 +223,46 @@ GatherMaps gathered_maps(const ProgressivePass& pass, const ProgressiveRadii& fi
             &photons.glossy};
 }
 
-/// Finds where the image asks for photons, by maps of a part of the photons of a pass, which only
-/// say where gather rays end.
-Importons find_importons(const ProgressivePass& pilot, const ProgressiveRadii& first)
+/// Calls `use` with the maps of a part of the photons of a pass.
+template <typename Use>
+auto with_few_photons(const ProgressivePass& pilot, const ProgressiveRadii& first, const Use& use)
 {
     RenderStatistics ignored;
     const RenderOptions small = pilot_options(pilot.options);
-    const ProgressivePass few{pilot.mapped, small, pilot.number};
+    const ProgressivePass few{pilot.mapped, small, pilot.number, pilot.guides};
     const ProgressiveMaps photons = make_maps(few, first, ignored);
-    const GatherMaps maps = gathered_maps(few, first, photons);
-    return trace_importons(pilot.mapped.scene, pilot.options,
-                           [&](const Ray& ray, RandomSequence& random, Importons& kept) {
-                               GatherScratch scratch;
-                               scratch.importons = &kept;
-                               return trace_gather_path(maps, ray, SeenLights::left_out, random,
-                                                        scratch)[0];
-                           });
+    return use(gathered_maps(few, first, photons));
+}
+
+/// Finds where the image asks for photons, by few of them, which only say where gather rays end.
+/// Renders a coarse image from them if one is asked for.
+Importons find_importons(const ProgressivePass& pilot, const ProgressiveRadii& first,
+                         const PilotControl& pilots)
+{
+    const RenderScene& scene = pilot.mapped.scene;
+    return with_few_photons(pilot, first, [&](const GatherMaps& maps) {
+        const SampleAllocation evenly;
+        if (pilots.coarse)
+            pilots.coarse(render_coarse<3, GatherScratch>(
+                {scene, pilot.options, kPilotPass, evenly}, pilots,
+                [&](const Ray& ray, SeenLights seen, RandomSequence& random,
+                    GatherScratch& scratch) {
+                    return trace_gather_path(maps, ray, seen, random, scratch);
+                }));
+        return trace_importons(
+            scene, pilot.options, [&](const Ray& ray, RandomSequence& random, Importons& kept) {
+                GatherScratch scratch;
+                scratch.importons = &kept;
+                return trace_gather_path(maps, ray, SeenLights::left_out, random, scratch)[0];
+            });
+    });
 }
 
 /// Learns where light paths should start; a black image does not say it.
-std::shared_ptr<const PhotonGuides>
-find_guides(const ProgressivePass& pilot, const ProgressiveRadii& first, const Importons& importons)
+std::shared_ptr<const PhotonGuides> find_guides(const ProgressivePass& pilot,
+                                                const ProgressiveRadii& first,
+                                                const Importons& importons,
+                                                const PilotControl& pilots)
 {
     if (!(importons.light > 0))
         return nullptr;
@@ -254,7 +273,7 @@ find_guides(const ProgressivePass& pilot, const ProgressiveRadii& first, const I
     PhotonOptions learning = linked_options(pilot);
     learning.pass = kPilotPass - 1;
     return learn_guides(pilot.mapped, learning, worth,
-                        environment_seeds(pilot.mapped.scene, importons, learning.seed));
+                        environment_seeds(pilot.mapped.scene, importons, learning.seed), pilots);
 }
 
 /// Learns where gather rays find light, from rays of pilots that read the maps of one; from few, if
@@ -262,27 +281,24 @@ find_guides(const ProgressivePass& pilot, const ProgressiveRadii& first, const I
 GatherGuide find_directions(const ProgressivePass& pilot, const ProgressiveRadii& first)
 {
     const RenderScene& scene = pilot.mapped.scene;
-    RenderStatistics ignored;
-    const RenderOptions small = pilot_options(pilot.options);
-    const ProgressivePass few{pilot.mapped, small, pilot.number, pilot.guides};
-    const ProgressiveMaps photons = make_maps(few, first, ignored);
-    const GatherMaps maps = gathered_maps(few, first, photons);
-    std::vector<GatherRecord> records;
-    GatherGuide out;
-    for (const SampleRange& of_pixel : kGatherRounds) {
-        const std::vector<GatherRecord> found = trace_gather_rays(
-            scene, pilot.options, of_pixel,
-            [&](const Ray& ray, RandomSequence& random, std::vector<GatherRecord>& kept) {
-                GatherScratch scratch;
-                scratch.records = &kept;
-                trace_gather_path(maps, ray, SeenLights::left_out, random, scratch);
-            });
-        records.insert(records.end(), found.begin(), found.end());
-        out = learn_directions(scene.partition, records);
-        if (out.directions.empty())
-            break;
-    }
-    return out;
+    return with_few_photons(pilot, first, [&](const GatherMaps& maps) {
+        std::vector<GatherRecord> records;
+        GatherGuide out;
+        for (const SampleRange& of_pixel : kGatherRounds) {
+            const std::vector<GatherRecord> found = trace_gather_rays(
+                scene, pilot.options, of_pixel,
+                [&](const Ray& ray, RandomSequence& random, std::vector<GatherRecord>& kept) {
+                    GatherScratch scratch;
+                    scratch.records = &kept;
+                    trace_gather_path(maps, ray, SeenLights::left_out, random, scratch);
+                });
+            records.insert(records.end(), found.begin(), found.end());
+            out = learn_directions(scene.partition, records);
+            if (out.directions.empty())
+                break;
+        }
+        return out;
+    });
 }
 
 RenderedPass gather_pass(const ProgressivePass& pass, const Progressive& shared,
@@ -310,8 +326,11 @@ RenderedPass render_pass(const ProgressivePass& pass, const Progressive& shared,
 }
 
 /// Allocates samples by two images from the same photons; returns the mean of their channels.
-double render_pilot(const MappedScene& mapped, const RenderOptions& options, Progressive& shared)
+double render_pilot(const MappedScene& mapped, const RenderOptions& options,
+                    const PilotControl& pilots, Progressive& shared)
 {
+    if (pilots.stopped())
+        return 0;
     const RenderScene& scene = mapped.scene;
     RenderStatistics ignored;
     RenderOptions small = pilot_options(options);
@@ -331,7 +350,9 @@ double render_pilot(const MappedScene& mapped, const RenderOptions& options, Pro
     Progressive evenly;
     evenly.first = shared.first;
     const auto image_of = [&](std::uint64_t number) {
-        return gather_pass(pilot(number), evenly, *photons, {}, ignored).images.radiance;
+        return gather_pass(pilot(number), evenly, *photons, {.progress = {}, .stop = pilots.stop},
+                           ignored)
+            .images.radiance;
     };
     const Image first = image_of(kPilotPass), second = image_of(kPilotPass - 1);
     const LightNoise lights = measure_light_noise(scene, options);
@@ -342,25 +363,26 @@ double render_pilot(const MappedScene& mapped, const RenderOptions& options, Pro
 
 /// Finds what the passes share, from pilots.  Guides serve one camera: with them the passes keep no
 /// maps for other images, so that a frame is the same whatever was rendered before it.
-void prepare(const MappedScene& mapped, const RenderOptions& options, Progressive& shared)
+void prepare(const MappedScene& mapped, const RenderOptions& options, const PilotControl& pilots,
+             Progressive& shared)
 {
     ProgressivePass pilot{mapped, options, kPilotPass};
     const bool known = shared.cache != nullptr && shared.cache->radii;
     ProgressiveRadii first = known ? *shared.cache->radii : find_first_radii(pilot);
     if (shared.cache != nullptr)
         shared.cache->radii = std::make_shared<const ProgressiveRadii>(first);
-    const Importons importons = find_importons(pilot, first);
+    const Importons importons = find_importons(pilot, first, pilots);
     if (options.emission == Emission::guided)
-        shared.guides = find_guides(pilot, first, importons);
+        shared.guides = find_guides(pilot, first, importons, pilots);
     SeenSurfaces seen = find_seen_surfaces(mapped, importons, linked_options(pilot));
     if (seen.unit > 0)
         shared.seen = std::make_shared<const SeenSurfaces>(std::move(seen));
-    if (shared.guides) {
+    if (shared.guides && !pilots.stopped()) {
         shared.cache = nullptr;
         pilot.guides = shared.guides.get();
         first = find_first_radii(pilot);
     }
-    if (options.gather == GatherDirections::guided && options.light.indirect)
+    if (options.gather == GatherDirections::guided && options.light.indirect && !pilots.stopped())
         first.guide = find_directions(pilot, first);
     shared.first = std::make_shared<const ProgressiveRadii>(std::move(first));
 }
@@ -368,15 +390,16 @@ void prepare(const MappedScene& mapped, const RenderOptions& options, Progressiv
 } // namespace
 
 PassSource make_progressive_source(const RenderScene& scene, const RenderOptions& options,
-                                   RenderStatistics& statistics, PhotonCache* cache)
+                                   RenderStatistics& statistics, PhotonCache* cache,
+                                   const PilotControl& pilots)
 {
     const auto surfaces = std::make_shared<const MapSurfaces>(scene.mesh(), scene.partition);
     const auto shared = std::make_shared<Progressive>();
     shared->cache = cache;
-    prepare({scene, *surfaces}, options, *shared);
+    prepare({scene, *surfaces}, options, pilots, *shared);
     PassSource source;
     set_window(source, options);
-    source.pilot_mean = render_pilot({scene, *surfaces}, options, *shared);
+    source.pilot_mean = render_pilot({scene, *surfaces}, options, pilots, *shared);
     source.alpha = options.alpha;
     source.clamped = options.clamp > 0;
     source.photons = options.photons;

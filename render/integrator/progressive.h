@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/integrator/coarse_image.h"
 #include "render/integrator/pass_source.h"
 
 namespace hipmap {
@@ -9,6 +10,7 @@ namespace hipmap {
 /// radii.  Borrows and counts as make_pass_source does; `render` alone uses the cache.  Renders the
 /// pilot, which fixes the first radii: the same for the same scene and options.
 PassSource make_progressive_source(const RenderScene& scene, const RenderOptions& options,
-                                   RenderStatistics& statistics, PhotonCache* cache = nullptr);
+                                   RenderStatistics& statistics, PhotonCache* cache,
+                                   const PilotControl& pilots);
 
 } // namespace hipmap

@@ -114,6 +114,8 @@ class Run {
                              *needed_);
         if (std::isfinite(rules_.seconds))
             share = std::max(share.value_or(0), watch_.seconds() / rules_.seconds);
+        if (share)
+            share = std::min(*share, 1.0);
         return share;
     }
 
@@ -192,18 +194,33 @@ RenderState resume_state(const PassSource& source, RenderState found,
     return found;
 }
 
+void set_image(const RenderState& state, PassImages unfinished, RunResult& result)
+{
+    const Film& film = state.film;
+    if (!film.passes.ranges.empty()) {
+        result.image = film_image(film);
+        return;
+    }
+    result.image = std::move(unfinished.radiance);
+    result.kept = std::move(unfinished.kept);
+    if (result.image.pixels.empty())
+        result.image = Image(film.width, film.height);
+    result.kept.resize(film.pixel_count());
+}
+
 RunResult run_passes(const PassSource& source, const StopRules& rules, const RunControl& control,
                      RenderState& state)
 {
     RunResult out;
     Run run(rules, source.alpha, control, state);
+    PassImages unfinished;
     std::optional<StopReason> reason;
     while (!(reason = run.reason_to_stop())) {
         const std::uint64_t pass = next_missing(state.film.passes, rules.first_pass);
         const Stopwatch watch;
         const RenderedPass rendered = source.render(pass, run.pass_control());
         if (!rendered.whole) {
-            out.image = rendered.images.radiance;
+            unfinished = rendered.images;
             reason = StopReason::caller;
             break;
         }
@@ -216,10 +233,7 @@ RunResult run_passes(const PassSource& source, const StopRules& rules, const Run
     out.costs.film = run.film();
     const Stopwatch ending;
     look_at_error(state);
-    if (!state.film.passes.ranges.empty())
-        out.image = film_image(state.film);
-    else if (out.image.pixels.empty())
-        out.image = Image(source.width, source.height);
+    set_image(state, std::move(unfinished), out);
     out.costs.film.add(ending);
     return out;
 }

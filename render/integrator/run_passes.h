@@ -62,8 +62,13 @@ struct RunResult {
     StopReason reason = StopReason::passes;
     /// Mean of the whole passes, radiance, W/(m2 sr); stopped in the first, the pixels done.
     Image image;
-    RunCosts costs; ///< without those of `save`
+    std::vector<std::uint8_t> kept; ///< [pixels] stopped in the first pass, those done; else empty
+    RunCosts costs;                 ///< without those of `save`
 };
+
+/// Sets the image to the mean of the passes; without a pass to the pixels of the one that was
+/// stopped, if one was begun.
+void set_image(const RenderState& state, PassImages unfinished, RunResult& result);
 
 /// Makes a state without passes, for a new render.
 RenderState begin_state(const PassSource& source, std::vector<Setting> settings);

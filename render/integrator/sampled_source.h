@@ -28,6 +28,22 @@ RenderedPass render_sampled(const Method& method, const PictureJob& job, const P
         [&](const Scratch& scratch) { Method::count(scratch, statistics); });
 }
 
+/// Renders a coarse image by a method.
+template <typename Method>
+CoarseImage render_coarse_sampled(const Method& method, const RenderOptions& options,
+                                  const PilotControl& pilots)
+{
+    using Scratch = typename Method::Scratch;
+    RenderStatistics ignored;
+    const RenderOptions few = pilot_options(options);
+    const SampleAllocation evenly;
+    const typename Method::Pass pass(method, {method.scene, few, kPilotPass, evenly}, ignored);
+    return render_coarse<1, Scratch>(
+        {method.scene, options, kPilotPass, evenly}, pilots,
+        [&](const Ray& ray, SeenLights seen, RandomSequence& random,
+            Scratch& scratch) -> Samples<1> { return {pass.trace(ray, seen, random, scratch)}; });
+}
+
 /// Makes an integrator whose image is the mean of samples that know nothing of each other.  Borrows
 /// and counts as make_pass_source does; renders the pilot.  A Method is
 ///     Method(scene): what serves all passes of a scene; borrows it;
@@ -38,7 +54,8 @@ RenderedPass render_sampled(const Method& method, const PictureJob& job, const P
 ///     Method::kBias: what is known of the bias of its images.
 template <typename Method>
 PassSource make_sampled_source(const RenderScene& scene, const RenderOptions& options,
-                               RenderStatistics& statistics, SampleAllocation allocated = {})
+                               RenderStatistics& statistics, const PilotControl& pilots,
+                               SampleAllocation allocated = {})
 {
     const auto method = std::make_shared<const Method>(scene);
     const auto allocation = std::make_shared<const SampleAllocation>(std::move(allocated));
@@ -50,6 +67,8 @@ PassSource make_sampled_source(const RenderScene& scene, const RenderOptions& op
     source.allocation = checksum(*allocation);
     RenderStatistics ignored;
     const RenderOptions small = pilot_options(options);
+    if (pilots.coarse)
+        pilots.coarse(render_coarse_sampled(*method, options, pilots));
     source.pilot_mean = mean_of(
         render_sampled(*method, {scene, small, kPilotPass, {}}, {}, ignored).images.radiance);
     source.render = [&scene, &options, &statistics, method,

@@ -79,14 +79,14 @@ void collect(Round& of, Film* into, Ranks& ranks)
 
 /// Renders a pass into the film of a round, if it is not stopped; keeps the pixels of one that is.
 void render_into(Round& round, const PassSource& source, std::uint64_t pass,
-                 const PassControl& control, Image* unfinished)
+                 const PassControl& control, PassImages* unfinished)
 {
     const RenderedPass rendered = source.render(pass, control);
     const Stopwatch adding;
     if (rendered.whole)
         add_pass(round.film, pass, rendered.images);
     else if (unfinished != nullptr)
-        *unfinished = rendered.images.radiance;
+        *unfinished = rendered.images;
     round.costs.film.add(adding);
 }
 
@@ -137,7 +137,7 @@ class Lead {
             control_.save(state_);
     }
 
-    Image& unfinished() { return unfinished_; }
+    PassImages& unfinished() { return unfinished_; }
 
   private:
     std::uint64_t passes() const { return count(state_.film.passes); }
@@ -183,10 +183,10 @@ class Lead {
     PassQueue queue_;
     const std::uint64_t begun_;
     const double spent_; ///< s, before this run
-    Image unfinished_;
+    PassImages unfinished_;
 };
 
-RunResult lead(Lead& run, RenderState& state, const PassSource& source, Ranks& ranks)
+RunResult lead(Lead& run, RenderState& state, Ranks& ranks)
 {
     Round round{empty_like(state.film), {}};
     std::optional<StopReason> reason;
@@ -199,11 +199,9 @@ RunResult lead(Lead& run, RenderState& state, const PassSource& source, Ranks& r
     ranks.from_lead(static_cast<std::uint64_t>(*reason));
     const Stopwatch ending;
     look_at_error(state);
-    RunResult out{*reason, std::move(run.unfinished()), {}};
-    if (!state.film.passes.ranges.empty())
-        out.image = film_image(state.film);
-    else if (out.image.pixels.empty())
-        out.image = Image(source.width, source.height);
+    RunResult out;
+    out.reason = *reason;
+    set_image(state, std::move(run.unfinished()), out);
     round.costs.film.add(ending);
     out.costs = round.costs;
     return out;
@@ -222,7 +220,7 @@ RunResult work(const PassSource& source, const RunControl& control, const Film& 
         collect(round, nullptr, ranks);
         ranks.together([] {});
     }
-    return {static_cast<StopReason>(word), {}, round.costs};
+    return {static_cast<StopReason>(word), {}, {}, round.costs};
 }
 
 } // namespace
@@ -233,7 +231,7 @@ RunResult run_ranks(const PassSource& source, const StopRules& rules, const RunC
     if (!ranks.leads())
         return work(source, control, state.film, ranks);
     Lead run(source, rules, control, state, ranks);
-    return lead(run, state, source, ranks);
+    return lead(run, state, ranks);
 }
 
 } // namespace hipmap

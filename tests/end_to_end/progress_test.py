@@ -12,7 +12,7 @@ import time
 
 import tools
 from exr_file import ExrFile
-from pictures import read_png
+from pictures import read_pfm, read_png
 from tools import Tools, ToolsTestCase
 
 
@@ -21,9 +21,9 @@ class Progress(ToolsTestCase):
         super().setUp()
         self.succeed("preprocess", Tools.scene, "-o", self.path("scene.hpm"))
 
-    def command(self, *options):
+    def command(self, *options, size="16x16"):
         return [os.path.join(Tools.folder, "render"), Tools.scene, self.path("scene.hpm"),
-                "--size", "16x16", "--photons", "3000", *map(str, options)]
+                "--size", size, "--photons", "3000", *map(str, options)]
 
     def lines(self, *options):
         done = subprocess.run(self.command("--progress", "json", *options), text=True, check=True,
@@ -83,6 +83,29 @@ class Progress(ToolsTestCase):
             last = json.loads(render.stdout.read().splitlines()[-1])
         self.assertEqual(render.returncode, 3)
         self.assertEqual((last["event"], last["reason"]), ("end", "signal"))
+
+    def test_a_slow_first_pass_has_a_coarse_image_before_it(self):
+        image = self.path("a.pfm")
+        with subprocess.Popen(self.command("--progress", "json", "-o", image, "--integrator", "path",
+                                           "--samples", 4096, "--crop", "0,0,128,96",
+                                           size="128x128"),
+                              stdout=subprocess.PIPE, stderr=subprocess.DEVNULL) as render:
+            events = (json.loads(line) for line in render.stdout)
+            coarse = next(event for event in events if event["event"] != "progress")
+            self.assertEqual((coarse["event"], coarse["passes"]), ("coarse", 0))
+            self.assertEqual(coarse["images"], [image])
+            self.assert_whole(image)
+            next(event for event in events if event["event"] == "progress")
+            render.send_signal(signal.SIGTERM)
+            last = list(events)[-1]
+        self.assertEqual((last["reason"], last["passes"]), ("signal", 0))
+        self.assert_whole(image)
+
+    def assert_whole(self, image):
+        pixels = read_pfm(image).pixels()
+        self.assertEqual(len(pixels), 128 * 96)
+        black = sum(1 for pixel in pixels if not sum(pixel) > 0)
+        self.assertLess(black, len(pixels) // 100)  # the view past the box
 
     def test_a_killed_render_leaves_whole_pictures(self):
         image, exr, errors, layers = map(self.path, ("a.png", "a.exr", "error.png", "layers.exr"))
