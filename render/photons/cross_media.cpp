@@ -18,10 +18,10 @@ constexpr int kFullScatterings = 16;
 void stop_in_medium(LightPath& path)
 {
     ++path.scatterings;
-    path.media_last = true;
     if (path.behind == LightPathClass::direct)
         path.behind = LightPathClass::volume;
-    path.last = kNoPhoton;
+    path.last.photon = kNoPhoton;
+    path.last.media = true;
     path.radiance = Rgb(0);
     path.nanometres = 0;
 }

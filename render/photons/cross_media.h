@@ -7,17 +7,22 @@
 
 namespace hipmap {
 
+/// Where a light path last left a gathered lobe: there a gather ray that comes the other way ends.
+struct LeftGathered {
+    std::uint64_t photon = kNoPhoton; ///< of the chunk; none was kept, or a medium came after it
+    bool caustic = false;             ///< it is one of the caustic photons
+    bool media = false;               ///< a medium has scattered the path since
+};
+
 /// The state of a light path.
 struct LightPath : PathRay {
     Rgb power{0.0f};
     Rgb radiance{0.0f}; ///< along it, as EmittedPath has it; black: more than specular surfaces
                         ///<   are behind it
     LightPathClass behind = LightPathClass::direct;
-    bool media_last = false; ///< a medium scattered it since the last gathered lobe
     int scatterings = 0;
-    int diffuse = 0;                ///< bounces off gathered lobes
-    std::uint64_t last = kNoPhoton; ///< photon of the chunk left at the last diffuse surface
-    bool last_caustic = false;
+    int diffuse = 0; ///< bounces off gathered lobes
+    LeftGathered last;
     FaceId first_specular = kNone; ///< the face where it first left a specular lobe, before any
                                    ///<   gathered lobe
 };
@@ -45,7 +50,7 @@ inline bool is_done(const LightPath& path, const Wanted& wanted)
         return true;
     if (is_caustic(path.behind) && !wanted.indirect && !wants_class(path.behind, wanted))
         return true;
-    const bool bounces = wanted.bounces && path.last != kNoPhoton;
+    const bool bounces = wanted.bounces && path.last.photon != kNoPhoton;
     return !wanted.indirect && path.diffuse > (bounces ? 1 : 0);
 }
 

@@ -94,16 +94,16 @@ Onward draw_way(const Interaction& at, LightPath& path, RandomSequence& random,
     return out;
 }
 
-/// Keeps the photon in the maps that want it, docs/photon_maps.md (1); `path.last` becomes it.
+/// Keeps the photon in the maps that want it, docs/photon_maps.md (1); `path.last` becomes it,
+/// as if the path went on by a gathered lobe.
 void store(const Interaction& at, LightPath& path, bool directional, const Wanted& wanted,
            TracedPhotons& out)
 {
-    const std::uint64_t from = std::exchange(path.last, kNoPhoton);
-    const bool media_last = std::exchange(path.media_last, false);
+    const LeftGathered from = std::exchange(path.last, {});
     const bool caustic = is_caustic(path.behind);
     const bool keep = wants_class(path.behind, wanted);
-    const bool by_media = media_last && path.diffuse > 0 && wanted.indirect;
-    const bool link = wanted.bounces && (from != kNoPhoton || by_media);
+    const bool by_media = from.media && path.diffuse > 0 && wanted.indirect;
+    const bool link = wanted.bounces && (from.photon != kNoPhoton || by_media);
     if (!keep && !link)
         return;
     const float geometric = glm::dot(at.back, at.normal);
@@ -111,7 +111,7 @@ void store(const Interaction& at, LightPath& path, bool directional, const Wante
     if (!directional)
         power *= transmitted_by(at.bsdf().layers, Depth::diffuse, at.seen());
     const BouncedPhoton bounced{
-        {at.point.position, power, at.back, at.point.face, at.side}, path.last_caustic, from};
+        {at.point.position, power, at.back, at.point.face, at.side}, from.caustic, from.photon};
     if (!is_finite(power) || !is_finite(at.point.position)) {
         ++out.dropped;
         return;
@@ -122,8 +122,7 @@ void store(const Interaction& at, LightPath& path, bool directional, const Wante
         if (wanted.counter != nullptr)
             wanted.counter->add(bounced.photon, path.first_specular, caustic);
         std::vector<Photon>& kept = caustic ? out.caustic : out.global;
-        path.last = kept.size();
-        path.last_caustic = caustic;
+        path.last = {.photon = kept.size(), .caustic = caustic};
         kept.push_back(bounced.photon);
     }
 }
@@ -221,15 +220,19 @@ void trace(const RenderScene& scene, const Wanted& wanted, RandomSequence& rando
             continue;
         }
         find_index(scene, at, path.nanometres, path.power, random);
+        const LeftGathered before = path.last;
+        const int diffuse = path.diffuse;
         if (at.bsdf().gathers && scene.partition.map_of(hit->face) != kNone)
             store(at, path, scene.directional, wanted, out);
         else if (at.bsdf().gathers)
-            path.last = kNoPhoton;
+            path.last = {};
         if (wanted.glossy && at.follows() && path.behind == LightPathClass::caustic &&
             !is_black(path.radiance) && scene.partition.map_of(hit->face) != kNone)
             store_glossy(at, path, out);
         if (!scatter(scene, at, path, random, out.power))
             return;
+        if (path.diffuse == diffuse) // a gather ray that comes the other way goes on here too
+            path.last = before;
         if (is_done(path, wanted)) {
             out.power.absorbed += glm::dvec3(path.power);
             return;

@@ -192,3 +192,27 @@ TEST_CASE("glossy light: path tracer and photon maps agree on a glossy room", "[
     options.photons = 40000;
     check_agreement(*ready, options, 8, 60, {.with_maps = Integrator::direct});
 }
+
+TEST_CASE("glossy light: what a plastic floor reflects onto the ceiling is counted once",
+          "[integrator]")
+{
+    Scene scene = tiny::box(tiny::diffuse(Rgb(0.05f)));
+    tiny::add(scene, tiny::floor_at(-0.45f, 1), glossy(tiny::diffuse(Rgb(0.02f)), 0.25f));
+    tiny::add(scene, tiny::floor_at(0.45f, -0.4f), tiny::emissive(Rgb(5)));
+    scene.cameras[0].position = {0.3f, 0, 0.3f}; // beside the lamp
+    scene.cameras[0].forward = {0, 1, 0};
+    scene.cameras[0].up = {0, 0, 1};
+    scene.cameras[0].tan_half_height = 0.2f;
+    const auto ready = tiny::ready(scene);
+    ImageOptions options;
+    options.width = options.height = 16;
+    options.photons = 500000;
+    options.integrator = Integrator::path;
+    const RunningMean paths = means_of(*ready, options, 512);
+    options.integrator = Integrator::progressive;
+    const RunningMean maps = means_of(*ready, options, 16);
+    const double noise = std::hypot(maps.standard_error(), paths.standard_error());
+    INFO("maps " << maps.mean() << ", paths " << paths.mean() << ", noise " << noise);
+    CHECK(std::abs(maps.mean() - paths.mean()) < 0.02 * paths.mean() + kMostZ * noise);
+    CHECK(noise < 0.015 * paths.mean());
+}
