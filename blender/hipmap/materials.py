@@ -8,6 +8,7 @@ from .textures import TextureWriter
 from .volumes import medium_of
 
 _NO_MATERIAL = "no material"
+_CURE = "Bake Nodes renders it"
 
 
 @dataclass
@@ -142,9 +143,10 @@ def _write_transmission(entry):
         entry.extend("KHR_materials_specular", {"specularColorFactor": list(surface.specular)})
     if surface.diffuse_transmission > 0:
         values = {"diffuseTransmissionFactor": surface.diffuse_transmission,
-                  "diffuseTransmissionColorFactor": _clamped(surface.base.numbers())}
-        if surface.base.texture is not None:
-            values["diffuseTransmissionColorTexture"] = entry.whole(surface.base.texture, True)
+                  "diffuseTransmissionColorFactor": _clamped(surface.transmitted.numbers())}
+        if surface.transmitted.texture is not None:
+            values["diffuseTransmissionColorTexture"] = entry.whole(surface.transmitted.texture,
+                                                                    True)
         entry.extend("KHR_materials_diffuse_transmission", values)
 
 
@@ -191,7 +193,7 @@ def _write_extras(entry, material):
 
 def _all_losses(surface):
     pending = [getattr(surface, term).loss for term in TERMS] + [surface.normal_loss]
-    return [loss for loss in pending if loss] + surface.losses
+    return [f"{loss} ({_CURE})" for loss in pending if loss] + surface.losses
 
 
 class MaterialWriter:

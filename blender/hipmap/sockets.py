@@ -229,6 +229,8 @@ def origin(socket, path):
         node = output.node
         if node.bl_idname == "NodeReroute":
             socket = node.inputs[0]
+        elif node.mute and _passed_through(output) is not None:
+            socket = _passed_through(output)
         elif node.bl_idname == "ShaderNodeGroup" and node.node_tree:
             inner = next((x for x in node.node_tree.nodes if x.bl_idname == "NodeGroupOutput"
                           and x.is_active_output), None)
@@ -244,6 +246,12 @@ def origin(socket, path):
     return None, path
 
 
+def _passed_through(output):
+    """The input that a muted node hands on to an output; None: there is none."""
+    return next((link.from_socket for link in output.node.internal_links
+                 if link.to_socket == output), None)
+
+
 def _end(socket, path):
     """The unlinked socket whose value a socket has."""
     while socket.is_linked:
@@ -251,6 +259,8 @@ def _end(socket, path):
         output = socket.links[0].from_socket
         if node.bl_idname == "NodeReroute":
             socket = node.inputs[0]
+        elif node.mute and _passed_through(output) is not None:
+            socket = _passed_through(output)
         elif node.bl_idname == "NodeGroupInput":
             socket = next(x for x in path[-1].inputs if x.identifier == output.identifier)
             path = path[:-1]

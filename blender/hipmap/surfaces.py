@@ -4,16 +4,21 @@
 from dataclasses import dataclass, field, replace
 
 from .losses import label
+from .mean_values import luminance, mean_of
+from .shader_mix import BLACK, ONE, ZERO, added, factor_input, mixed, scaled
 from .sockets import Place, Source, Unknown, follow, origin
 
-_BLACK = Source((0.0, 0.0, 0.0, 1.0))
-_ONE, _ZERO = Source((1.0,)), Source((0.0,))
-
 # What a texture can give, if need be one that Cycles bakes.
-TERMS = ("base", "metallic", "roughness", "emission", "alpha", "coat", "coat_roughness")
+TERMS = ("base", "metallic", "roughness", "emission", "alpha", "coat", "coat_roughness",
+         "transmitted")
 
 # glTF has colour layers for the base colour alone.
 _WITH_COLOUR_LAYER = ("Base Color", "Color")
+
+
+# Inputs of a Principled BSDF, and what they are for.
+_REFUSED = {"Anisotropic": "anisotropy", "Transmission Roughness": "roughness of transmission",
+            "Thin Film Thickness": "thin film"}
 
 
 @dataclass
@@ -22,22 +27,25 @@ class Surface:
     normal are not in `losses`: a bake may make up for them."""
 
     base: Source = Source((0.8, 0.8, 0.8, 1.0))
-    metallic: Source = _ZERO
-    roughness: Source = _ONE
+    metallic: Source = ZERO
+    roughness: Source = ONE
     specular: tuple = (0.0, 0.0, 0.0)  # factor of the reflection that the ior has head-on
     ior: float = 1.5
-    transmission: Source = _ZERO
+    transmission: Source = ZERO
     diffuse_transmission: float = 0.0
-    emission: Source = _BLACK
-    alpha: Source = _ONE
-    coat: Source = _ZERO
-    coat_roughness: Source = _ZERO
+    transmitted: Source = BLACK  # colour of the diffuse transmission
+    emission: Source = BLACK
+    alpha: Source = ONE
+    coat: Source = ZERO
+    coat_roughness: Source = ZERO
     sheen: tuple = (0.0, 0.0, 0.0)
     sheen_roughness: float = 0.0
     is_lambert: bool = False  # diffuse alone, the same at every roughness
+    refraction_loss: str = None  # of `losses`: a Refraction BSDF does not reflect
     normal: object = None  # a Texture
     normal_loss: str = None
     normal_scale: float = 1.0
+    kind: str = ""  # GLOSSY or REFRACTION: made of such a node alone
     losses: list = field(default_factory=list)
 
 
@@ -66,11 +74,20 @@ class _Reader:
                 return replace(source, place=self._place(socket))
             raise Unknown("'Color Attribute'")
         except Unknown as unknown:
-            loss = (f"node {unknown} at {socket.name} cannot be expressed: rendered with the "
-                    "input's own value")
-        value = socket.default_value
-        return Source(tuple(value) if hasattr(value, "__len__") else (float(value),),
-                      place=self._place(socket), loss=loss)
+            return self._instead(socket, f"node {unknown} at {socket.name} cannot be expressed")
+
+    def _instead(self, socket, loss):
+        """What stands for nodes that hipmap cannot follow: their mean, or the input's own value."""
+        own = socket.default_value
+        own = tuple(own) if hasattr(own, "__len__") else (float(own),)
+        mean = mean_of(socket, self.path)
+        if mean is None:
+            return Source(own, place=self._place(socket),
+                          loss=loss + ": rendered with the input's own value")
+        value = (*mean, 1.0) if len(own) > 1 else (luminance(mean),)
+        is_ray = origin(socket, self.path)[0].node.bl_idname == "ShaderNodeLightPath"
+        return Source(value, place=self._place(socket), loss=loss + (
+            ": rendered as for the camera" if is_ray else ": rendered as its mean"))
 
     def source(self, *names, default=0.0):
         """The Source at an input whose loss nothing can make up for."""
@@ -101,15 +118,9 @@ def _begin(node, path, **terms):
     return surface, _Reader(node, path, surface.losses)
 
 
-def _scaled(source, factor):
-    place = source.place and replace(source.place, factor=factor)
-    return replace(source, value=(*(c * factor for c in source.numbers()), 1.0),
-                   colour_layer=None, place=place)
-
-
 def _emission(reader, strength_name):
     colour = reader.term("Emission Color", "Emission", "Color", default=0.0)
-    return _scaled(colour, reader.number(strength_name))
+    return replace(scaled(colour, reader.number(strength_name)), colour_layer=None)
 
 
 def _read_normal(reader, surface):
@@ -146,6 +157,7 @@ def _specular(reader, surface, transmission):
 def _principled(node, path):
     surface, reader = _begin(node, path)
     surface.base = reader.term("Base Color")
+    _mix_subsurface(reader, surface)
     surface.metallic = reader.term("Metallic")
     surface.roughness = reader.term("Roughness")
     surface.transmission = reader.source("Transmission Weight", "Transmission")
@@ -161,9 +173,20 @@ def _principled(node, path):
     _read_normal(reader, surface)
     for name in ("Subsurface", "Subsurface Weight"):
         reader.refuse(name, "its subsurface scattering is rendered as diffuse")
-    for name in ("Anisotropic", "Transmission Roughness", "Thin Film Thickness"):
-        reader.refuse(name, f"its {name.lower()} is not rendered")
+    for name, what in _REFUSED.items():
+        reader.refuse(name, f"its {what} is not rendered")
     return surface
+
+
+def _mix_subsurface(reader, surface):
+    """Blender 3 mixes a colour of its own into the base by the weight of the scattering."""
+    if reader.socket("Subsurface Color") is None or surface.base.loss or not surface.base.is_plain:
+        return
+    below = reader.term("Subsurface Color")
+    weight = min(max(reader.number("Subsurface"), 0), 1)
+    if weight > 0 and below.is_plain and not below.loss:
+        surface.base = replace(surface.base, value=(*(
+            a + weight * (b - a) for a, b in zip(surface.base.numbers(), below.numbers())), 1.0))
 
 
 def _read_sheen(reader, surface):
@@ -184,7 +207,7 @@ def _diffuse(node, path):
 
 
 def _glossy(node, path):
-    surface, reader = _begin(node, path, metallic=_ONE, specular=(1.0, 1.0, 1.0))
+    surface, reader = _begin(node, path, metallic=ONE, specular=(1.0, 1.0, 1.0), kind="GLOSSY")
     surface.base = reader.term("Color")
     surface.roughness = reader.term("Roughness")
     reader.refuse("Anisotropy", "its anisotropy is not rendered")
@@ -193,24 +216,27 @@ def _glossy(node, path):
 
 
 def _glass(node, path):
-    surface, reader = _begin(node, path, transmission=_ONE, specular=(1.0, 1.0, 1.0))
+    surface, reader = _begin(node, path, transmission=ONE, specular=(1.0, 1.0, 1.0))
     surface.base = reader.term("Color")
     surface.roughness = reader.term("Roughness")
     surface.ior = reader.number("IOR")
     _read_normal(reader, surface)
     if node.bl_idname == "ShaderNodeBsdfRefraction":
-        surface.losses.append(f"node {label(node)} is rendered as glass, which reflects too")
+        surface.kind = "REFRACTION"
+        surface.refraction_loss = f"node {label(node)} is rendered as glass, which reflects too"
+        surface.losses.append(surface.refraction_loss)
     return surface
 
 
 def _translucent(node, path):
     surface = Surface(diffuse_transmission=1.0)
-    surface.base = _Reader(node, path, surface.losses).term("Color")
+    surface.transmitted = _Reader(node, path, surface.losses).term("Color")
+    surface.base = replace(surface.transmitted, place=None, loss=None)
     return surface
 
 
 def _transparent(node, path):
-    surface = Surface(alpha=_ZERO)
+    surface = Surface(alpha=ZERO)
     colour = _Reader(node, path, surface.losses).source("Color")
     if not colour.is_plain or min(colour.value) < 1:
         surface.losses.append(f"the colour of node {label(node)} is not rendered")
@@ -218,45 +244,19 @@ def _transparent(node, path):
 
 
 def _light(node, path):
-    surface = Surface(base=_BLACK)
+    surface = Surface(base=BLACK)
     surface.emission = _emission(_Reader(node, path, surface.losses), "Strength")
     return surface
 
 
-def _is_invisible(surface):
-    return surface.alpha == _ZERO
-
-
 def _mix(node, path):
     first, second = (_read(socket, path) for socket in node.inputs[1:3])
-    losses = first.losses + second.losses
-    factor = _Reader(node, path, losses).term("Fac", "Factor")
-    if factor.is_plain and not factor.loss and factor.value[0] in (0, 1):
-        return second if factor.value[0] == 1 else first
-    if _is_invisible(first) and second.alpha == _ONE:
-        second.alpha, second.losses = factor, losses
-        return second
-    if factor.loss:
-        losses.append(factor.loss)
-    if _is_invisible(second) and first.alpha == _ONE and factor.is_plain:
-        first.alpha, first.losses = Source((1 - factor.value[0],)), losses
-        return first
-    greater = second if factor.value[0] >= 0.5 else first
-    greater.losses = losses + [f"node {label(node)} cannot be expressed: the shader of greater "
-                               "weight is rendered alone"]
-    return greater
+    factor = _Reader(node, path, []).term(factor_input(node).name)
+    return mixed(first, second, factor, node, path)
 
 
 def _add(node, path):
-    first, second = (_read(socket, path) for socket in node.inputs[:2])
-    for light, other in ((first, second), (second, first)):
-        if light.base == _BLACK and other.emission.value[:3] == (0, 0, 0):
-            other.emission = light.emission
-            other.losses = light.losses + other.losses
-            return other
-    first.losses += second.losses + [f"node {label(node)} cannot be expressed: its first shader "
-                                     "is rendered alone"]
-    return first
+    return added(*(_read(socket, path) for socket in node.inputs[:2]), node)
 
 
 def _unknown(node, path):
@@ -278,8 +278,8 @@ _READERS = {
 
 def _read(socket, path):
     output, outer = origin(socket, path)
-    if output is None:
-        return Surface(base=_BLACK)
+    if output is None or output.node.mute:
+        return Surface(base=BLACK)
     return _READERS.get(output.node.bl_idname, _unknown)(output.node, outer)
 
 
@@ -296,7 +296,7 @@ def surface_of(material):
         return Surface(base=Source((*material.diffuse_color[:3], 1.0)), is_lambert=True)
     output = material_output(material)
     if output is None:
-        return Surface(base=_BLACK)
+        return Surface(base=BLACK)
     if not output.inputs["Surface"].is_linked and output.inputs["Volume"].is_linked:
         return None
     surface = _read(output.inputs["Surface"], ())

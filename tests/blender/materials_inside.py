@@ -144,6 +144,41 @@ def paper():
     return material
 
 
+def mixed(name, factor, first, second):
+    """A Mix Shader of two nodes (kind, inputs).  factor: a number, or (kind, output)."""
+    material = bpy.data.materials.new(name)
+    material.use_nodes = True
+    tree = material.node_tree
+    tree.nodes.remove(tree.nodes["Principled BSDF"])
+    mix = tree.nodes.new("ShaderNodeMixShader")
+    for socket, (kind, inputs) in zip(mix.inputs[1:], (first, second)):
+        node = tree.nodes.new("ShaderNodeBsdf" + kind)
+        for key, value in inputs.items():
+            node.inputs[key].default_value = value
+        tree.links.new(node.outputs[0], socket)
+    if isinstance(factor, float):
+        mix.inputs[0].default_value = factor
+    else:
+        tree.links.new(tree.nodes.new("ShaderNode" + factor[0]).outputs[factor[1]], mix.inputs[0])
+    tree.links.new(mix.outputs[0], tree.nodes["Material Output"].inputs["Surface"])
+    return material
+
+
+def mixtures():
+    grey, glossy = ("Diffuse", {"Color": (0.5, 0.5, 0.5, 1)}), ("Glossy", {"Roughness": 0.1})
+    yield mixed("Plastic", ("Fresnel", "Fac"), grey, glossy)
+    yield mixed("Weighted", ("LayerWeight", "Fresnel"), grey, glossy)
+    yield mixed("Facing", ("LayerWeight", "Facing"), grey, glossy)
+    yield mixed("Two parts of glass", ("Fresnel", "Fac"), ("Refraction", {"IOR": 1.3}), glossy)
+    yield mixed("Curtain", 0.25, grey, ("Translucent", {"Color": (0.2, 0.4, 0.6, 1)}))
+    yield mixed("Without shadow", ("LightPath", "Is Shadow Ray"), ("Glass", {}),
+                ("Transparent", {}))
+    muted = mixed("Muted", 0.5, grey, glossy)
+    muted.node_tree.nodes["Mix Shader"].mute = True
+    yield muted
+    yield build.matte("Skin tone", (0.8, 0.2, 0), Subsurface=0.25, Subsurface_Color=(0.4, 0.6, 0, 1))
+
+
 def unlinked():
     material = bpy.data.materials.new("No nodes")
     material.use_nodes = False
@@ -242,6 +277,8 @@ def main():
         build.add_mesh("cube", f"Cube {x}", make(), size=0.8, location=(x - 4, 0, 0))
     cube = build.add_mesh("cube", "Painted cube", None, size=0.8, location=(0, 2, 0))
     cube.data.materials.append(painted(cube))
+    for x, material in enumerate(mixtures()):
+        build.add_mesh("cube", f"Mixture {x}", material, size=0.8, location=(x - 4, 6, 0))
     for x, material in enumerate(volumes()):
         build.add_mesh("cube", f"Volume {x}", material, size=0.8, location=(x - 4, -2, 0))
     smoking(bpy.data.objects["Volume 0"])

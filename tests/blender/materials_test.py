@@ -72,18 +72,63 @@ class Materials(BlenderTestCase):
             "their mean",
             "object 'Volume 0': its smoke is not rendered: its volume fills the whole domain",
             "material 'Noisy': node 'Noise Texture' at Base Color cannot be expressed: rendered "
-            "with the input's own value",
+            "as its mean (Bake Nodes renders it)",
             "material 'Noisy': node 'Bump' at Normal cannot be expressed: rendered with the mesh's "
-            "own normals",
+            "own normals (Bake Nodes renders it)",
             "material 'Noisy': its subsurface scattering is rendered as diffuse",
             "material 'Painted': node 'Color Attribute' at Roughness cannot be expressed: rendered "
-            "with the input's own value",
+            "with the input's own value (Bake Nodes renders it)",
+            "material 'Facing': node 'Mix Shader' cannot be expressed: the shader of greater "
+            "weight is rendered alone",
+            "material 'Without shadow': node 'Light Path' at Fac cannot be expressed: rendered as "
+            "for the camera",
+            "material 'Skin tone': its subsurface scattering is rendered as diffuse",
             "material 'Velvet': node 'Velvet BSDF' cannot be expressed: rendered as diffuse",
             "object 'Hairy': its hair 'Hair' is not rendered"]))
 
-    def test_an_unknown_node_leaves_the_inputs_own_value(self):
-        self.assertAlmostEqual(self.pbr("Noisy")["baseColorFactor"][2], 0.3, 5)
+    def test_an_unknown_node_gives_its_mean_or_leaves_the_inputs_own_value(self):
+        self.assertAlmostEqual(self.pbr("Noisy")["baseColorFactor"][2], 0.5, 5)
+        self.assertEqual(self.pbr("Painted")["roughnessFactor"], 1)
         self.assertAlmostEqual(self.pbr("Velvet")["baseColorFactor"][1], 0.2, 5)
+
+    def extension(self, name, extension):
+        return self.glb.materials()[name]["extensions"]["KHR_materials_" + extension]
+
+    def test_fresnel_over_diffuse_is_a_dielectric(self):
+        for name, index in (("Plastic", 1.45), ("Weighted", 2)):
+            self.assertAlmostEqual(self.extension(name, "ior")["ior"], index, 5)
+            self.assertAlmostEqual(self.pbr(name)["roughnessFactor"], 0.1, 5)
+            self.assertEqual(self.pbr(name)["metallicFactor"], 0)
+            self.assertEqual([round(c, 5) for c in self.extension(name, "specular")[
+                "specularColorFactor"]], [0.8] * 3)
+        # The base has what a dielectric of 1.45 leaves of even light: all but 8.4 %.
+        self.assertAlmostEqual(self.pbr("Plastic")["baseColorFactor"][0], 0.5 * 0.916, 3)
+        # By the mean of its factor the diffuse shader has the greater weight.
+        self.assertEqual(self.pbr("Facing")["metallicFactor"], 0)
+
+    def test_refraction_and_reflection_by_fresnel_are_glass(self):
+        self.assertAlmostEqual(self.extension("Two parts of glass", "ior")["ior"], 1.3, 5)
+        self.assertEqual(self.extension("Two parts of glass", "transmission")[
+            "transmissionFactor"], 1)
+
+    def test_a_curtain_reflects_and_lets_light_pass(self):
+        values = self.extension("Curtain", "diffuse_transmission")
+        self.assertAlmostEqual(values["diffuseTransmissionFactor"], 0.25, 5)
+        self.assertEqual([round(c, 5) for c in values["diffuseTransmissionColorFactor"]],
+                         [0.2, 0.4, 0.6])
+        self.assertAlmostEqual(self.pbr("Curtain")["baseColorFactor"][0], 0.5, 5)
+
+    def test_glass_that_casts_no_shadow_is_glass(self):
+        self.assertEqual(self.extension("Without shadow", "transmission")["transmissionFactor"], 1)
+        self.assertEqual(self.pbr("Without shadow")["baseColorFactor"][3], 1)
+
+    def test_a_muted_node_hands_on_its_first_shader(self):
+        self.assertEqual(self.pbr("Muted")["metallicFactor"], 0)
+        self.assertAlmostEqual(self.pbr("Muted")["baseColorFactor"][0], 0.5, 5)
+
+    def test_the_colour_of_subsurface_scattering_is_mixed_in(self):
+        self.assertEqual([round(c, 5) for c in self.pbr("Skin tone")["baseColorFactor"]],
+                         [0.7, 0.3, 0, 1])
 
     def test_colours_are_srgb(self):
         self.assertEqual(self.pixel(self.pbr("Image")["baseColorTexture"])[:3], [255, 64, 0])
