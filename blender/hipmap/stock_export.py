@@ -2,6 +2,8 @@
 """Blender's own glTF exporter with the boxes that hipmap needs, and what that exporter drops."""
 
 import os
+import re
+from collections import Counter
 from dataclasses import replace
 
 import bpy
@@ -18,6 +20,10 @@ _BOXES = {"export_format": "GLB", "export_cameras": True, "export_lights": True,
           "use_renderable": True, "use_active_scene": True,
           "export_import_convert_lighting_mode": "SPEC", "export_draco_mesh_compression_enable":
           False}
+
+
+_WITH_FACES = ("MESH", "CURVE", "SURFACE", "FONT")
+_NOT_EXPORTED = {"VOLUME": "volume objects", "META": "metaballs"}
 
 
 def _boxes():
@@ -78,6 +84,33 @@ def _put_first(gltf, camera):
     roots.sort(key=lambda index: not _holds(gltf, index, camera.name))
 
 
+def _nodes_by_object(gltf):
+    """How many nodes with a mesh each object has in the file; Blender numbers names that are taken."""
+    names = [node.get("name", "") for node in gltf.get("nodes", []) if "mesh" in node]
+    return Counter(name if name in bpy.data.objects else re.sub(r"\.\d+$", "", name)
+                   for name in names)
+
+
+def _missing_instances(scene, gltf):
+    """Yields a line for the instances of each object that the exporter left out: those of geometry
+    nodes, and those of objects that are hidden in renders."""
+    wanted, parents = Counter(), {}
+    for instance in bpy.context.evaluated_depsgraph_get().object_instances:
+        if not instance.is_instance or not instance.show_self or \
+                instance.object.type not in _WITH_FACES or instance.parent.original.hide_render:
+            continue
+        name = instance.object.name
+        wanted[name] += 1
+        if instance.parent.original.instance_collection is None:
+            parents.setdefault(instance.parent.name, {})[name] = None
+    found = _nodes_by_object(gltf)
+    for parent, names in parents.items():
+        for name in names:
+            if found[name] < wanted[name]:  # nodes give instances of a mesh the parent's name
+                what = "of geometry nodes" if name == parent else f"of '{name}'"
+                yield f"object '{parent}': its instances {what} are not exported; F12 renders them"
+
+
 def losses_of(scene):
     """Returns what hipmap does not render of a scene's objects, camera and world, one line each."""
     lines = []
@@ -89,8 +122,9 @@ def losses_of(scene):
             lines += light_losses(item.data)
         elif item.type == "MESH":
             lines += mesh_losses(item)
-        elif item.type == "VOLUME":
-            lines.append(f"object '{item.name}': volume objects are not exported; F12 renders them")
+        elif item.type in _NOT_EXPORTED:
+            lines.append(f"object '{item.name}': {_NOT_EXPORTED[item.type]} are not exported; F12 "
+                         "renders them")
     if scene.camera is not None:
         lines += camera_losses(scene.camera)
     return without_repeats(lines + list(world_losses(scene.world)))
@@ -108,5 +142,6 @@ def export_scene(scene, path):
         _put_first(gltf, scene.camera)
     taken = gltf["scenes"][gltf.get("scene", 0)]
     _add_extras(taken, world_extras(scene.world, os.path.dirname(path)))
+    gltf["asset"]["generator"] += " (completed by hipmap for Blender)"
     write_glb(path, gltf, buffer)
-    return losses_of(scene)
+    return losses_of(scene) + list(_missing_instances(scene, gltf))

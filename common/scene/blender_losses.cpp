@@ -111,24 +111,41 @@ void note_sizes(const RawScene& scene, SceneAudit& audit)
                                 " (Blender's exporter drops it)" + cure);
 }
 
+void note_white_materials(const json& root, SceneAudit& audit)
+{
+    const std::vector<std::string> white = white_materials(root);
+    if (!white.empty())
+        audit.assumed.push_back("white base colour: " + list_names(white) +
+                                "; if Blender shows another colour, its nodes (such as Noise or "
+                                "Mix) were lost: bake them to an image texture");
+}
+
+/// Whether the add-on wrote or completed the file: it names in Blender what is lost.
+bool is_completed(const json& root)
+{
+    const auto generator = root["asset"].find("generator");
+    return generator != root["asset"].end() && generator->is_string() &&
+           generator->get<std::string>().find("hipmap for Blender") != std::string::npos;
+}
+
 } // namespace
 
 void note_blender_losses(const GltfDocument& document, const std::vector<PlacedNode>& nodes,
                          RawScene& scene)
 {
     SceneAudit& audit = scene.audit;
+    note_white_materials(document.json, audit);
+    if (is_completed(document.json))
+        return;
     const std::vector<std::string> leaves = empty_leaves(document.json, nodes);
     if (!leaves.empty())
         audit.warnings.push_back(
             "nothing in " + list_names(leaves) +
-            ": Blender's exporter leaves area lights, hair, metaballs and objects of geometry "
-            "nodes empty; replace an area light by a plane with an Emission material, and convert "
-            "other objects to meshes");
-    const std::vector<std::string> white = white_materials(document.json);
-    if (!white.empty())
-        audit.assumed.push_back("white base colour: " + list_names(white) +
-                                "; if Blender shows another colour, its nodes (such as Noise or "
-                                "Mix) were lost: bake them to an image texture");
+            ": an Empty of Blender, or what its exporter leaves out (area lights, hair, metaballs, "
+            "objects of geometry nodes); replace an area light by a plane with an Emission "
+            "material, and convert other objects to meshes");
+    audit.assumed.push_back("modifiers are in the file if it was exported with Data > Mesh > Apply "
+                            "Modifiers; hair and instances of geometry nodes never are");
     note_sizes(scene, audit);
     note_hidden_objects(hidden_by_name(document.json, nodes), audit);
 }

@@ -137,7 +137,8 @@ void note_materials(const std::vector<std::string>& unlit, const std::vector<std
     if (!lost.empty())
         audit.warnings.push_back(
             "white metal: " + list_names(lost) +
-            " looks like a node material lost in export; only the Principled BSDF is "
+            (lost.size() == 1 ? " looks like a node material" : " look like node materials") +
+            " lost in export; only the Principled BSDF is "
             "exported from Blender (not Diffuse, Glass, Glossy BSDF)");
 }
 

@@ -29,6 +29,20 @@ def add_lights():
     emission.inputs["Strength"].default_value = 2
 
 
+def scatter_below():
+    """Instances of geometry nodes where no light gets."""
+    tree = bpy.data.node_groups.new("Scatter", "GeometryNodeTree")
+    tree.outputs.new("NodeSocketGeometry", "Geometry")
+    points, cube, scatter, sink = (tree.nodes.new(kind) for kind in (
+        "GeometryNodeMeshLine", "GeometryNodeMeshCube", "GeometryNodeInstanceOnPoints",
+        "NodeGroupOutput"))
+    tree.links.new(points.outputs[0], scatter.inputs["Points"])
+    tree.links.new(cube.outputs[0], scatter.inputs["Instance"])
+    tree.links.new(scatter.outputs[0], sink.inputs[0])
+    item = build.add_mesh("plane", "Pebbles", None, location=(0, 0, -20))
+    item.modifiers.new("Scatter", "NODES").node_group = tree
+
+
 def main():
     blend, image = sys.argv[sys.argv.index("--") + 1:]
     scene = build.empty_scene()
@@ -46,6 +60,7 @@ def main():
     hair = floor.particle_systems[0]
     hair.name = "Grass"
     hair.settings.type, hair.settings.render_type, hair.settings.count = "HAIR", "PATH", 0
+    scatter_below()
     bpy.ops.wm.save_as_mainfile(filepath=blend)
     scene.render.engine = "CYCLES"
     scene.cycles.samples = 64

@@ -81,6 +81,13 @@ class StockExport(BlenderTestCase):
         self.assertIn("camera 'Camera': its aperture is round: its blades are not rendered",
                       self.said)
         self.assertIn("object 'Floor': its hair 'Grass' is not rendered", self.said)
+        self.assertIn("object 'Pebbles': its instances of geometry nodes are not exported; F12 "
+                      "renders them", self.said)
+
+    def test_what_is_not_lost_is_not_named(self):
+        self.assertEqual(self.said.count("warning:"), 3)
+        for doubt in ("hidden objects", "no depth of field", "nothing in", "modifiers"):
+            self.assertNotIn(doubt, self.audit)
 
     def test_the_light_is_cycles_light(self):
         self.tool("render", self.path("a.glb"), self.path("a.hpm"), "-o", self.path("a.pfm"),

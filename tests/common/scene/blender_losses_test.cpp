@@ -27,7 +27,7 @@ GltfFile exported()
 
 TEST_CASE("Blender's losses: objects of which nothing is left are named", "[scene][audit]")
 {
-    CHECK(says(load(exported()).audit.warnings, "nothing in 'Area': Blender's exporter"));
+    CHECK(says(load(exported()).audit.warnings, "nothing in 'Area': an Empty"));
     GltfFile filled = exported();
     filled.root["nodes"][3]["children"] = {2};
     filled.root["scenes"][0]["nodes"] = {0, 1, 3};
@@ -55,6 +55,20 @@ TEST_CASE("Blender's losses: sizes of lights and depth of field", "[scene][audit
     sized.root["nodes"][2]["extras"]["hipmap"] = {{"aperture_radius", 0.1}, {"focus_distance", 2}};
     CHECK_FALSE(says(load(sized).audit.assumed, "without size"));
     CHECK_FALSE(says(load(sized).audit.assumed, "no depth of field"));
+}
+
+TEST_CASE("Blender's losses: a file that the add-on completed has no unknown ones",
+          "[scene][audit]")
+{
+    CHECK(says(load(exported()).audit.assumed, "modifiers are in the file if"));
+    GltfFile completed = exported();
+    completed.root["asset"]["generator"] =
+        "Khronos glTF Blender I/O v3.4.50 (completed by hipmap for Blender)";
+    const SceneAudit audit = load(completed).audit;
+    CHECK(says(audit.assumed, "look as in Cycles"));
+    CHECK_FALSE(says(audit.warnings, "nothing in"));
+    for (const char* doubt : {"depth of field", "hidden objects", "modifiers", "without size"})
+        CHECK_FALSE(says(audit.assumed, doubt));
 }
 
 TEST_CASE("Blender's losses: objects that are hidden by their names", "[scene][audit]")
