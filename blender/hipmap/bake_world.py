@@ -60,12 +60,21 @@ def set_up(scene, width):
     scene.render.image_settings.color_mode = "RGB"
 
 
+def remove_volume(tree):
+    """Unlinks the world's volume, which has no end in Cycles and would hide the sky."""
+    for node in tree.nodes:
+        if node.bl_idname == "ShaderNodeOutputWorld":
+            for link in node.inputs["Volume"].links:
+                tree.links.remove(link)
+
+
 def main():
     """Renders what the command line names."""
     blend, image, width = sys.argv[sys.argv.index("--") + 1:]
     bpy.ops.wm.read_factory_settings(use_empty=True)
     scene = bpy.context.scene
     scene.world = load_world(blend)
+    remove_volume(scene.world.node_tree)
     scene.camera = panorama_camera(scene)
     set_up(scene, int(width))
     scene.render.filepath = image + ".part.exr"

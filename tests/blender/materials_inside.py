@@ -15,6 +15,7 @@ import build_scene as build
 FOLDER, OUT = sys.argv[sys.argv.index("--") + 1:]
 sys.path.insert(0, FOLDER)
 from hipmap import frame, scene_export
+from hipmap import world as world_export
 
 
 def image(name, colour, colour_space="sRGB"):
@@ -260,6 +261,17 @@ def hairy():
     ball.modifiers.new("Hair", "PARTICLE_SYSTEM").particle_system.settings.type = "HAIR"
 
 
+def show_foggy_sky():
+    """Prints the greatest value of the environment map of a world with a sky and a volume."""
+    world = build.sky_world()
+    tree = world.node_tree
+    tree.links.new(tree.nodes.new("ShaderNodeVolumeScatter").outputs[0],
+                   tree.nodes["World Output"].inputs["Volume"])
+    extras = world_export.world_extras(world, os.path.dirname(OUT))
+    sky = bpy.data.images.load(os.path.join(os.path.dirname(OUT), extras["world_hdri"]))
+    print("sky:", json.dumps([max(sky.pixels), *extras["medium"]["scattering"]]))
+
+
 def main():
     build.empty_scene()
     build.add_camera((0, -9, 2), (1.4, 0, 0)).data.dof.use_dof = False
@@ -292,6 +304,7 @@ def main():
     exported = scene_export.export_depsgraph(bpy.context.evaluated_depsgraph_get(), OUT,
                                              frame.picture_of(bpy.context.scene.render))
     print("losses:", json.dumps(exported.losses))
+    show_foggy_sky()
 
 
 main()

@@ -49,6 +49,7 @@ class Materials(BlenderTestCase):
         said = this.blender("--python", os.path.join(HERE, "materials_inside.py"), "--",
                             BLENDER_FOLDER, this.path("a.glb"))
         cls.losses = json.loads(re.search(r"^losses: (.*)$", said, re.MULTILINE)[1])
+        cls.sky = json.loads(re.search(r"^sky: (.*)$", said, re.MULTILINE)[1])
         cls.glb = Glb(this.path("a.glb"))
 
     def pbr(self, name):
@@ -187,6 +188,10 @@ class Materials(BlenderTestCase):
         world = self.glb.json["scenes"][0]["extras"]["hipmap"]
         self.assertAlmostEqual(world["world_color"][1], 0.2, 5)
         self.assertAlmostEqual(world["medium"]["scattering"][0], 0.8 * 0.02, 5)
+
+    def test_a_sky_is_behind_the_fog_of_its_world(self):
+        self.assertGreater(self.sky[0], 1)
+        self.assertAlmostEqual(self.sky[1], 0.8, 5)
 
     def medium(self, name):
         return self.glb.materials()[name]["extras"]["hipmap"]["medium"]
