@@ -13,8 +13,8 @@ _KINDS = {"POINT": "point", "SPOT": "spot", "SUN": "directional"}
 _DISCS = ("DISK", "ELLIPSE")
 _WITH_HEIGHT = ("RECTANGLE", "ELLIPSE")
 
-# Blender's own limit: a spread of 180 degrees is none.
-_WHOLE_SPREAD = math.radians(179.9)
+# A spread of 180 degrees is none.
+_WHOLE_SPREAD_DEG = 179.9
 
 # Cycles takes this many lumens for a watt of an IES file.
 _LUMENS_PER_WATT_OF_IES = 177.83
@@ -106,7 +106,14 @@ def light_extras(light, folder):
     return {"area_power": power * math.pi / 4, "area_color": colour,
             "area_width": light.size,
             "area_height": light.size_y if light.shape in _WITH_HEIGHT else light.size,
-            "area_shape": "disc" if light.shape in _DISCS else "rectangle"}
+            "area_shape": "disc" if light.shape in _DISCS else "rectangle",
+            **_spread_extras(light)}
+
+
+def _spread_extras(light):
+    """The angle over which an area light emits, where that is less than its whole side."""
+    degrees = math.degrees(getattr(light, "spread", math.pi))
+    return {"area_spread_deg": degrees} if degrees < _WHOLE_SPREAD_DEG else {}
 
 
 def _node_losses(light):
@@ -147,8 +154,6 @@ def light_losses(light):
         yield name + loss
     if min(_radiant_colour(light)) < 0:
         yield name + "its power is negative: rendered as 0"
-    if light.type == "AREA" and getattr(light, "spread", math.pi) < _WHOLE_SPREAD:
-        yield name + "its spread is not rendered: it emits to its whole side"
     if not getattr(light, "use_shadow", True) or \
             not getattr(getattr(light, "cycles", None), "cast_shadow", True):
         yield name + "it casts shadows, although its shadows are switched off"

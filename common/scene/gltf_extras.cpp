@@ -163,9 +163,12 @@ void read_empty_extras(const GltfDocument& document, const PlacedNode& at, RawSc
     const std::optional<double> height = extras.positive("area_height");
     const std::string shape = extras.text("area_shape").value_or("rectangle");
     const glm::dvec3 colour = extras.positive_triple("area_color").value_or(glm::dvec3(1.0));
+    const double spread_deg = extras.within("area_spread_deg", 180).value_or(180);
     extras.finish("");
     if (!power && !width && !height)
         return;
+    if (!(spread_deg > 0))
+        extras.fail("area_spread_deg", "must be above 0");
     if (!power || !width || !(*width > 0) || !(height.value_or(*width) > 0))
         extras.fail("area_power", "and 'area_width' (in metres, above 0) are needed together");
     if (shape != "rectangle" && shape != "disc")
@@ -185,6 +188,7 @@ void read_empty_extras(const GltfDocument& document, const PlacedNode& at, RawSc
     const double side = glm::dot(across, glm::dvec3(at.to_world[2])) > 0 ? -1 : 1;
     light.direction = side * glm::normalize(across);
     light.radiance = colour * (*power / (std::numbers::pi * area));
+    light.half_spread = spread_deg * std::numbers::pi / 360;
     scene.lights.push_back(light);
 }
 

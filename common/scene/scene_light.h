@@ -4,6 +4,7 @@
 #include "common/scene/spot_falloff.h"
 
 #include <concepts>
+#include <numbers>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -68,7 +69,7 @@ struct SceneSunLight {
     double half_angle = 0.0;        ///< half the angle that the disc subtends, radians
 };
 
-/// A flat light that emits to one side, Lambertian.
+/// A flat light that emits to one side.
 struct SceneAreaLight {
     static constexpr std::string_view kKind = "area light";
 
@@ -77,8 +78,9 @@ struct SceneAreaLight {
     glm::dvec3 centre{0.0};
     glm::dvec3 half_right{1, 0, 0}; ///< from the centre to the middle of a side
     glm::dvec3 half_up{0, 1, 0};
-    glm::dvec3 direction{0, 0, -1}; ///< unit, the side that emits
-    glm::dvec3 radiance{0.0};
+    glm::dvec3 direction{0, 0, -1};              ///< unit, the side that emits
+    glm::dvec3 radiance{0.0};                    ///< the mean over its hemisphere, by the cosine
+    double half_spread = 0.5 * std::numbers::pi; ///< from its axis to where light ends, radians
 };
 
 /// The intensities of a luminaire by direction, as type C of LM-63 measures them: bilinear in both
@@ -142,6 +144,7 @@ void each_number(MaybeConst<SceneAreaLight> auto& light, auto& visit)
     visit.extent(light.half_up);
     visit.direction(light.direction);
     visit.radiance(light.radiance);
+    visit.plain(light.half_spread);
 }
 
 void each_number(MaybeConst<SceneIesLight> auto& light, auto& visit)

@@ -53,7 +53,8 @@ Light light_from(const SceneAreaLight& light, const SceneSphere&)
                        glm::vec3(light.half_right),
                        glm::vec3(light.half_up),
                        glm::vec3(light.direction),
-                       Rgb(light.radiance)};
+                       Rgb(light.radiance),
+                       make_spread(light.half_spread)};
 }
 
 std::vector<FacePower> powers_of_faces(const SurfaceEmission& surfaces)

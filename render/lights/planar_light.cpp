@@ -47,22 +47,24 @@ std::optional<LightSample> sample_li(const PlanarLight& light, const LightReceiv
     const float distance2 = glm::dot(way, way);
     out.direction = way / std::sqrt(distance2);
     const float cosine = -glm::dot(out.direction, light.direction);
-    if (!(cosine > 0))
+    const float share = cosine > 0 ? radiance_share(light.spread, cosine) : 0;
+    if (!(share > 0))
         return std::nullopt;
     out.pdf = static_cast<float>(distance2 / (cosine * area(light)));
-    out.light = light.radiance / out.pdf;
+    out.light = share * light.radiance / out.pdf;
     return out;
 }
 
 std::optional<LightHit> intersect(const PlanarLight& light, const Ray& ray)
 {
     const float cosine = -glm::dot(ray.direction, light.direction);
-    if (!(cosine > 0))
+    const float share = cosine > 0 ? radiance_share(light.spread, cosine) : 0;
+    if (!(share > 0))
         return std::nullopt;
     const float distance = -glm::dot(light.centre - ray.origin, light.direction) / cosine;
     if (!(distance > 0) || !holds(light, ray.origin + distance * ray.direction))
         return std::nullopt;
-    return LightHit{distance, light.radiance,
+    return LightHit{distance, share * light.radiance,
                     static_cast<float>(double{distance} * distance / (cosine * area(light)))};
 }
 
@@ -70,9 +72,10 @@ EmittedPath sample_emission(const PlanarLight& light, const PathPlace&, RandomSe
 {
     EmittedPath out;
     out.ray.origin = point_on(light, random.next2());
-    out.ray.direction = Frame(light.direction).to_world(sample_cosine_hemisphere(random.next2()));
+    const glm::vec3 local = sample_direction(light.spread, random);
+    out.ray.direction = Frame(light.direction).to_world(local);
     out.power = Rgb(power(light));
-    out.radiance = light.radiance;
+    out.radiance = radiance_share(light.spread, local.z) * light.radiance;
     return out;
 }
 
@@ -85,8 +88,8 @@ EmittedPath sample_aimed_emission(const PlanarLight& light, const PathPlace&,
         aim_from_point(targets, out.ray.origin, {light.direction, kPi / 2}, random);
     out.ray.direction = aimed.direction;
     const float cosine = std::max(0.0f, glm::dot(light.direction, aimed.direction));
-    out.radiance = light.radiance;
-    out.power = light.radiance * (static_cast<float>(area(light)) * cosine * aimed.weight);
+    out.radiance = cosine > 0 ? radiance_share(light.spread, cosine) * light.radiance : Rgb(0);
+    out.power = out.radiance * (static_cast<float>(area(light)) * cosine * aimed.weight);
     return out;
 }
 
@@ -102,7 +105,8 @@ std::optional<LightBounds> bounds(const PlanarLight& light)
         for (const float up : {-1.0f, 1.0f})
             out.box.add(light.centre + right * light.half_right + up * light.half_up);
     out.axis = light.direction;
-    out.power = max_channel(light.radiance) * area(light);
+    out.cos_reach = light.spread.cos_edge;
+    out.power = light.spread.on_axis * max_channel(light.radiance) * area(light);
     return out;
 }
 

@@ -64,7 +64,6 @@ class Materials(BlenderTestCase):
 
     def test_every_loss_is_named_once(self):
         self.assertEqual(sorted(self.losses), sorted([
-            "light 'Narrow': its spread is not rendered: it emits to its whole side",
             "light 'No file': node 'IES Texture': its file is missing: rendered without it",
             "light 'Profile Spot': node 'IES Texture' is rendered on point lights alone",
             "material 'Patchy': node 'Noise Texture' at Volume cannot be expressed: rendered "
@@ -188,6 +187,10 @@ class Materials(BlenderTestCase):
         world = self.glb.json["scenes"][0]["extras"]["hipmap"]
         self.assertAlmostEqual(world["world_color"][1], 0.2, 5)
         self.assertAlmostEqual(world["medium"]["scattering"][0], 0.8 * 0.02, 5)
+
+    def test_an_area_light_keeps_its_spread(self):
+        node, = (node for node in self.glb.json["nodes"] if node["name"] == "Narrow")
+        self.assertAlmostEqual(node["extras"]["hipmap"]["area_spread_deg"], 28.6478898, 5)
 
     def test_a_sky_is_behind_the_fog_of_its_world(self):
         self.assertGreater(self.sky[0], 1)

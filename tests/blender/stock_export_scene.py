@@ -15,7 +15,7 @@ import build_scene as build
 def add_lights():
     build.add_light("Square", "AREA", 100, size=1.5, color=(1, 0.5, 0.25), location=(-3, 0, 3))
     build.add_light("Rectangle", "AREA", 90, shape="RECTANGLE", size=1, size_y=2,
-                    location=(3, 0, 3))
+                    spread=1.2, location=(3, 0, 3))
     build.add_light("Disc", "AREA", 80, shape="DISK", size=1, location=(0, 2, 2))
     oval = build.add_light("Ellipse", "AREA", 70, shape="ELLIPSE", size=1, size_y=0.5,
                            location=(-1, -2, 2), rotation=(0.5, 0.2, 0.1))

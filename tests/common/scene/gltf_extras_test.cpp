@@ -103,6 +103,7 @@ TEST_CASE("an area light may be a disc, takes its node's scale and emits along i
     node["extras"] = extras({{"area_power", 50},
                              {"area_width", 2},
                              {"area_shape", "disc"},
+                             {"area_spread_deg", 90},
                              {"area_color", {1, 0.5, 0}}},
                             false);
     const auto area = std::get<SceneAreaLight>(load(file).scene.lights.at(2));
@@ -113,6 +114,7 @@ TEST_CASE("an area light may be a disc, takes its node's scale and emits along i
     CHECK(area.radiance.x * std::numbers::pi * (std::numbers::pi * 3 * 1) == Approx(50));
     CHECK(area.radiance.y == Approx(0.5 * area.radiance.x));
     CHECK(area.radiance.z == 0.0f);
+    CHECK(area.half_spread == Approx(std::numbers::pi / 4));
 }
 
 TEST_CASE("keys that are not known are warned of by name", "[scene][gltf][extras]")
@@ -143,6 +145,7 @@ TEST_CASE("extras that make no sense are refused with their place and key",
     check_refused(4, {{"area_power", 1}}, "'area_width'");
     check_refused(4, {{"area_power", 1}, {"area_width", 1}, {"area_shape", "star"}}, "disc");
     check_refused(4, {{"area_power", 1}, {"area_width", 1}, {"area_color", {1, 1}}}, "area_color");
+    check_refused(4, {{"area_power", 1}, {"area_width", 1}, {"area_spread_deg", 0}}, "above 0");
     GltfFile file = furnished();
     file.root["scenes"][0]["extras"]["hipmap"] = {{"world_hdri", "../sky.hdr"}};
     CHECK_THROWS_WITH(load(file), Catch::Contains("'../sky.hdr'"));

@@ -24,6 +24,7 @@ enum class Kind {
     wide_sun,
     rectangle,
     ellipse,
+    narrow,     ///< a rectangle with a spread
     panel,      ///< an emissive mesh of two faces
     ball,       ///< one of many, selected by their tree
     even_world, ///< a constant environment
@@ -31,9 +32,9 @@ enum class Kind {
     emissive_media,
 };
 const std::vector<Kind> kKinds = {
-    Kind::point, Kind::spot,       Kind::web,         Kind::sphere,        Kind::spot_sphere,
-    Kind::sun,   Kind::wide_sun,   Kind::rectangle,   Kind::ellipse,       Kind::panel,
-    Kind::ball,  Kind::even_world, Kind::image_world, Kind::emissive_media};
+    Kind::point, Kind::spot,     Kind::web,        Kind::sphere,      Kind::spot_sphere,
+    Kind::sun,   Kind::wide_sun, Kind::rectangle,  Kind::ellipse,     Kind::narrow,
+    Kind::panel, Kind::ball,     Kind::even_world, Kind::image_world, Kind::emissive_media};
 const glm::vec3 kMiddle(0.1f, 0.25f, 0.05f); ///< of lights with a place
 
 bool is_one_of(Kind kind, std::initializer_list<Kind> kinds)
@@ -89,6 +90,8 @@ SceneAreaLight area_light(Kind kind)
     light.direction = -glm::normalize(glm::cross(light.half_right, light.half_up));
     light.is_disc = kind == Kind::ellipse;
     light.radiance = {4, 3, 2};
+    if (kind == Kind::narrow)
+        light.half_spread = 1.3; // holds kPosition
     return light;
 }
 
@@ -107,7 +110,7 @@ Scene lit_scene(Kind kind)
     Scene scene = tiny::diffuse_floor();
     if (kind <= Kind::wide_sun)
         scene.lights = {punctual_light(kind)};
-    else if (kind <= Kind::ellipse)
+    else if (kind <= Kind::narrow)
         scene.lights = {area_light(kind)};
     else if (kind <= Kind::ball)
         tiny::add(scene, emissive_mesh(kind), tiny::emissive({4, 3, 2}));
@@ -224,7 +227,7 @@ TEST_CASE("light kinds: each is known to the queries that may find it", "[lights
     const LitScene at = lit(lit_scene(kind), kind);
     const LightSet& lights = at.lights();
     INFO("kind " << static_cast<int>(kind));
-    const bool analytic = kind <= Kind::ellipse;
+    const bool analytic = kind <= Kind::narrow;
     CHECK((role(at.light) == LightRole::analytic) == analytic);
     CHECK(lights.sampled.size() == (analytic ? 1 : 0));
     CHECK(lights.met.size() == (analytic && !is_delta(kind) ? 1 : 0));
@@ -282,8 +285,9 @@ TEST_CASE("light kinds: the pdf integrates to one, or to less where samples are 
 
 TEST_CASE("light kinds: samples bring the irradiance that uniform directions meet", "[lights]")
 {
-    const Kind kind = GENERATE(Kind::sphere, Kind::spot_sphere, Kind::wide_sun, Kind::rectangle,
-                               Kind::ellipse, Kind::panel, Kind::ball, Kind::image_world);
+    const Kind kind =
+        GENERATE(Kind::sphere, Kind::spot_sphere, Kind::wide_sun, Kind::rectangle, Kind::ellipse,
+                 Kind::narrow, Kind::panel, Kind::ball, Kind::image_world);
     const LitScene at = lit(lit_scene(kind), kind);
     INFO("kind " << static_cast<int>(kind));
     RunningMean sampled, met;
