@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The evaluated scene as a .glb: what a render of Blender shows, with modifiers and instances."""
 
+import functools
 import hashlib
 import os
 from dataclasses import dataclass, field
@@ -63,6 +64,7 @@ class SceneWriter:
         self.motion = motion
         self.materials = MaterialWriter(self.glb)
         self.losses = []
+        self.is_cancelled = lambda: False  # called while another Blender bakes the world
         self.bakes = {}  # BakedMeshes by the keys of meshes
         self.meshes = {}  # key -> index, or None for a mesh without faces
         self.hash = hashlib.sha256()
@@ -187,9 +189,10 @@ class SceneWriter:
             self.motion.follow(None, item, item.matrix_world, node)
         self.losses += camera_losses(item)
 
-    def add_world(self, world, bake=bake_at_once):
-        """Adds the world and its medium.  bake: as in world_extras."""
-        extras = world_extras(world, self.folder, bake)
+    def add_world(self, world, bake=None):
+        """Adds the world and its medium.  bake: as in world_extras; None: bakes at once."""
+        at_once = functools.partial(bake_at_once, is_cancelled=self.is_cancelled)
+        extras = world_extras(world, self.folder, bake or at_once)
         self.losses += world_losses(world)
         self.glb.json["scenes"][0]["extras"] = {"hipmap": extras}
 
@@ -247,7 +250,9 @@ def export_depsgraph(depsgraph, path, picture, engine=None):
     folder = os.path.dirname(path)
     if engine is None or not scene.render.use_motion_blur:
         writer = SceneWriter(folder)
-        writer.bakes = _baked_meshes(depsgraph, folder, engine) if engine else {}
+        if engine is not None:
+            writer.is_cancelled = engine.test_break
+            writer.bakes = _baked_meshes(depsgraph, folder, engine)
         return _export(depsgraph, path, picture, writer, lambda writer: None)
     shutter = Shutter(scene, engine.frame_set)
     camera = scene.camera.original
@@ -263,6 +268,7 @@ def export_depsgraph(depsgraph, path, picture, engine=None):
     try:
         shutter.set_moment(0)
         writer = SceneWriter(folder, motion)
+        writer.is_cancelled = engine.test_break
         writer.bakes = _baked_meshes(depsgraph, folder, engine)
         return _export(depsgraph, path, picture, writer, add_motion)
     finally:

@@ -6,6 +6,7 @@
 import json
 import os
 import sys
+import time
 
 import bpy
 
@@ -16,6 +17,7 @@ FOLDER, OUT = sys.argv[sys.argv.index("--") + 1:]
 sys.path.insert(0, FOLDER)
 from hipmap import frame, scene_export
 from hipmap import world as world_export
+from hipmap.run import Cancelled
 
 
 def image(name, colour, colour_space="sRGB"):
@@ -263,10 +265,18 @@ def hairy():
 
 def show_foggy_sky():
     """Prints the greatest value of the environment map of a world with a sky and a volume."""
-    world = build.sky_world()
+    world = build.plain_world((0, 0, 0), 2)
     tree = world.node_tree
+    picture = tree.nodes.new("ShaderNodeTexEnvironment")
+    picture.image = image("Sky", (0.9, 0.9, 0.9, 1), "Non-Color")
+    tree.links.new(picture.outputs[0], tree.nodes["Background"].inputs["Color"])
     tree.links.new(tree.nodes.new("ShaderNodeVolumeScatter").outputs[0],
                    tree.nodes["World Output"].inputs["Volume"])
+    began = time.monotonic()
+    try:
+        world_export.bake_at_once(world, OUT + ".exr", lambda: True)
+    except Cancelled:
+        print("cancelled after:", time.monotonic() - began)
     extras = world_export.world_extras(world, os.path.dirname(OUT))
     sky = bpy.data.images.load(os.path.join(os.path.dirname(OUT), extras["world_hdri"]))
     print("sky:", json.dumps([max(sky.pixels), *extras["medium"]["scattering"]]))

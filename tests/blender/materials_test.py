@@ -50,6 +50,7 @@ class Materials(BlenderTestCase):
                             BLENDER_FOLDER, this.path("a.glb"))
         cls.losses = json.loads(re.search(r"^losses: (.*)$", said, re.MULTILINE)[1])
         cls.sky = json.loads(re.search(r"^sky: (.*)$", said, re.MULTILINE)[1])
+        cls.cancelled = float(re.search(r"^cancelled after: (.*)$", said, re.MULTILINE)[1])
         cls.glb = Glb(this.path("a.glb"))
 
     def pbr(self, name):
@@ -195,6 +196,10 @@ class Materials(BlenderTestCase):
     def test_a_sky_is_behind_the_fog_of_its_world(self):
         self.assertGreater(self.sky[0], 1)
         self.assertAlmostEqual(self.sky[1], 0.8, 5)
+
+    def test_a_cancelled_sky_ends_soon_and_leaves_nothing(self):
+        self.assertLess(self.cancelled, 1)
+        self.assertEqual([name for name in os.listdir(self.folder) if name.startswith("a.glb.")], [])
 
     def medium(self, name):
         return self.glb.materials()[name]["extras"]["hipmap"]["medium"]
