@@ -55,7 +55,7 @@ def factor_input(node):
 
 def scaled(colour, factor):
     """Returns the Source of a colour times a factor."""
-    place = colour.place and replace(colour.place, factor=factor)
+    place = colour.place and replace(colour.place, factor=colour.place.factor * factor)
     return replace(colour, value=(*(c * factor for c in colour.numbers()), 1.0), place=place)
 
 
