@@ -23,6 +23,7 @@ _BAD_INPUT = 2
 
 
 _errors = []  # of the frames of the animation under way
+_reported = set()  # what is lost of these frames, each told once
 
 
 def _percent(error):
@@ -59,7 +60,10 @@ class HipmapEngine(ViewportEngine, bpy.types.RenderEngine):
             return
         keep_losses(self.job.scene, self.job.losses)
         for line in self.job.losses:
-            self.report({"WARNING"}, line)
+            if line not in _reported:
+                self.report({"WARNING"}, line)
+        if self.is_animation:
+            _reported.update(self.job.losses)
 
     def update_render_passes(self, scene=None, renderlayer=None):
         """Names the passes of a view layer."""
@@ -143,7 +147,7 @@ class HipmapEngine(ViewportEngine, bpy.types.RenderEngine):
         for line in warnings_of(messages):
             self.report({"WARNING"}, line)
         for line in messages:
-            if line.startswith("cost: "):
+            if line.startswith("cost: ") and not self.is_animation:
                 self.report({"INFO"}, line)
 
     def _show(self, event, layer):
@@ -207,6 +211,7 @@ class HipmapEngine(ViewportEngine, bpy.types.RenderEngine):
 def _end_animation(*_arguments):
     end_server()
     _errors.clear()
+    _reported.clear()
 
 
 _ENDS = (bpy.app.handlers.render_complete, bpy.app.handlers.render_cancel)
