@@ -66,6 +66,7 @@ void ProgressLines::progress(const RunProgress& progress)
     print({{"event", "progress"},
            {"passes", progress.passes},
            {"done", progress.done ? json(*progress.done) : json()},
+           {"left", progress.left ? json(*progress.left) : json()},
            {"error", progress.error ? json(progress.error->error) : json()}});
 }
 

@@ -156,7 +156,8 @@ class HipmapEngine(ViewportEngine, bpy.types.RenderEngine):
         parts = [f"{passes} passes" if passes > 1 else "1 pass" if passes else "first pass"]
         if event["error"] is not None:
             parts.append("error " + _percent(event["error"]))
-        self._tell_state(", ".join(parts))
+        left = [f"{event['left']:.0f} s left"] if event.get("left") is not None else []
+        self._tell_state(", ".join(parts + left))
         if event.get("done") is not None:
             self.update_progress(event["done"])
         images = event.get("images", ())

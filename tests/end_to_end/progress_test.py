@@ -46,6 +46,8 @@ class Progress(ToolsTestCase):
         self.assertEqual(lines[-1]["images"], [self.path("a.pfm"), self.path("a.png")])
         for line in lines:
             self.assertGreaterEqual(line["seconds"], 0)
+            if line["event"] == "progress" and line["passes"] > 0:
+                self.assertGreaterEqual(line["left"], 0)
 
     def test_lines_name_the_error_image_and_the_layers(self):
         files = [self.path(name) for name in ("a.pfm", "error.png", "layers.exr")]
