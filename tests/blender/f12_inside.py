@@ -170,12 +170,13 @@ def layers():
 def frames():
     scene = open_scene("modifiers", "frames")
     ball = bpy.data.objects["Row"]
-    for frame, x in ((1, -2), (3, -1)):
+    for frame, x in ((1, -2), (5, 0)):
         ball.location.x = x
         ball.keyframe_insert("location", frame=frame)
+    scene.frame_end = 5
     scene.render.filepath = out("frame_")
     bpy.ops.render.render(animation=True)
-    for frame in (1, 2, 3):
+    for frame in range(1, 6):
         install_addon.dump(out(f"frame_{frame:04}.exr"), out(f"frame_{frame}.f32"))
 
 

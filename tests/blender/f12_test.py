@@ -181,10 +181,9 @@ class F12(BlenderTestCase):
                          self.by_command_line("border", "--passes", 2, size=size))
 
     def test_frames(self):
-        one, two, three = (self.content(f"frame_{frame}.f32") for frame in (1, 2, 3))
-        self.assertNotEqual(one, two)
-        self.assertNotEqual(two, three)
-        self.assertEqual(three, self.by_command_line("frames", "--passes", 2))
+        frames = [self.content(f"frame_{frame}.f32") for frame in range(1, 6)]
+        self.assertEqual(len(set(frames)), 5)
+        self.assertEqual(frames[-1], self.by_command_line("frames", "--passes", 2))
 
     def test_frames_share_photon_maps_while_only_the_camera_moves(self):
         self.assertEqual(self.facts["flight"], 3 * [False, True])
