@@ -101,6 +101,8 @@ PilotControl pilot_control(const FrameControl& control, bool begins, CoarseImage
     if (!begins || (control.ranks != nullptr && !control.ranks->leads()))
         return out;
     out.coarse = [&, lines = control.lines](const CoarseImage& coarse) {
+        if (control.stop) // in the middle of it
+            return;
         kept = coarse;
         const std::vector<std::filesystem::path> written = images.show(coarse);
         if (lines != nullptr && !written.empty())
