@@ -83,7 +83,8 @@ std::string describe_stops(const StopRules& stops)
 
 std::string describe_progress(const RunProgress& progress, const FramePlace* place)
 {
-    std::string note = counted(progress.passes, "pass", "passes");
+    std::string note =
+        progress.passes > 0 ? counted(progress.passes, "pass", "passes") : "first pass";
     if (progress.error)
         note += ", error " + percent(progress.error->error);
     if (place == nullptr)

@@ -73,7 +73,7 @@ std::vector<LegendEntry> legend_of_errors()
     LegendEntry scale;
     for (int i = 0; i < kSteps; ++i)
         scale.colours.push_back(scale_colour(i / (kSteps - 1.0)));
-    scale.text = "error by pixel: 0.1 % to 100 %, logarithmic";
+    scale.text = "error: 0.1 to 100 %, logarithmic";
     return {scale};
 }
 
