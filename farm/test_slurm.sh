@@ -24,7 +24,7 @@ for program in munged slurmctld slurmd sbatch; do
     }
 done
 
-root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 tools=$(realpath "$1")
 work=$(mktemp -d /tmp/hipmap-slurm-XXXXXX)
 chmod 755 "$work"
@@ -125,13 +125,13 @@ same() { cmp "$1" "$2" && echo "same bits: $(basename "$2")"; }
 submit() { # FOLDER, options...
     to=$work/$1
     shift
-    job=$(RENDER="$tools/render" "$root/farm/hipmap.sbatch" "$scene" "$work/scene.hpm" --to "$to" \
+    job=$(RENDER="$tools/render" "$here/hipmap.sbatch" "$scene" "$work/scene.hpm" --to "$to" \
         --sbatch=--cpus-per-task=1 -o "$to.pfm" "$@" | tee >(cat >&2) | awk '{ print $2 + 0 }')
 }
 
 start_cluster
 sinfo --version
-scene=$root/assets/cornell.glb
+scene=$here/../assets/cornell.glb
 options=(--size 64x48 --photons 20000 --threads 1)
 "$tools/preprocess" "$scene" -o "$work/scene.hpm" 2>/dev/null
 "$tools/render" "$scene" "$work/scene.hpm" "${options[@]}" --passes 160 -o "$work/whole.pfm" 2>/dev/null
