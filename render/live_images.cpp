@@ -58,9 +58,7 @@ std::vector<std::filesystem::path> LiveImages::show(const CoarseImage& coarse)
     Image image(pixels.width(), pixels.height());
     fill_by_coarse(coarse, std::vector<std::uint8_t>(image.pixels.size()), image);
     RenderState without_passes;
-    if (!arguments_.render.crop.empty())
-        without_passes.film.place = {pixels.x0, pixels.y0, arguments_.render.width,
-                                     arguments_.render.height};
+    without_passes.film.place = rendered_place(arguments_.render);
     return images_.write([&] { write_images(image, without_passes); })
                ? files
                : std::vector<std::filesystem::path>();

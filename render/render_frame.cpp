@@ -59,10 +59,9 @@ void print_resuming(const PreparedFrame& frame, const FramePlace* place, Report&
 
 std::string describe_pixels(const RenderOptions& options)
 {
-    PassSource source;
-    set_window(source, options);
-    const std::string size = std::to_string(source.width) + "x" + std::to_string(source.height);
-    const ImagePlace& place = source.place;
+    const PixelRect pixels = rendered_pixels(options);
+    const std::string size = std::to_string(pixels.width()) + "x" + std::to_string(pixels.height());
+    const ImagePlace place = rendered_place(options);
     if (place.whole_width == 0)
         return size;
     return size + " pixels at " + std::to_string(place.x) + "," + std::to_string(place.y) + " of " +

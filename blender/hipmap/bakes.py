@@ -8,7 +8,6 @@ arrays.  A mesh gets a UV map of its own for them, on which no two faces overlap
 import hashlib
 import json
 import os
-import time
 from dataclasses import dataclass, replace
 
 import bpy
@@ -16,12 +15,11 @@ import numpy
 
 from .geometry import BAKED_UV, read_array
 from .node_digest import all_nodes, tree_digest
-from .run import Cancelled, Child, ToolError
+from .run import Child, ToolError, wait_for
 from .sockets import Texture
 from .surfaces import TERMS, surface_of
 
 _SCRIPT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "bake_nodes.py")
-_SECONDS_BETWEEN_LOOKS = 0.05
 _LEAST_PEAK = 1.0
 
 _OF_THE_WORLD = {"ShaderNode" + kind for kind in (
@@ -228,12 +226,7 @@ class NodeBaker:
                    "--python-exit-code", "1", "--python", _SCRIPT, "--", blend, *self._missing]
         try:
             child = Child(command)
-            while child.running():
-                if self._is_cancelled():
-                    child.stop()
-                    raise Cancelled
-                time.sleep(_SECONDS_BETWEEN_LOOKS)
-            if child.finish() != 0:
+            if wait_for(child, self._is_cancelled) != 0:
                 raise ToolError(f"Blender could not bake nodes: {child.last_error()}")
         finally:
             for path in (blend, *(path + ".in" for path in self._missing)):

@@ -3,6 +3,7 @@
 
 import ctypes
 import json
+import math
 import os
 import queue
 import shutil
@@ -16,6 +17,7 @@ import numpy
 
 # A render that is asked to stop writes its image and its state; it gets this long for it.
 _SECONDS_TO_STOP = 0.6
+_SECONDS_BETWEEN_LOOKS = 0.05
 _PR_SET_PDEATHSIG = 1
 _NAMES = {"preprocess": ("hipmap-preprocess", "preprocess"), "render": ("hipmap-render", "render"),
           "vdb_to_vol": ("vdb_to_vol",)}
@@ -131,6 +133,21 @@ class Child:
         """The line that says why the program failed."""
         errors = [line for line in self.messages if line.startswith("error: ")]
         return (errors or self.messages or ["no message"])[-1]
+
+
+def wait_for(child, is_cancelled, seconds=math.inf):
+    """Waits for the end of a Child.  Returns its exit code.  is_cancelled: called meanwhile.  Throws
+    Cancelled, or ToolError if it takes more than so many seconds."""
+    end = time.monotonic() + seconds
+    while child.running():
+        if is_cancelled():
+            child.stop()
+            raise Cancelled
+        if time.monotonic() > end:
+            child.stop()
+            raise ToolError(f"it took more than {seconds} s")
+        time.sleep(_SECONDS_BETWEEN_LOOKS)
+    return child.finish()
 
 
 def warnings_of(messages):

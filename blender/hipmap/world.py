@@ -2,21 +2,19 @@
 """The world: a plain colour, or an environment map that Cycles renders of its nodes."""
 
 import os
-import time
 from dataclasses import dataclass
 
 import bpy
 
 from .losses import label
 from .node_digest import all_nodes, tree_digest
-from .run import Cancelled, Child, ToolError
+from .run import Child, ToolError, wait_for
 from .volumes import medium_of
 
 _BAKE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "bake_world.py")
 _DEFAULT_WIDTH = 2048
 _GREATEST_WIDTH = 4096
 _SECONDS_TO_BAKE = 120
-_SECONDS_BETWEEN_LOOKS = 0.05
 _PART = ".part.exr"  # of the name of a map under way
 
 
@@ -91,27 +89,14 @@ def bake_at_once(world, path, is_cancelled=lambda: False):
     bake = prepare_bake(world, path)
     try:
         child = Child(bake.command)
-        _wait(child, bake, is_cancelled)
+        code = wait_for(child, is_cancelled, _SECONDS_TO_BAKE)
     except ToolError as error:
         raise bake.failed(error) from error
     finally:
         for left in filter(os.path.exists, (bake.blend, path + _PART)):
             os.remove(left)
-    if child.finish() != 0 or not os.path.isfile(path):
+    if code != 0 or not os.path.isfile(path):
         raise bake.failed(child.last_error())
-
-
-def _wait(child, bake, is_cancelled):
-    """Waits for the end of a Blender that bakes."""
-    end = time.monotonic() + _SECONDS_TO_BAKE
-    while child.running():
-        if is_cancelled():
-            child.stop()
-            raise Cancelled
-        if time.monotonic() > end:
-            child.stop()
-            raise bake.failed(f"it took more than {_SECONDS_TO_BAKE} s")
-        time.sleep(_SECONDS_BETWEEN_LOOKS)
 
 
 def _medium(world):

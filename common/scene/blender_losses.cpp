@@ -121,11 +121,9 @@ void note_white_materials(const json& root, SceneAudit& audit)
 }
 
 /// Whether the add-on wrote or completed the file: it names in Blender what is lost.
-bool is_completed(const json& root)
+bool is_completed(const GltfDocument& document)
 {
-    const auto generator = root["asset"].find("generator");
-    return generator != root["asset"].end() && generator->is_string() &&
-           generator->get<std::string>().find("hipmap for Blender") != std::string::npos;
+    return generator_of(document).find("hipmap for Blender") != std::string::npos;
 }
 
 } // namespace
@@ -135,7 +133,7 @@ void note_blender_losses(const GltfDocument& document, const std::vector<PlacedN
 {
     SceneAudit& audit = scene.audit;
     note_white_materials(document.json, audit);
-    if (is_completed(document.json))
+    if (is_completed(document))
         return;
     const std::vector<std::string> leaves = empty_leaves(document.json, nodes);
     if (!leaves.empty())

@@ -123,4 +123,11 @@ GltfDocument read_gltf_document(const std::filesystem::path& path)
     return document;
 }
 
+std::string generator_of(const GltfDocument& document)
+{
+    const json& asset = document.json.at("asset");
+    const auto generator = asset.find("generator");
+    return generator != asset.end() && generator->is_string() ? generator->get<std::string>() : "";
+}
+
 } // namespace hipmap

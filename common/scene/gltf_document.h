@@ -25,6 +25,9 @@ struct GltfDocument {
     }
 };
 
+/// Returns the name of the program that wrote the file; empty if it says none.
+std::string generator_of(const GltfDocument& document);
+
 /// Returns whether a material, texture, node or buffer has an extension.
 inline bool has_extension(const nlohmann::json& thing, const char* name)
 {

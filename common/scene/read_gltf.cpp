@@ -90,20 +90,13 @@ void note_animation(const GltfAnimation& animation, std::optional<double> time, 
                                 "renders frames of it)");
 }
 
-/// Returns the name of the program that wrote the file; empty if it says none.
-std::string generator_of(const nlohmann::json& asset)
-{
-    const auto generator = asset.find("generator");
-    return generator != asset.end() && generator->is_string() ? generator->get<std::string>() : "";
-}
-
 } // namespace
 
 GltfSource::GltfSource(const std::filesystem::path& path, const SceneOptions& options)
     : document_(read_gltf_document(path)), model_(parse_gltf(document_)), rest_(model_.nodes)
 {
     timeless_.path = path;
-    const std::string generator = generator_of(document_.json.at("asset"));
+    const std::string generator = generator_of(document_);
     by_blender_ = look_of_generator(generator).has_value();
     timeless_.look = choose_look(options.look, generator);
     timeless_.light_units = options.light_units;

@@ -9,8 +9,7 @@ void set_window(PassSource& source, const RenderOptions& options)
     const PixelRect pixels = rendered_pixels(options);
     source.width = pixels.width();
     source.height = pixels.height();
-    if (!options.crop.empty())
-        source.place = {pixels.x0, pixels.y0, options.width, options.height};
+    source.place = rendered_place(options);
 }
 
 RenderOptions pilot_options(RenderOptions options)

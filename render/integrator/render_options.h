@@ -56,6 +56,14 @@ inline PixelRect rendered_pixels(const RenderOptions& options)
     return options.crop.empty() ? PixelRect{0, 0, options.width, options.height} : options.crop;
 }
 
+/// Returns the place of these pixels in the whole image.
+inline ImagePlace rendered_place(const RenderOptions& options)
+{
+    if (options.crop.empty())
+        return {};
+    return {options.crop.x0, options.crop.y0, options.width, options.height};
+}
+
 /// Statistics of one kind of photon, summed over the passes.
 struct KindStatistics {
     std::uint64_t stored = 0;
