@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 """Measures preprocess and render on large scenes, and writes the tables of docs/large_scenes.md.
 
-    bench/large_scenes.py FOLDER_OF_TOOLS WORK_FOLDER [--millions M...] [--only triangles|instances]
+    bench/large_scenes.py FOLDER_OF_TOOLS WORK_FOLDER [--millions M...] [--only triangles|instances|textures]
                           [--to docs/large_scenes.md]
 
-Scenes come from the program large_scene.  A triangle needs 60 bytes of disk and 200 bytes of memory.  The text between
-<!-- triangles --> or <!-- instances --> and <!-- end --> in the file is replaced.
+Scenes come from the programs large_scene and textured_scene.  A triangle needs 60 bytes of disk and 200 bytes of
+memory, the textures 7 GB of both.  The text between <!-- triangles -->, <!-- instances --> or <!-- textures --> and
+<!-- end --> in the file is replaced.
 """
 
 import argparse
@@ -62,10 +63,10 @@ class Bench:
         measured.facts = read_json(self.path("scene.json"))
         return measured
 
-    def render(self, scene):
+    def render(self, scene, *options):
         measured = Measured([self.tool("render"), scene, self.path("scene.hpm"), "-o", self.path("image.png"),
                              "--size", "320x240", "--passes", "1", "--photons", "1000000", "--stats",
-                             self.path("stats.json")])
+                             self.path("stats.json"), *options])
         measured.facts = read_json(self.path("stats.json"))
         return measured
 
@@ -161,6 +162,22 @@ def table_of_instances(bench):
     return lines
 
 
+def table_of_textures(bench):
+    """A wall of cards with a texture each, by the memory that their pixels may take."""
+    scene = bench.path("textures.glb")
+    subprocess.run([bench.tool("textured_scene"), "100", "4096", scene], check=True)
+    bench.preprocess(scene)
+    lines = header("--texture-cache, MiB", "load: s", "image of a pass: s", "processor s in all", "GB at the peak")
+    for limit in (8192, 4096, 2048, 1024, 256, 16):
+        shown = bench.render(scene, "--texture-cache", str(limit))
+        seconds = shown.facts["seconds"]
+        lines.append(row(f"{limit:,}", f"{seconds['scene']:.0f}", f"{seconds['image']:.1f}",
+                         f"{shown.processor_seconds:.0f}", f"{shown.peak / 1e9:.2f}"))
+        print(lines[-1], flush=True)
+    os.remove(scene)
+    return lines
+
+
 def table_of_triangles(bench, millions):
     return [*table_of_kinds(bench), "", *table_of_threads(bench), "", *table_of_bytes(bench), "",
             *table_of_sizes(bench, millions)]
@@ -171,12 +188,12 @@ def main():
     parser.add_argument("tools")
     parser.add_argument("folder")
     parser.add_argument("--millions", type=float, nargs="+", default=[1, 10, 30, 90])
-    parser.add_argument("--only", choices=("triangles", "instances"))
+    parser.add_argument("--only", choices=("triangles", "instances", "textures"))
     parser.add_argument("--to")
     arguments = parser.parse_args()
     bench = Bench(arguments.tools, arguments.folder)
     tables = {"triangles": lambda: table_of_triangles(bench, arguments.millions),
-              "instances": lambda: table_of_instances(bench)}
+              "instances": lambda: table_of_instances(bench), "textures": lambda: table_of_textures(bench)}
     for name in [arguments.only] if arguments.only else tables:
         text = "\n".join(tables[name]())
         if not arguments.to:

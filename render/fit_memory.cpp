@@ -43,8 +43,7 @@ double scene_bytes(const PreparedFrame& frame)
     double out = kFace * static_cast<double>(scene.mesh.face_count()) +
                  kCopy * static_cast<double>(scene.mesh.copies.size()) +
                  kSkyPixel * static_cast<double>(frame.sky.radiance.pixels.size());
-    for (const TextureImage& image : scene.images)
-        out += static_cast<double>(image.rgba.size());
+    out += static_cast<double>(bytes_of_textures(scene.images).in_memory);
     for (const Material& material : scene.materials)
         if (material.density)
             out += static_cast<double>(material.density->values.size() * sizeof(float));

@@ -9,6 +9,7 @@ constexpr Choice<LightUnits> kLightUnits[] = {
 
 constexpr double kMostRadiance = 1e12;
 constexpr double kMostThreads = 4096;
+constexpr double kMostMib = 1 << 24;
 
 void parse_environment(const std::string& text, SceneOptions& options, SkyOptions& sky)
 {
@@ -63,6 +64,11 @@ std::vector<OptionRow> scene_rows(SceneOptions& options, SkyOptions& sky)
              .field = number_field(sky.turn_deg, {-360, 360}, "DEG"),
              .help = "Rotation of the environment map in degrees, counter-clockwise from above",
              .changes = Changes::scene},
+            {.name = "texture-cache",
+             .section = kRunSection,
+             .field = number_field(options.texture_cache_mib, {0, kMostMib}, "MIB"),
+             .help = "MiB of memory for the pixels of textures; where they are more, they are in a "
+                     "temporary file (TMPDIR), which costs time but changes no image"},
             {.name = "exclude",
              .section = kSceneSection,
              .field = texts_field(options.exclude, "NAME"),

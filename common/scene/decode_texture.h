@@ -9,7 +9,7 @@ namespace hipmap {
 
 /// The most pixels of one texture; all textures of a scene together may have kMostPixelsInAll.
 inline constexpr std::uint64_t kMostPixels = std::uint64_t{1} << 28;
-inline constexpr std::uint64_t kMostPixelsInAll = std::uint64_t{1} << 30;
+inline constexpr std::uint64_t kMostPixelsInAll = std::uint64_t{1} << 33;
 
 /// A decoded texture, or the reason why it could not be decoded.
 struct DecodedTexture {

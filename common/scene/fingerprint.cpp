@@ -136,9 +136,8 @@ void add_medium(Hasher& hasher, const Medium& medium)
 
 void add_image(Hasher& hasher, const TextureImage& texture)
 {
-    const auto& [name, width, height, rgba] = texture;
-    hasher.add(width, height);
-    hasher.add_array(rgba);
+    const auto& [name, width, height, rgba, cached] = texture;
+    hasher.add(width, height, pixel_digest(texture));
 }
 
 /// Hashes the numbers of a light, whatever they are.

@@ -128,11 +128,10 @@ std::optional<std::uint32_t> GltfTextureReader::add_roughness(std::uint32_t imag
     const auto found = roughness_images_.find({image, glossiness});
     if (found != roughness_images_.end())
         return found->second;
-    const TextureImage& shown = scene_.images[image];
-    if (!store_.has_room_for(shown, "glossiness of texture"))
+    if (!store_.has_room_for(scene_.images[image], "glossiness of texture"))
         return std::nullopt;
-    return roughness_images_[{image, glossiness}] =
-               store_.add(roughness_of_glossiness(shown, std::clamp(glossiness, 0.0f, 1.0f)));
+    return roughness_images_[{image, glossiness}] = store_.add(
+               roughness_of_glossiness(store_.copy_of(image), std::clamp(glossiness, 0.0f, 1.0f)));
 }
 
 std::optional<TextureSlot> GltfTextureReader::read_slot(const SlotKind& kind, const json& info,

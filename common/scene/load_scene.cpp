@@ -52,20 +52,34 @@ auto within_memory(const std::filesystem::path& path, const Read& read)
 }
 
 /// OBJ names no program that wrote the file.
-RawScene read_obj_as(LookChoice asked, const std::filesystem::path& path)
+RawScene read_obj_as(const SceneOptions& options, const std::filesystem::path& path)
 {
-    RawScene scene = read_obj(path);
-    scene.look = choose_look(asked, "");
+    RawScene scene = read_obj(path, options.texture_cache_mib);
+    scene.look = choose_look(options.look, "");
     for (Material& material : scene.materials)
         shade_like(scene.look, material);
     return scene;
 }
+
+constexpr std::uint64_t kMib = 1 << 20;
 
 void note_size(const RawScene& raw, SceneAudit& audit)
 {
     audit.found.insert(audit.found.begin(), counted(raw.all_face_count(), "face") + " in " +
                                                 counted(raw.objects.size(), "object") + ", " +
                                                 counted(raw.materials.size(), "material"));
+}
+
+void note_textures(const std::vector<TextureImage>& images, SceneAudit& audit)
+{
+    const auto [all, in_memory] = bytes_of_textures(images);
+    const auto mib = [](std::uint64_t bytes) {
+        return std::to_string((bytes + kMib - 1) / kMib) + " MiB";
+    };
+    if (all > in_memory)
+        audit.assumed.push_back("textures of " + mib(all) + " are in a temporary file, and " +
+                                mib(in_memory) +
+                                " of them in memory, as --texture-cache says: more are faster");
 }
 
 } // namespace
@@ -84,7 +98,7 @@ SceneSource::SceneSource(const std::filesystem::path& path, const SceneOptions& 
         if (is_gltf(path))
             impl_->gltf.emplace(path, options);
         else
-            impl_->obj = read_obj_as(options.look, path);
+            impl_->obj = read_obj_as(options, path);
         return true;
     });
 }
@@ -109,6 +123,7 @@ LoadedScene SceneSource::at(std::optional<double> time, bool last)
                                             "same");
         if (is_blender(raw.look))
             loaded.audit.assumed.push_back(describe_look(raw.look));
+        note_textures(raw.images, loaded.audit);
         loaded.scene = to_scene_units(raw);
         complete_scene(loaded, options, impl_->path);
         return loaded;

@@ -69,10 +69,7 @@ TextureImage white_image(const TextureImage& like)
 /// Opacity maps are grey, or hold it in their alpha.
 int opacity_channel(const TextureImage& image)
 {
-    for (std::size_t i = 3; i < image.rgba.size(); i += 4)
-        if (image.rgba[i] != 255)
-            return 3;
-    return 0;
+    return has_alpha(image) ? 3 : 0;
 }
 
 } // namespace
@@ -116,9 +113,9 @@ void ObjTextureReader::read_opacity(const tinyobj::material_t& mtl, Material& ou
     const auto base =
         std::find_if(out.textures.begin(), out.textures.end(),
                      [](const TextureSlot& slot) { return slot.use == TextureUse::base_color; });
-    const TextureImage& opacity = scene_.images[*image];
+    const TextureImage opacity = store_.copy_of(*image);
     TextureImage joined =
-        base == out.textures.end() ? white_image(opacity) : scene_.images[base->image];
+        base == out.textures.end() ? white_image(opacity) : store_.copy_of(base->image);
     copy_channel(opacity, opacity_channel(opacity), joined, 3);
     const auto made = add_image(std::move(joined));
     if (!made)
@@ -136,11 +133,11 @@ void ObjTextureReader::read_physical(const tinyobj::material_t& mtl, Material& o
 {
     const auto rough = image_of(mtl.roughness_texname), metal = image_of(mtl.metallic_texname);
     if (rough || metal) {
-        TextureImage joined = white_image(scene_.images[rough ? *rough : *metal]);
+        TextureImage joined = white_image(store_.copy_of(rough ? *rough : *metal));
         if (rough)
-            copy_channel(scene_.images[*rough], 0, joined, 1);
+            copy_channel(store_.copy_of(*rough), 0, joined, 1);
         if (metal)
-            copy_channel(scene_.images[*metal], 0, joined, 2);
+            copy_channel(store_.copy_of(*metal), 0, joined, 2);
         if (const auto made = add_image(std::move(joined))) {
             add_slot(slot_of(TextureUse::metallic_roughness, *made,
                              rough ? mtl.roughness_texopt : mtl.metallic_texopt),
@@ -167,7 +164,7 @@ void ObjTextureReader::read_exponents(const tinyobj::material_t& mtl, bool by_bl
     const auto image = image_of(name);
     if (!image)
         return;
-    TextureImage rough = scene_.images[*image];
+    TextureImage rough = store_.copy_of(*image);
     for (std::size_t i = 0; i < rough.rgba.size(); i += 4) {
         const float value = static_cast<float>(rough.rgba[i]) / 255;
         const float roughness =
@@ -202,7 +199,8 @@ void ObjTextureReader::read_bump(const tinyobj::material_t& mtl, Material& out)
         unread_["map_Bump"].push_back(mtl.name);
         return;
     }
-    if (holds_normals(scene_.images[*image])) {
+    const TextureImage bumps = store_.copy_of(*image);
+    if (holds_normals(bumps)) {
         TextureSlot slot = slot_of(TextureUse::normal, *image, option);
         slot.strength = strength;
         add_slot(slot, out);
@@ -211,8 +209,8 @@ void ObjTextureReader::read_bump(const tinyobj::material_t& mtl, Material& out)
     }
     const auto [at, is_new] = bumps_.try_emplace({mtl.bump_texname, strength, option.clamp});
     if (is_new)
-        at->second = add_image(normals_of_heights(scene_.images[*image], strength,
-                                                  option.clamp ? Wrap::clamp : Wrap::repeat));
+        at->second = add_image(
+            normals_of_heights(bumps, strength, option.clamp ? Wrap::clamp : Wrap::repeat));
     if (at->second) {
         add_slot(slot_of(TextureUse::normal, *at->second, option), out);
         heights_.push_back(mtl.name);

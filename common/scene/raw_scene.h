@@ -53,6 +53,7 @@ struct RawScene {
     std::vector<RawObject> objects;
     std::vector<Material> materials; ///< media per metre, thickness in metres
     std::vector<TextureImage> images;
+    double texture_cache_mib = SceneOptions().texture_cache_mib; ///< see there
     std::vector<SceneLight> lights;
     std::vector<RawCamera> cameras;
     glm::dvec3 world{0.0};                ///< radiance of the sky, W/(m2 sr)

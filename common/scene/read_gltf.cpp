@@ -100,6 +100,8 @@ GltfSource::GltfSource(const std::filesystem::path& path, const SceneOptions& op
     by_blender_ = look_of_generator(generator).has_value();
     timeless_.look = choose_look(options.look, generator);
     timeless_.light_units = options.light_units;
+    timeless_.texture_cache_mib = options.texture_cache_mib;
+    document_.bytes = {}; // the model has its own
     read_gltf_materials(document_, model_, timeless_);
     animation_ = read_gltf_animation(document_, model_, timeless_.audit);
     const bool has_copies = animation_.channels.empty() && options.exclude.empty();

@@ -215,11 +215,12 @@ void note_unread(const ObjText& text, SceneAudit& audit)
 
 } // namespace
 
-RawScene read_obj(const std::filesystem::path& path)
+RawScene read_obj(const std::filesystem::path& path, double texture_cache_mib)
 {
     ObjText text = read_obj_text(path);
     RawScene scene;
     scene.path = path;
+    scene.texture_cache_mib = texture_cache_mib;
     ObjBuilder build(text, scene);
     std::istringstream stream(std::move(text.text));
     tinyobj::LoadObjWithCallback(stream, callbacks(), &build);

@@ -1,8 +1,13 @@
 #include "common/scene/texture.h"
 
+#include "common/scene/texture_cache.h"
+
+#include <xxhash.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 
 namespace hipmap {
 
@@ -22,15 +27,28 @@ std::array<float, kLevels> make_srgb_table()
     return table;
 }
 
+std::array<std::uint8_t, 4> bytes_of_pixel(const TextureImage& image, int x, int y)
+{
+    std::array<std::uint8_t, 4> rgba;
+    if (image.cached) {
+        const std::uint32_t found =
+            image.cached->cache->pixel(image.cached->first_tile, image.width, x, y);
+        std::memcpy(rgba.data(), &found, sizeof found);
+        return rgba;
+    }
+    const std::size_t at = static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
+                           static_cast<std::size_t>(x);
+    std::memcpy(rgba.data(), image.rgba.data() + 4 * at, sizeof rgba);
+    return rgba;
+}
+
 glm::vec4 pixel(const TextureImage& image, bool srgb, int x, int y)
 {
     static const std::array<float, kLevels> kLinear = make_srgb_table();
-    const std::size_t at =
-        4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
-             static_cast<std::size_t>(x));
-    const std::uint8_t* const rgba = image.rgba.data() + at;
+    const std::array<std::uint8_t, 4> rgba = bytes_of_pixel(image, x, y);
     const auto level = [&](int c) {
-        return srgb ? kLinear[rgba[c]] : static_cast<float>(rgba[c]) / 255.0f;
+        const std::uint8_t byte = rgba[static_cast<std::size_t>(c)];
+        return srgb ? kLinear[byte] : static_cast<float>(byte) / 255.0f;
     };
     return {level(0), level(1), level(2), static_cast<float>(rgba[3]) / 255.0f};
 }
@@ -83,6 +101,53 @@ const TextureSlot* find_texture(const std::vector<TextureSlot>& slots, TextureUs
     const auto found = std::find_if(slots.begin(), slots.end(),
                                     [&](const TextureSlot& slot) { return slot.use == use; });
     return found == slots.end() ? nullptr : &*found;
+}
+
+void move_to_cache(TextureImage& image, const std::shared_ptr<TextureCache>& cache)
+{
+    const CachedPixels cached{cache, cache->add(image.rgba, image.width, image.height),
+                              has_alpha(image), pixel_digest(image)};
+    image.rgba = {};
+    image.cached = cached;
+}
+
+TextureImage in_memory(const TextureImage& image)
+{
+    TextureImage out = image;
+    if (image.cached)
+        out.rgba = image.cached->cache->image(image.cached->first_tile, image.width, image.height);
+    out.cached.reset();
+    return out;
+}
+
+PixelDigest pixel_digest(const TextureImage& image)
+{
+    if (image.cached)
+        return image.cached->digest;
+    const XXH128_hash_t hash = XXH3_128bits(image.rgba.data(), image.rgba.size());
+    return {hash.low64, hash.high64};
+}
+
+bool has_alpha(const TextureImage& image)
+{
+    if (image.cached)
+        return image.cached->has_alpha;
+    for (std::size_t alpha = 3; alpha < image.rgba.size(); alpha += 4)
+        if (image.rgba[alpha] < 255)
+            return true;
+    return false;
+}
+
+TextureBytes bytes_of_textures(const std::vector<TextureImage>& images)
+{
+    TextureBytes bytes;
+    for (const TextureImage& image : images)
+        bytes.all +=
+            4 * static_cast<std::uint64_t>(image.width) * static_cast<std::uint64_t>(image.height);
+    const bool cached = !images.empty() && images.front().cached;
+    bytes.in_memory =
+        cached ? std::min(bytes.all, images.front().cached->cache->capacity()) : bytes.all;
+    return bytes;
 }
 
 glm::vec4 sample_texture(const TextureImage& image, const Sampler& sampler, glm::vec2 uv)

@@ -2,18 +2,35 @@
 
 #include <glm/glm.hpp>
 
+#include <array>
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace hipmap {
+
+class TextureCache;
+
+/// A 128-bit hash of pixels.
+using PixelDigest = std::array<std::uint64_t, 2>;
+
+/// The pixels of a texture that memory need not hold.
+struct CachedPixels {
+    std::shared_ptr<TextureCache> cache;
+    std::uint32_t first_tile = 0;
+    bool has_alpha = false; ///< some alpha is below 255
+    PixelDigest digest{};
+};
 
 /// A texture as its file has it, 8 bits a channel, rows from the top left.
 struct TextureImage {
     std::string name;
     int width = 0;
     int height = 0;
-    std::vector<std::uint8_t> rgba; ///< [4 * width * height]
+    std::vector<std::uint8_t> rgba;     ///< [4 * width * height]; empty if `cached` has the pixels
+    std::optional<CachedPixels> cached; ///< none: all pixels are in memory
 };
 
 /// How a texture continues outside [0, 1]: repeated, mirrored, or by its edge.
@@ -63,10 +80,33 @@ struct TextureSlot {
 /// Returns the slot for `use`; null if there is none.
 const TextureSlot* find_texture(const std::vector<TextureSlot>& slots, TextureUse use);
 
+/// Moves the pixels of a texture that has some into a cache.  Throws InputError as
+/// TextureCache::add does.  One thread.
+void move_to_cache(TextureImage& image, const std::shared_ptr<TextureCache>& cache);
+
+/// Returns a copy of a texture with all pixels in memory.  Throws InputError if they cannot be
+/// read.
+TextureImage in_memory(const TextureImage& image);
+
+/// Returns a hash of the pixels, wherever they are.  Linear in the pixels of a
+/// texture that is in memory.
+PixelDigest pixel_digest(const TextureImage& image);
+
+/// Returns whether some pixel has an alpha below 255.  Cost: as pixel_digest.
+bool has_alpha(const TextureImage& image);
+
+/// Returns the bytes that the pixels of all textures of a scene take, and those of them that memory
+/// holds at most.
+struct TextureBytes {
+    std::uint64_t all = 0, in_memory = 0;
+};
+TextureBytes bytes_of_textures(const std::vector<TextureImage>& images);
+
 /// Samples a texture at `uv`, (0, 0) its top left corner and (1, 1) its bottom right one: linear
 /// RGB and alpha in [0, 1].  Bilinear between the middles of pixels, after sRGB values are made
 /// linear; or the pixel that holds the point, if sampler.magnify says nearest. A coordinate that is
-/// not finite counts as 0; a texture without pixels is white.  Thread-safe.
+/// not finite counts as 0; a texture without pixels is white.  Throws InputError if a cache cannot
+/// read its file.  Thread-safe.
 glm::vec4 sample_texture(const TextureImage& image, const Sampler& sampler, glm::vec2 uv);
 
 /// Returns whether all numbers of a transform of texture coordinates are finite.

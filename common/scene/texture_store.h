@@ -9,7 +9,8 @@
 
 namespace hipmap {
 
-/// Adds textures to a scene while all of them together have at most kMostPixelsInAll pixels.
+/// Adds textures to a scene while all of them together have at most kMostPixelsInAll pixels.  Once
+/// their pixels exceed the scene's texture_cache_mib, all go into one TextureCache.
 class TextureStore {
   public:
     /// scene: borrowed.
@@ -22,8 +23,12 @@ class TextureStore {
     /// if not.
     bool has_room_for(const TextureImage& image, const std::string& what);
 
-    /// Adds an image for which there is room, and returns its index.
+    /// Adds an image for which there is room, and returns its index.  Throws InputError as
+    /// TextureCache::add does.
     std::uint32_t add(TextureImage image);
+
+    /// Returns a copy of an image of the scene with all pixels in memory.
+    TextureImage copy_of(std::uint32_t index) const;
 
     /// Warns that a texture cannot be used.  problem: as in DecodedTexture.
     void warn(const std::string& name, const std::string& problem);
@@ -31,6 +36,7 @@ class TextureStore {
   private:
     RawScene& scene_;
     std::uint64_t pixels_left_ = kMostPixelsInAll;
+    std::shared_ptr<TextureCache> cache_; ///< null: all pixels are in memory
 };
 
 } // namespace hipmap

@@ -8,14 +8,6 @@ namespace hipmap {
 
 namespace {
 
-bool is_see_through(const TextureImage& image)
-{
-    for (std::size_t alpha = 3; alpha < image.rgba.size(); alpha += 4)
-        if (image.rgba[alpha] < 255)
-            return true;
-    return false;
-}
-
 float covered_share(const Scene& scene, FaceId face, const glm::vec2& barycentric)
 {
     const Material& material = scene.materials[scene.mesh.material_of(face)];
@@ -33,8 +25,7 @@ bool may_let_light_pass(const Scene& scene, const Material& material)
         return false;
     const TextureSlot* slot = find_texture(material.textures, TextureUse::base_color);
     const float least = material.alpha_mode == AlphaMode::mask ? material.alpha_cutoff : 1.0f;
-    return material.alpha < least ||
-           (slot != nullptr && is_see_through(scene.images[slot->image])) ||
+    return material.alpha < least || (slot != nullptr && has_alpha(scene.images[slot->image])) ||
            std::any_of(scene.mesh.attributes.colours.begin(), scene.mesh.attributes.colours.end(),
                        [](const glm::vec4& colour) { return colour.w < 1; });
 }
