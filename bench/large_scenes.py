@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 """Measures preprocess and render on large scenes, and writes the tables of docs/large_scenes.md.
 
-    bench/large_scenes.py FOLDER_OF_TOOLS WORK_FOLDER [--millions M...] [--only triangles|instances|textures]
+    bench/large_scenes.py FOLDER_OF_TOOLS WORK_FOLDER [--millions M...] [--only triangles|instances|textures|lookups]
                           [--to docs/large_scenes.md]
 
 Scenes come from the programs large_scene and textured_scene.  A triangle needs 60 bytes of disk and 200 bytes of
-memory, the textures 7 GB of both.  The text between <!-- triangles -->, <!-- instances --> or <!-- textures --> and
-<!-- end --> in the file is replaced.
+memory, the textures 7 GB of both.  The text between <!-- triangles -->, <!-- instances -->, <!-- textures --> or
+<!-- lookups --> and <!-- end --> in the file is replaced.  lookups needs texture_lookups (bench/CMakeLists.txt).
 """
 
 import argparse
@@ -178,6 +178,10 @@ def table_of_textures(bench):
     return lines
 
 
+def table_of_lookups(bench):
+    return subprocess.run([bench.tool("texture_lookups")], check=True, text=True, capture_output=True).stdout.splitlines()
+
+
 def table_of_triangles(bench, millions):
     return [*table_of_kinds(bench), "", *table_of_threads(bench), "", *table_of_bytes(bench), "",
             *table_of_sizes(bench, millions)]
@@ -188,12 +192,13 @@ def main():
     parser.add_argument("tools")
     parser.add_argument("folder")
     parser.add_argument("--millions", type=float, nargs="+", default=[1, 10, 30, 90])
-    parser.add_argument("--only", choices=("triangles", "instances", "textures"))
+    parser.add_argument("--only", choices=("triangles", "instances", "textures", "lookups"))
     parser.add_argument("--to")
     arguments = parser.parse_args()
     bench = Bench(arguments.tools, arguments.folder)
     tables = {"triangles": lambda: table_of_triangles(bench, arguments.millions),
-              "instances": lambda: table_of_instances(bench), "textures": lambda: table_of_textures(bench)}
+              "instances": lambda: table_of_instances(bench), "textures": lambda: table_of_textures(bench),
+              "lookups": lambda: table_of_lookups(bench)}
     for name in [arguments.only] if arguments.only else tables:
         text = "\n".join(tables[name]())
         if not arguments.to:

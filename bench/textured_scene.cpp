@@ -115,8 +115,10 @@ void add_node(GltfFile& file, json node, const json& material)
 
 void add_cards(GltfFile& file, int textures, int side)
 {
-    for (int i = 0; i < std::min(textures, kDistinct); ++i)
-        file.add_view(std::as_bytes(std::span(jpeg(side, static_cast<std::uint64_t>(i)))));
+    for (int i = 0; i < std::min(textures, kDistinct); ++i) {
+        const std::string image = jpeg(side, static_cast<std::uint64_t>(i));
+        file.add_view(std::as_bytes(std::span(image)));
+    }
     const int across = static_cast<int>(std::ceil(std::sqrt(textures)));
     for (int i = 0; i < textures; ++i) {
         file.root["images"].push_back(

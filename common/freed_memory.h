@@ -6,7 +6,16 @@
 #include <malloc.h>
 #endif
 
+#include <vector>
+
 namespace hipmap {
+
+/// Frees the memory of an array; assigning {} to it would keep that for new elements.
+template <typename T>
+void free_array(std::vector<T>& array)
+{
+    std::vector<T>().swap(array);
+}
 
 /// Returns the memory of freed arrays to the system; C's library otherwise keeps it for new arrays.
 /// A stage that allocates many arrays calls it at its end.  Takes milliseconds for gigabytes.

@@ -76,6 +76,7 @@ std::vector<OptionRow> option_rows(PreprocessArguments& arguments)
     append_rows(rows, scene_rows(arguments.scene_options, arguments.sky));
     append_rows(rows, frame_rows(arguments.frames));
     rows.push_back(threads_row(arguments.threads));
+    rows.push_back(texture_cache_row(arguments.scene_options.texture_cache_mib));
     rows.push_back(verbose_row(arguments.verbose));
     rows.push_back({.name = "quiet",
                     .section = kRunSection,

@@ -13,8 +13,8 @@ std::string text_of(const PassSet& passes);
 /// Describes a state in a line: its image, its pixels, its passes and its error.
 std::string describe_state(const RenderState& state);
 
-/// Returns what the image of a state lacks, in pixels of the whole image: of `passes` passes from
-/// 0; none: of those between the first and the last that any pixel holds.
+/// Returns the pixels of the whole image that lack passes, and which.  passes: how many there
+/// should be, from 0; none: all between the first and the last that any pixel holds.
 std::vector<FilmPart> missing_from(const RenderState& state, std::optional<std::uint64_t> passes);
 
 /// Describes the passes that some pixels lack, and how to render them.

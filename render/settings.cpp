@@ -340,6 +340,7 @@ std::vector<OptionRow> speed_rows(RenderArguments& arguments)
              .section = kRunSection,
              .field = number_field(arguments.photon_cache_mib, {0, kMostMib}, "MIB"),
              .help = "MiB for photon maps that further frames reuse while only the camera moves"},
+            texture_cache_row(arguments.scene_options.texture_cache_mib),
             {.name = "mpi",
              .section = kRunSection,
              .field = flag_field(arguments.mpi),

@@ -64,11 +64,6 @@ std::vector<OptionRow> scene_rows(SceneOptions& options, SkyOptions& sky)
              .field = number_field(sky.turn_deg, {-360, 360}, "DEG"),
              .help = "Rotation of the environment map in degrees, counter-clockwise from above",
              .changes = Changes::scene},
-            {.name = "texture-cache",
-             .section = kRunSection,
-             .field = number_field(options.texture_cache_mib, {0, kMostMib}, "MIB"),
-             .help = "MiB of memory for the pixels of textures; where they are more, they are in a "
-                     "temporary file (TMPDIR), which costs time but changes no image"},
             {.name = "exclude",
              .section = kSceneSection,
              .field = texts_field(options.exclude, "NAME"),
@@ -82,6 +77,15 @@ OptionRow threads_row(unsigned& threads)
             .section = kRunSection,
             .field = number_field(threads, {0, kMostThreads}),
             .help = "Threads; 0: all cores"};
+}
+
+OptionRow texture_cache_row(double& mib)
+{
+    return {.name = "texture-cache",
+            .section = kRunSection,
+            .field = number_field(mib, {0, kMostMib}, "MIB"),
+            .help = "MiB of memory for the pixels of textures. Where they need more, a temporary "
+                    "file (in TMPDIR) holds them: slower, with the same image"};
 }
 
 OptionRow verbose_row(bool& verbose)

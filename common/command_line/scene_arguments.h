@@ -17,6 +17,9 @@ std::vector<OptionRow> scene_rows(SceneOptions& options, SkyOptions& sky);
 /// Returns the row of --threads, bound to `threads`.
 OptionRow threads_row(unsigned& threads);
 
+/// Returns the row of --texture-cache, bound to `mib`.
+OptionRow texture_cache_row(double& mib);
+
 /// Returns the row of --verbose, bound to `verbose`.
 OptionRow verbose_row(bool& verbose);
 

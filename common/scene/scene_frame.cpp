@@ -1,5 +1,6 @@
 #include "common/scene/scene_frame.h"
 
+#include "common/freed_memory.h"
 #include "common/math/bounds.h"
 #include "common/scene/copied_bounds.h"
 #include "common/scene/scene_names.h"
@@ -261,7 +262,7 @@ Scene to_scene_units(RawScene& raw)
     mesh.positions.reserve(raw.positions.size());
     for (const glm::dvec3& p : raw.positions)
         mesh.positions.push_back(convert.position(p));
-    raw.positions = {};
+    free_array(raw.positions);
     mesh.normals = std::move(raw.normals);
     mesh.attributes = std::move(raw.attributes);
     mesh.corners = std::move(raw.corners);

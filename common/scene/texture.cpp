@@ -1,5 +1,6 @@
 #include "common/scene/texture.h"
 
+#include "common/freed_memory.h"
 #include "common/scene/texture_cache.h"
 
 #include <xxhash.h>
@@ -107,7 +108,7 @@ void move_to_cache(TextureImage& image, const std::shared_ptr<TextureCache>& cac
 {
     const CachedPixels cached{cache, cache->add(image.rgba, image.width, image.height),
                               has_alpha(image), pixel_digest(image)};
-    image.rgba = {};
+    free_array(image.rgba);
     image.cached = cached;
 }
 

@@ -28,8 +28,9 @@ bool TextureStore::has_room_for(const TextureImage& image, const std::string& wh
 {
     const bool room = pixel_count(image) <= pixels_left_;
     if (!room)
-        scene_.audit.warnings.push_back(what + " " + quote_name(image.name) +
-                                        " is left out: the textures have too many pixels");
+        scene_.audit.warnings.push_back(
+            what + " " + quote_name(image.name) +
+            " is left out: the textures have too many pixels; make them smaller");
     return room;
 }
 

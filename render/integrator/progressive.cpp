@@ -1,5 +1,6 @@
 #include "render/integrator/progressive.h"
 
+#include "common/freed_memory.h"
 #include "render/integrator/environment_seeds.h"
 #include "render/integrator/find_seen_surfaces.h"
 #include "render/integrator/gather_path.h"
@@ -107,13 +108,6 @@ MapOptions guided_options(const ProgressivePass& pilot, EmissionGuide PhotonGuid
     return out;
 }
 
-/// Gives the memory of photons back that are not needed any more.
-template <typename T>
-void release(std::vector<T>& photons)
-{
-    std::vector<T>().swap(photons);
-}
-
 /// By photons of their own, as many as a pass has.
 ProgressiveRadii find_first_radii(const ProgressivePass& pilot)
 {
@@ -124,13 +118,13 @@ ProgressiveRadii find_first_radii(const ProgressivePass& pilot)
     indirect.reserve(traced.bounces.size());
     for (const BouncedPhoton& bounced : traced.bounces)
         indirect.push_back(bounced.photon);
-    release(traced.bounces);
+    free_array(traced.bounces);
     using Sparse = RadiusField::Sparse;
     const auto field = [&](std::vector<Photon>& photons, const MapOptions& maps,
                            Sparse sparse = Sparse::even) {
         const ChosenMaps built =
             build_chosen_maps(photons, mapped.surfaces, maps, estimated(options));
-        release(photons);
+        free_array(photons);
         return build_radius_field(built, mapped.surfaces, sparse);
     };
     const MapOptions aimed = guided_options(pilot, &PhotonGuides::aimed);
@@ -181,11 +175,11 @@ ProgressiveMaps make_maps(const ProgressivePass& pass, const ProgressiveRadii& f
     const auto build = [&](ChosenMaps& to, std::vector<Photon>& photons,
                            const DissertationOptions& asked, KindStatistics& kind) {
         to = build_maps(mapped, photons, options.maps, asked, kind);
-        release(photons);
+        free_array(photons);
     };
     std::vector<Photon> indirect =
         weigh_bounces(traced, first.surfaces, mapped.surfaces, pass.scale());
-    release(traced.bounces);
+    free_array(traced.bounces);
     const DissertationOptions read = estimated(options);
     in_parallel_unless_many(
         traced,

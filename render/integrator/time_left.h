@@ -17,9 +17,9 @@ struct PassTimes {
 };
 
 /// Predicts the seconds until a run has done `passes` more passes, the one under way included.
-/// now: since the run began.  part: of the pass under way that is done, 0 to 1.  None: nothing is
-/// done yet to go by.  Passes take about the same time each, but the parts of a pass do not, so
-/// `part` counts in the first pass alone.
+/// now: s since the run began.  part: of the pass under way that is done, 0 to 1.  Returns none
+/// while nothing is done.  Passes take about the same time each, but the parts of a pass do not,
+/// so `part` counts in the first pass alone.
 std::optional<double> seconds_left(const PassTimes& times, double now, double part, double passes);
 
 /// Predicts the seconds until a run ends that begins no pass which would not be over within

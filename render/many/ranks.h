@@ -41,10 +41,10 @@ class Ranks {
 
     /// Waits for all, without use of the processor.
     void wait();
-    /// Adds the sums of all processes into those of the lead.  Those of others are unspecified
-    /// then.
+    /// Adds the sums of all processes into those of the lead.  Afterwards the sums of the other
+    /// processes are unspecified.
     void add_up(std::span<std::int64_t> sums);
-    /// Returns the words of each process on the lead, nothing on workers.
+    /// Sends the words of each process to the lead, and returns them there; nothing on workers.
     std::vector<std::vector<std::uint64_t>> gather(const std::vector<std::uint64_t>& words);
 
     /// Ends all processes at once, for a failure of one that the others do not wait for.  why: one

@@ -7,8 +7,8 @@
 
 namespace hipmap {
 
-/// Up to this depth (surfaces and scatterings) roulette ends only paths that carry less than
-/// kFullWeight of what they began with; from there on it counts all that they have lost.
+/// Up to this depth (surfaces and scatterings) a path survives surely while it carries at least
+/// kFullWeight of what it began with; from this depth on, with the probability that it carries.
 inline constexpr int kRouletteDepth = 6;
 inline constexpr float kFullWeight = 0.1f;
 
