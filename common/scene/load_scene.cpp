@@ -114,6 +114,8 @@ LoadedScene SceneSource::at(std::optional<double> time, bool last)
         RawScene raw = impl_->gltf ? impl_->gltf->at(time, last)
                        : last      ? std::move(impl_->obj)
                                    : impl_->obj;
+        if (last)
+            impl_->gltf.reset(); // it holds the file, which may be as large as the scene
         exclude_objects(raw, options.exclude);
         LoadedScene loaded;
         loaded.audit = std::move(raw.audit);
