@@ -4,9 +4,13 @@
 #include "preprocess/mesh/disjoint_sets.h"
 #include "preprocess/mesh/openmesh_pairs.h"
 #include "preprocess/mesh/orient_faces.h"
+#include "preprocess/mesh/parts.h"
+
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <span>
+#include <utility>
 
 namespace hipmap {
 namespace {
@@ -40,12 +44,12 @@ Fans split_into_fans(const WeldedFaces& faces, const std::vector<std::uint32_t>&
     return fans;
 }
 
-/// The edges of two faces that were cut.  groups: all but those of two edges.
-std::vector<std::uint32_t> cut_edges(const WeldedFaces& faces, const EdgeGroups& groups,
+/// The edges of two faces that were cut.
+std::vector<std::uint32_t> cut_edges(const WeldedFaces& faces, const EdgeGroups& others,
                                      const std::vector<std::uint32_t>& partner)
 {
     std::vector<std::uint8_t> grouped(partner.size(), 0);
-    for (const std::uint32_t edge : groups.edges)
+    for (const std::uint32_t edge : others.edges)
         grouped[edge] = 1;
     std::vector<std::uint32_t> cut;
     for (std::uint32_t edge = 0; edge < partner.size(); ++edge)
@@ -57,16 +61,16 @@ std::vector<std::uint32_t> cut_edges(const WeldedFaces& faces, const EdgeGroups&
 /// The faces, ascending, of connected surfaces that have an edge of three or more faces, or one
 /// that was cut.  On no other surface do two edges have the same two fans at their ends, so that
 /// OpenMesh would say of them what the welded edges say.
-std::vector<FaceId> faces_to_check(const WeldedFaces& faces, const EdgeGroups& groups,
+std::vector<FaceId> faces_to_check(const WeldedFaces& faces, const EdgeGroups& others,
                                    const Orientation& orientation)
 {
     std::vector<std::uint32_t> opened;
     if (orientation.cut_edges > 0)
-        opened = cut_edges(faces, groups, orientation.partner);
-    for (std::size_t g = 0; g < groups.count(); ++g)
-        if (groups.first[g + 1] - groups.first[g] > 2)
-            opened.insert(opened.end(), groups.edges.begin() + groups.first[g],
-                          groups.edges.begin() + groups.first[g + 1]);
+        opened = cut_edges(faces, others, orientation.partner);
+    for (std::size_t g = 0; g < others.count(); ++g)
+        if (others.first[g + 1] - others.first[g] > 2)
+            opened.insert(opened.end(), others.edges.begin() + others.first[g],
+                          others.edges.begin() + others.first[g + 1]);
     if (opened.empty())
         return {};
     DisjointSets surfaces(faces.degenerate.size());
@@ -83,12 +87,15 @@ std::vector<FaceId> faces_to_check(const WeldedFaces& faces, const EdgeGroups& g
     return out;
 }
 
-/// Pairs the edges of all faces, by OpenMesh those of `some`.
-HalfEdgePairs pair_edges(const WeldedFaces& faces, const Orientation& orientation,
-                         std::span<const FaceId> some)
+/// Finds the opposites of the edges of all faces, by OpenMesh those of `some`; elsewhere they are
+/// the partners.  Opposites are those on which OpenMesh and the welded edges agree: where an edge
+/// of several faces was opened but the same fans meet at both of its ends, OpenMesh pairs what must
+/// stay apart.
+HalfEdgePairs find_opposites(const WeldedFaces& faces, Orientation& orientation,
+                             std::span<const FaceId> some)
 {
     if (some.empty())
-        return {orientation.partner, 0};
+        return {std::move(orientation.partner), 0};
     Fans fans = split_into_fans(faces, orientation.partner);
     std::vector<WoundFace> wound;
     wound.reserve(some.size());
@@ -97,33 +104,30 @@ HalfEdgePairs pair_edges(const WeldedFaces& faces, const Orientation& orientatio
         wound.push_back({face, {v[0], v[1], v[2]}, orientation.flipped[face] != 0});
     }
     fans.vertex_of_corner = {};
-    HalfEdgePairs pairs = pair_half_edges(std::move(wound), fans.count, faces.degenerate.size());
-    std::vector<std::uint32_t> opposite = orientation.partner;
+    const HalfEdgePairs pairs =
+        pair_half_edges(std::move(wound), fans.count, faces.degenerate.size());
+    std::vector<std::uint32_t> opposite = std::move(orientation.partner);
     for (const FaceId face : some)
         for (std::uint32_t edge = 3 * face; edge < 3 * face + 3; ++edge)
-            opposite[edge] = pairs.opposite[edge];
+            if (opposite[edge] != pairs.opposite[edge])
+                opposite[edge] = kNone;
     return {std::move(opposite), pairs.refused_faces};
 }
 
-/// Opposites are those on which OpenMesh and the welded edges agree: where an edge of several faces
-/// was opened but the same fans meet at both of its ends, OpenMesh pairs what must stay apart.
-/// groups: all but those of two edges.
-void set_classes(HalfEdges& out, const WeldedFaces& faces, const EdgeGroups& groups,
-                 const std::vector<std::uint32_t>& partner)
+void set_classes(HalfEdges& out, const WeldedFaces& faces, const EdgeGroups& others)
 {
-    out.edge_class.assign(partner.size(), EdgeClass::degenerate);
-    for (std::uint32_t edge = 0; edge < partner.size(); ++edge) {
-        if (out.opposite[edge] != partner[edge])
-            out.opposite[edge] = kNone;
-        if (!faces.degenerate[edge / 3])
-            out.edge_class[edge] =
-                out.opposite[edge] == kNone ? EdgeClass::non_manifold : EdgeClass::unconnected;
-    }
-    for (std::size_t g = 0; g < groups.count(); ++g) {
-        const bool is_border = groups.first[g + 1] - groups.first[g] == 1;
+    out.edge_class.resize(out.opposite.size());
+    tbb::parallel_for(std::size_t{0}, faces.degenerate.size(), [&](std::size_t face) {
+        for (std::size_t edge = 3 * face; edge < 3 * face + 3; ++edge)
+            out.edge_class[edge] = faces.degenerate[face] != 0   ? EdgeClass::degenerate
+                                   : out.opposite[edge] == kNone ? EdgeClass::non_manifold
+                                                                 : EdgeClass::unconnected;
+    });
+    for (std::size_t g = 0; g < others.count(); ++g) {
+        const bool is_border = others.first[g + 1] - others.first[g] == 1;
         ++(is_border ? out.defects.border_edges : out.defects.non_manifold_edges);
         if (is_border)
-            out.edge_class[groups.edges[groups.first[g]]] = EdgeClass::border;
+            out.edge_class[others.edges[others.first[g]]] = EdgeClass::border;
     }
 }
 
@@ -132,11 +136,11 @@ void set_classes(HalfEdges& out, const WeldedFaces& faces, const EdgeGroups& gro
 HalfEdges find_half_edges(const TriangleMesh& mesh, const VertexWeld& weld)
 {
     const WeldedFaces faces = weld_faces(mesh, weld);
-    EdgeGroups groups = group_edges(faces);
-    Orientation orientation = orient_faces(mesh, faces, groups);
-    groups = without_pairs(groups); // most are, and `orientation` has them
-    HalfEdgePairs pairs =
-        pair_edges(faces, orientation, faces_to_check(faces, groups, orientation));
+    EdgePairs pairs = pair_edges(faces, parts_for(mesh.face_count()));
+    const EdgeGroups others = std::move(pairs.others);
+    Orientation orientation = orient_faces(mesh, faces, std::move(pairs));
+    HalfEdgePairs opposites =
+        find_opposites(faces, orientation, faces_to_check(faces, others, orientation));
 
     HalfEdges out;
     out.defects.degenerate_faces =
@@ -144,11 +148,11 @@ HalfEdges find_half_edges(const TriangleMesh& mesh, const VertexWeld& weld)
     out.defects.flipped_faces =
         static_cast<std::size_t>(std::ranges::count(orientation.flipped, 1));
     out.defects.cut_edges = orientation.cut_edges;
-    out.defects.refused_faces = pairs.refused_faces;
+    out.defects.refused_faces = opposites.refused_faces;
     out.flipped = std::move(orientation.flipped);
-    out.opposite = std::move(pairs.opposite);
-    set_classes(out, faces, groups, orientation.partner);
-    out.closed = find_closed_surfaces(mesh, faces, groups, out);
+    out.opposite = std::move(opposites.opposite);
+    set_classes(out, faces, others);
+    out.closed = find_closed_surfaces(mesh, faces, others, out);
     return out;
 }
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <span>
+#include <utility>
 
 namespace hipmap {
 namespace {
@@ -10,20 +11,6 @@ namespace {
 bool same_direction(const WeldedFaces& faces, std::uint32_t edge, std::uint32_t twin)
 {
     return faces.start(edge) == faces.start(twin);
-}
-
-std::vector<std::uint32_t> pair_edges(std::size_t edge_count, const EdgeGroups& groups)
-{
-    std::vector<std::uint32_t> partner(edge_count, kNone);
-    for (std::size_t g = 0; g < groups.count(); ++g) {
-        if (groups.first[g + 1] - groups.first[g] != 2)
-            continue;
-        const std::uint32_t a = groups.edges[groups.first[g]];
-        const std::uint32_t b = groups.edges[groups.first[g] + 1];
-        partner[a] = b;
-        partner[b] = a;
-    }
-    return partner;
 }
 
 /// Walks one component; `flipped` becomes whether a face is wound against the first one.
@@ -96,16 +83,12 @@ class ComponentWalk {
 
 } // namespace
 
-Orientation orient_faces(const TriangleMesh& mesh, const WeldedFaces& faces,
-                         const EdgeGroups& groups)
+Orientation orient_faces(const TriangleMesh& mesh, const WeldedFaces& faces, EdgePairs&& pairs)
 {
     Orientation out;
     out.flipped.assign(mesh.face_count(), 0);
-    out.partner = pair_edges(3 * mesh.face_count(), groups);
-    bool wound_alike = true;
-    for (std::uint32_t edge = 0; edge < out.partner.size() && wound_alike; ++edge)
-        wound_alike = out.partner[edge] == kNone || !same_direction(faces, edge, out.partner[edge]);
-    if (wound_alike) // as most meshes are: a walk would turn nothing
+    out.partner = std::move(pairs.partner);
+    if (pairs.wound_alike) // as most meshes are: a walk would turn nothing
         return out;
     ComponentWalk component(faces, out);
     for (FaceId seed = 0; seed < mesh.face_count(); ++seed) {

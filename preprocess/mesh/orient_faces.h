@@ -16,8 +16,8 @@ struct Orientation {
 /// run along it in opposite directions.  Of each component the part with the larger area (as
 /// authored; ties go to its lowest face) is kept and the rest marked, so that no component is
 /// flipped as a whole. Where a component cannot be oriented, contradicting edges are cut, along a
-/// change of the authored winding. Linear, one thread; degenerate faces are left out.
-Orientation orient_faces(const TriangleMesh& mesh, const WeldedFaces& faces,
-                         const EdgeGroups& groups);
+/// change of the authored winding. pairs: of `faces`.  Linear, one thread; degenerate faces are
+/// left out.
+Orientation orient_faces(const TriangleMesh& mesh, const WeldedFaces& faces, EdgePairs&& pairs);
 
 } // namespace hipmap

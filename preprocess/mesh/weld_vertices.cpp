@@ -2,6 +2,7 @@
 
 #include "common/math/random.h"
 #include "common/scene/mesh.h"
+#include "preprocess/mesh/parts.h"
 
 #include <bit>
 #include <unordered_map>
@@ -82,23 +83,61 @@ VertexWeld weld_near(std::span<const glm::vec3> positions, const VertexWeld& exa
     return weld;
 }
 
-VertexWeld weld_identical(std::span<const glm::vec3> positions)
+/// Gives each vertex of one part of the positions, by hash, the first vertex at its position.
+/// part_of_vertex: [V]; empty: all are in one part.
+void find_first_vertices(std::span<const glm::vec3> positions, std::size_t part,
+                         std::span<const std::uint8_t> part_of_vertex, std::size_t count,
+                         std::vector<std::uint32_t>& first_of_vertex)
+{
+    // Open addressing, at most half full: slots hold the first vertex at each position.
+    const std::size_t slots = std::bit_ceil(2 * count + 1);
+    std::vector<std::uint32_t> first(slots, kNone);
+    for (std::uint32_t vertex = 0; vertex < positions.size(); ++vertex) {
+        if (!part_of_vertex.empty() && part_of_vertex[vertex] != part)
+            continue;
+        std::size_t slot = hash_of(positions[vertex]) & (slots - 1);
+        while (first[slot] != kNone && positions[first[slot]] != positions[vertex])
+            slot = (slot + 1) & (slots - 1);
+        if (first[slot] == kNone)
+            first[slot] = vertex;
+        first_of_vertex[vertex] = first[slot];
+    }
+}
+
+/// Divides positions into parts by hash; returns how many are in each.
+std::vector<std::size_t> divide(std::span<const glm::vec3> positions,
+                                std::span<std::uint8_t> part_of_vertex, std::size_t parts)
+{
+    std::vector<std::vector<std::size_t>> counts(parts, std::vector<std::size_t>(parts, 0));
+    for_each_part(parts, [&](std::size_t i) {
+        const Part part = part_of(positions.size(), i, parts);
+        for (std::size_t vertex = part.begin; vertex < part.end; ++vertex) {
+            const std::uint64_t high_bits = hash_of(positions[vertex]) >> 32; // slots go by the low
+            part_of_vertex[vertex] = static_cast<std::uint8_t>(high_bits * parts >> 32);
+            ++counts[i][part_of_vertex[vertex]];
+        }
+    });
+    std::vector<std::size_t> out(parts, 0);
+    for (const std::vector<std::size_t>& some : counts)
+        for (std::size_t part = 0; part < parts; ++part)
+            out[part] += some[part];
+    return out;
+}
+
+VertexWeld weld_identical(std::span<const glm::vec3> positions, std::size_t parts)
 {
     VertexWeld weld;
     weld.id_of_vertex.resize(positions.size());
-    // Open addressing, at most half full: slots hold the first vertex at each position.
-    const std::size_t slots = std::bit_ceil(2 * positions.size() + 1);
-    std::vector<std::uint32_t> first_vertex(slots, kNone);
+    std::vector<std::uint8_t> part_of_vertex(parts > 1 ? positions.size() : 0);
+    std::vector<std::size_t> counts{positions.size()};
+    if (parts > 1)
+        counts = divide(positions, part_of_vertex, parts);
+    for_each_part(parts, [&](std::size_t part) {
+        find_first_vertices(positions, part, part_of_vertex, counts[part], weld.id_of_vertex);
+    });
     for (std::uint32_t vertex = 0; vertex < positions.size(); ++vertex) {
-        std::size_t slot = hash_of(positions[vertex]) & (slots - 1);
-        while (first_vertex[slot] != kNone && positions[first_vertex[slot]] != positions[vertex])
-            slot = (slot + 1) & (slots - 1);
-        if (first_vertex[slot] == kNone) {
-            first_vertex[slot] = vertex;
-            weld.id_of_vertex[vertex] = weld.count++;
-        } else {
-            weld.id_of_vertex[vertex] = weld.id_of_vertex[first_vertex[slot]];
-        }
+        const std::uint32_t first = weld.id_of_vertex[vertex];
+        weld.id_of_vertex[vertex] = first == vertex ? weld.count++ : weld.id_of_vertex[first];
     }
     return weld;
 }
@@ -107,7 +146,12 @@ VertexWeld weld_identical(std::span<const glm::vec3> positions)
 
 VertexWeld weld_vertices(std::span<const glm::vec3> positions, double distance)
 {
-    VertexWeld weld = weld_identical(positions);
+    return weld_vertices(positions, distance, parts_for(positions.size()));
+}
+
+VertexWeld weld_vertices(std::span<const glm::vec3> positions, double distance, std::size_t parts)
+{
+    VertexWeld weld = weld_identical(positions, parts);
     return distance > 0 ? weld_near(positions, weld, distance) : weld;
 }
 

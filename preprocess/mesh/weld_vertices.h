@@ -16,7 +16,12 @@ struct VertexWeld {
 
 /// Gives vertices with bit-identical positions one id; -0 counts as 0. distance: 0 keeps near
 /// positions apart; above 0, a position takes the id of the nearest position kept before it within
-/// the distance, and is kept otherwise.  positions: finite, any unit. Linear, one thread.
+/// the distance, and is kept otherwise.  positions: finite, any unit. Linear; parallel up to a
+/// distance of 0.
 VertexWeld weld_vertices(std::span<const glm::vec3> positions, double distance = 0.0);
+
+/// Does the same with a thread for each of `parts`, 1 to 256, into which positions are divided by
+/// hash; the result does not depend on it.
+VertexWeld weld_vertices(std::span<const glm::vec3> positions, double distance, std::size_t parts);
 
 } // namespace hipmap

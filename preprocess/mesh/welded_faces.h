@@ -22,19 +22,25 @@ struct WeldedFaces {
 /// Looks every corner up in the weld and finds the degenerate faces.  Linear, parallel.
 WeldedFaces weld_faces(const TriangleMesh& mesh, const VertexWeld& weld);
 
-/// The edges of all non-degenerate faces, grouped by their two vertices.
+/// Edges grouped by their two vertices.
 struct EdgeGroups {
-    std::vector<std::uint32_t> edges; ///< by group; ascending within one
-    std::vector<std::uint32_t> first; ///< [G + 1] where each group begins in `edges`
+    std::vector<std::uint32_t> edges;    ///< by group; ascending within one
+    std::vector<std::uint32_t> first{0}; ///< [G + 1] where each group begins in `edges`
 
     std::size_t count() const { return first.size() - 1; }
 };
 
-/// Groups the edges of faces; groups come in the order of their lower, then their higher vertex.
-/// Near linear, parallel.
-EdgeGroups group_edges(const WeldedFaces& faces);
+/// The edges of all non-degenerate faces, by how many have the same two vertices.
+struct EdgePairs {
+    std::vector<std::uint32_t>
+        partner; ///< [3F] the one other edge with the same vertices, or kNone
+    EdgeGroups
+        others; ///< of one edge or of more than two, by their lower, then their higher vertex
+    bool wound_alike = true; ///< partners run in opposite directions, all of them
+};
 
-/// Returns the groups that have one edge or more than two.  Linear.
-EdgeGroups without_pairs(const EdgeGroups& groups);
+/// Pairs the edges of faces.  parts: of the vertices, each for a thread; the result does not depend
+/// on it.  Near linear, parallel.
+EdgePairs pair_edges(const WeldedFaces& faces, std::size_t parts);
 
 } // namespace hipmap

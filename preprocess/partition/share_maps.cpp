@@ -2,6 +2,8 @@
 
 #include "preprocess/mesh/disjoint_sets.h"
 
+#include <tbb/parallel_for.h>
+
 namespace hipmap {
 
 SharedMaps share_maps(std::span<const EdgeClass> edge_class,
@@ -9,14 +11,18 @@ SharedMaps share_maps(std::span<const EdgeClass> edge_class,
 {
     const std::size_t face_count = edge_class.size() / 3;
     DisjointSets sets(face_count);
-    for (std::uint32_t edge = 0; edge < edge_class.size(); ++edge)
-        if (edge_class[edge] == EdgeClass::connected)
-            sets.unite(edge / 3, opposite[edge] / 3);
+    tbb::parallel_for(std::size_t{0}, edge_class.size(), [&](std::size_t edge) {
+        if (edge_class[edge] == EdgeClass::connected && edge < opposite[edge])
+            sets.unite(static_cast<FaceId>(edge / 3), opposite[edge] / 3);
+    });
 
     SharedMaps maps;
     maps.map_of_face.resize(face_count);
+    tbb::parallel_for(std::size_t{0}, face_count, [&](std::size_t face) {
+        maps.map_of_face[face] = sets.root(static_cast<FaceId>(face)); // the lowest of the map
+    });
     for (FaceId face = 0; face < face_count; ++face) {
-        const FaceId root = sets.root(face); // the lowest face of the map
+        const FaceId root = maps.map_of_face[face];
         if (edge_class[std::size_t{3} * face] == EdgeClass::degenerate)
             maps.map_of_face[face] = kNone;
         else

@@ -48,6 +48,19 @@ TEST_CASE("weld_vertices: ids are those of an ordered map, numbered by lowest ve
     }
 }
 
+TEST_CASE("weld_vertices: the number of parts changes nothing", "[mesh]")
+{
+    for (std::uint64_t seed = 0; seed < 50; ++seed) {
+        const TriangleMesh mesh = tiny::random_mesh(seed, 1 + 20 * seed, 1);
+        const VertexWeld one = weld_vertices(mesh.positions, 0.0, 1);
+        for (const std::size_t parts : {2, 3, 16}) {
+            const VertexWeld many = weld_vertices(mesh.positions, 0.0, parts);
+            REQUIRE(many.id_of_vertex == one.id_of_vertex);
+            REQUIRE(many.count == one.count);
+        }
+    }
+}
+
 TEST_CASE("weld_vertices: by distance, kept positions are farther apart and the rest have the "
           "nearest of them",
           "[mesh]")
