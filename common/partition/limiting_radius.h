@@ -15,16 +15,23 @@ struct EdgePlane {
     double height(const glm::dvec3& point) const { return glm::dot(point - origin, inward); }
 };
 
-/// Returns the plane through the edge that begins at `corner`, 0 to 2.
-inline EdgePlane edge_plane(const TriangleMesh& mesh, FaceId face, int corner)
+/// Returns the plane through the edge that begins at `corner`, 0 to 2.  normal: scaled_normal of
+/// the face.
+inline EdgePlane edge_plane(const TriangleMesh& mesh, FaceId face, int corner,
+                            const glm::dvec3& normal)
 {
     const glm::uvec3 c = mesh.corners[face];
     EdgePlane plane{glm::dvec3(mesh.positions[c[corner]])};
     const glm::dvec3 along = glm::dvec3(mesh.positions[c[(corner + 1) % 3]]) - plane.origin;
-    const glm::dvec3 inward = glm::cross(scaled_normal(mesh, face), along);
+    const glm::dvec3 inward = glm::cross(normal, along);
     if (const double length = glm::length(inward); length > 0)
         plane.inward = inward / length;
     return plane;
+}
+
+inline EdgePlane edge_plane(const TriangleMesh& mesh, FaceId face, int corner)
+{
+    return edge_plane(mesh, face, corner, scaled_normal(mesh, face));
 }
 
 /// Distance from a point of `face` within which its shared map has photons of this face alone:

@@ -5,8 +5,12 @@
 #include "common/scene/raw_scene.h"
 #include "common/scene/scene_names.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 namespace hipmap {
@@ -50,11 +54,20 @@ void choose_camera(LoadedScene& loaded, const SceneOptions& options,
 /// [M] how many faces with an area wear each material.
 std::vector<std::size_t> count_material_faces(const Scene& scene)
 {
-    std::vector<std::size_t> faces(scene.materials.size(), 0);
-    for (FaceId face = 0; face < scene.mesh.face_count(); ++face)
-        if (face_area(scene.mesh, face) > 0)
-            ++faces[scene.mesh.material_of_face[face]];
-    return faces;
+    using Counts = std::vector<std::size_t>;
+    return tbb::parallel_reduce(
+        tbb::blocked_range<std::size_t>(0, scene.mesh.face_count(), 1 << 14),
+        Counts(scene.materials.size(), 0),
+        [&](const auto& range, Counts counts) {
+            for (std::size_t face = range.begin(); face < range.end(); ++face)
+                if (face_area(scene.mesh, static_cast<FaceId>(face)) > 0)
+                    ++counts[scene.mesh.material_of_face[face]];
+            return counts;
+        },
+        [](Counts a, const Counts& b) {
+            std::ranges::transform(a, b, a.begin(), std::plus());
+            return a;
+        });
 }
 
 /// Lists the lights that emit, those of a kind together, and the others in `dark`.  Returns whether

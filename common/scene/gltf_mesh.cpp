@@ -4,6 +4,10 @@
 #include "common/scene/gltf_accessor.h"
 #include "common/scene/scene_names.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
+
 #include <algorithm>
 #include <optional>
 
@@ -46,6 +50,30 @@ glm::uvec3 triangle_slots(int mode, std::uint32_t t)
     if (mode == TINYGLTF_MODE_TRIANGLE_FAN)
         return {t + 1, t + 2, 0};
     return {t, t + 1 + t % 2, t + 2 - t % 2};
+}
+
+/// The vectors of some vertices, read in parallel.
+std::vector<glm::dvec3> vectors_of(const GltfAccessor& accessor,
+                                   const std::vector<std::uint32_t>& vertices)
+{
+    std::vector<glm::dvec3> out(vertices.size());
+    tbb::parallel_for(std::size_t{0}, vertices.size(),
+                      [&](std::size_t i) { out[i] = accessor.vec3(vertices[i]); });
+    return out;
+}
+
+/// The first face that names a vertex beyond those there are; the number of faces if none does.
+std::size_t first_wrong(const std::vector<glm::uvec3>& corners, std::size_t vertex_count)
+{
+    return tbb::parallel_reduce(
+        tbb::blocked_range<std::size_t>(0, corners.size()), corners.size(),
+        [&](const auto& faces, std::size_t first) {
+            for (std::size_t t = faces.begin(); t < std::min(faces.end(), first); ++t)
+                if (std::max({corners[t].x, corners[t].y, corners[t].z}) >= vertex_count)
+                    return t;
+            return first;
+        },
+        [](std::size_t a, std::size_t b) { return std::min(a, b); });
 }
 
 void warn_if_baked_far_away(const GltfPrimitive& primitive, const std::string& mesh,
@@ -107,17 +135,14 @@ GltfPrimitive GltfMeshReader::read_primitive(const tinygltf::Primitive& primitiv
     out.material = primitive.material;
     out.corners = read_corners(primitive, positions.size(), place);
     const std::vector<std::uint32_t> used = number_used(out.corners, positions.size());
-    out.positions.reserve(used.size());
-    for (const std::uint32_t vertex : used) {
-        out.positions.push_back(positions.vec3(vertex));
-        if (normals)
-            out.normals.push_back(normals->vec3(vertex));
-        if (!is_finite_point(out.positions.back()) ||
-            (normals && !is_finite_point(out.normals.back())))
-            throw scene_error(scene_.path, place + ", vertex " + std::to_string(vertex),
+    out.positions = vectors_of(positions, used);
+    if (normals)
+        out.normals = vectors_of(*normals, used);
+    for (std::size_t i = 0; i < used.size(); ++i)
+        if (!is_finite_point(out.positions[i]) || (normals && !is_finite_point(out.normals[i])))
+            throw scene_error(scene_.path, place + ", vertex " + std::to_string(used[i]),
                               "a position or normal is not finite; repair the mesh and export it "
                               "again");
-    }
     const PrimitivePlace at{model_, primitive, scene_.path, place};
     out.attributes = read_attributes(at, wanted_, {positions.size(), used});
     out.deformation = read_deformation(at, {positions.size(), used});
@@ -168,17 +193,18 @@ std::vector<glm::uvec3> GltfMeshReader::read_corners(const tinygltf::Primitive& 
                                         " corners; the incomplete last face is left out");
 
     std::vector<glm::uvec3> corners(faces);
-    for (std::size_t t = 0; t < faces; ++t) {
+    tbb::parallel_for(std::size_t{0}, faces, [&](std::size_t t) {
         glm::uvec3 face = triangle_slots(primitive.mode, static_cast<std::uint32_t>(t));
         for (int c = 0; c < 3 && indices; ++c)
             face[c] = indices->index(face[c]);
-        const std::uint32_t highest = std::max(face.x, std::max(face.y, face.z));
-        if (highest >= vertex_count)
-            throw scene_error(scene_.path, place + ", face " + std::to_string(t),
-                              "names vertex " + std::to_string(highest) + " of " +
-                                  std::to_string(vertex_count) +
-                                  "; the file is damaged, export it again");
         corners[t] = face;
+    });
+    if (const std::size_t wrong = first_wrong(corners, vertex_count); wrong < faces) {
+        const glm::uvec3& face = corners[wrong];
+        throw scene_error(scene_.path, place + ", face " + std::to_string(wrong),
+                          "names vertex " + std::to_string(std::max({face.x, face.y, face.z})) +
+                              " of " + std::to_string(vertex_count) +
+                              "; the file is damaged, export it again");
     }
     return corners;
 }

@@ -9,6 +9,7 @@
 #include "common/scene/placement.h"
 #include "common/scene/scene_names.h"
 
+#include <tbb/parallel_for.h>
 #include <unistd.h>
 
 #include <optional>
@@ -52,21 +53,30 @@ void append_attributes(const VertexAttributes& some, std::size_t count, const Pl
         all.tangents[i] = place_tangent(all.tangents[i], placement);
 }
 
+/// Appends make(element) for each of `some`, in parallel.
+template <typename From, typename To, typename Make>
+void append_each(const std::vector<From>& some, std::vector<To>& all, const Make& make)
+{
+    const std::size_t first = all.size();
+    all.resize(first + some.size());
+    tbb::parallel_for(std::size_t{0}, some.size(),
+                      [&](std::size_t i) { all[first + i] = make(some[i]); });
+}
+
 void append(const GltfPrimitive& primitive, MaterialId material, const Placement& placement,
             RawScene& scene)
 {
     const auto first = static_cast<std::uint32_t>(scene.positions.size());
     append_attributes(primitive.attributes, first, placement, scene.attributes);
-    for (const glm::dvec3& p : primitive.positions)
-        scene.positions.emplace_back(placement.points * glm::dvec4(p, 1.0));
-    for (const glm::dvec3& n : primitive.normals)
-        scene.normals.push_back(unit_or_zero(placement.normals * n));
+    append_each(primitive.positions, scene.positions, [&](const glm::dvec3& p) {
+        return glm::dvec3(placement.points * glm::dvec4(p, 1.0));
+    });
+    append_each(primitive.normals, scene.normals,
+                [&](const glm::dvec3& n) { return unit_or_zero(placement.normals * n); });
     scene.normals.resize(scene.positions.size(), glm::vec3(0.0f));
-    for (glm::uvec3 face : primitive.corners) {
-        if (placement.mirrored)
-            std::swap(face.y, face.z);
-        scene.corners.push_back(face + first);
-    }
+    append_each(primitive.corners, scene.corners, [&](const glm::uvec3& face) {
+        return first + (placement.mirrored ? glm::uvec3(face.x, face.z, face.y) : face);
+    });
     scene.material_of_face.resize(scene.corners.size(), material);
     scene.object_of_face.resize(scene.corners.size(),
                                 static_cast<ObjectId>(scene.objects.size() - 1));

@@ -5,7 +5,13 @@
 #include "common/scene/copied_bounds.h"
 #include "common/scene/scene_names.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
+
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 namespace hipmap {
@@ -222,9 +228,21 @@ void check_size(const RawScene& raw)
         throw scene_error(raw.path, "", "more than 2^32 - 2 faces or vertices; export fewer");
 }
 
+bool all_near(const std::vector<glm::dvec3>& positions)
+{
+    return tbb::parallel_reduce(
+        tbb::blocked_range<std::size_t>(0, positions.size()), true,
+        [&](const auto& range, bool near) {
+            return near && std::all_of(positions.begin() + range.begin(),
+                                       positions.begin() + range.end(), is_near);
+        },
+        std::logical_and());
+}
+
 void check_positions(const RawScene& raw)
 {
-    for (std::size_t face = 0; face < raw.corners.size(); ++face)
+    const bool all_are_near = all_near(raw.positions);
+    for (std::size_t face = 0; face < raw.corners.size() && !all_are_near; ++face)
         for (int c = 0; c < 3; ++c)
             if (!is_near(raw.positions[raw.corners[face][c]]))
                 throw scene_error(raw.path,
@@ -259,9 +277,10 @@ Scene to_scene_units(RawScene& raw)
     const UnitConverter convert(raw, scene.frame);
 
     TriangleMesh& mesh = scene.mesh;
-    mesh.positions.reserve(raw.positions.size());
-    for (const glm::dvec3& p : raw.positions)
-        mesh.positions.push_back(convert.position(p));
+    mesh.positions.resize(raw.positions.size());
+    tbb::parallel_for(std::size_t{0}, raw.positions.size(), [&](std::size_t i) {
+        mesh.positions[i] = convert.position(raw.positions[i]);
+    });
     free_array(raw.positions);
     mesh.normals = std::move(raw.normals);
     mesh.attributes = std::move(raw.attributes);

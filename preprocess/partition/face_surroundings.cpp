@@ -35,8 +35,9 @@ float box_distance2(const Bounds<glm::vec3>& a, const Bounds<glm::vec3>& b)
 FaceSurroundings::FaceSurroundings(const MapTree& map, FaceId face, double error)
     : map_(map), face_(face), error_(error), corners_(corners_of(map.mesh, face))
 {
+    const glm::dvec3 normal = scaled_normal(map.mesh, face);
     for (int c = 0; c < 3; ++c)
-        planes_[c] = edge_plane(map.mesh, face, c);
+        planes_[c] = edge_plane(map.mesh, face, c, normal);
 }
 
 double FaceSurroundings::largest_height(unsigned edges) const

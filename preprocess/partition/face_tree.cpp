@@ -39,6 +39,14 @@ struct FaceTree::Item {
     std::uint64_t key(std::size_t axis) const { return std::uint64_t{middle[axis]} << 32 | face; }
 
     static std::size_t longest_axis(std::span<const Item> items);
+
+    /// Moves the `rank` items that come first along an axis to the front.
+    template <std::size_t axis>
+    static void split(std::span<Item> items, std::size_t rank)
+    {
+        split_at_rank(items, rank,
+                      [](const Item& a, const Item& b) { return a.key(axis) < b.key(axis); });
+    }
 };
 
 std::size_t FaceTree::Item::longest_axis(std::span<const Item> items)
@@ -87,8 +95,8 @@ void FaceTree::build(const TriangleMesh& mesh, std::span<Item> items, const Rang
     const std::size_t axis =
         Item::longest_axis(items.subspan(range.begin, range.end - range.begin));
     const auto [left, right] = children(range);
-    split_at_rank(items.subspan(range.begin, range.end - range.begin), right.begin - range.begin,
-                  [axis](const Item& a, const Item& b) { return a.key(axis) < b.key(axis); });
+    const auto split = std::array{&Item::split<0>, &Item::split<1>, &Item::split<2>}[axis];
+    split(items.subspan(range.begin, range.end - range.begin), right.begin - range.begin);
     const auto build_left = [&, half = left] { build(mesh, items, half); };
     const auto build_right = [&, half = right] { build(mesh, items, half); };
     if (range.end - range.begin < kTaskSize) {

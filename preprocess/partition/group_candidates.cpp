@@ -45,11 +45,13 @@ void find_group_candidates(const MapTree& map, double position_error, GroupCandi
             if (kept[i] != 0)
                 out.group_radius[face] = rounded_down(std::max(0.0, distance - position_error));
     });
-    for (std::size_t i = 1; i < patches.first.size(); ++i)
+    tbb::parallel_for(std::size_t{1}, patches.first.size(), [&](std::size_t i) {
+        if (kept[i] != 0)
+            return;
         for (const Clump& clump : patches.of(i - 1))
             for (const FaceId face : map.tree.faces({0, clump.begin, clump.end}))
-                if (kept[i] == 0)
-                    out.group_of_face[face] = kNone;
+                out.group_of_face[face] = kNone;
+    });
 }
 
 } // namespace hipmap

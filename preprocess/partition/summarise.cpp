@@ -1,6 +1,11 @@
 #include "preprocess/partition/summarise.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
+
 #include <algorithm>
+#include <functional>
 
 namespace hipmap {
 namespace {
@@ -16,14 +21,22 @@ class Times {
     }
 
     /// Returns the sum over faces of a number times how often the face stands in the scene.
+    /// Parallel.
     template <typename NumberOf>
     std::size_t sum(const NumberOf& number_of) const
     {
         std::size_t out = 0;
         FaceId face = 0;
         const auto add = [&](FaceId end, std::size_t times) {
-            for (; face < end; ++face)
-                out += times * number_of(face);
+            out += times * tbb::parallel_reduce(
+                               tbb::blocked_range<FaceId>(face, end), std::size_t{0},
+                               [&](const auto& faces, std::size_t sum) {
+                                   for (FaceId f = faces.begin(); f < faces.end(); ++f)
+                                       sum += number_of(f);
+                                   return sum;
+                               },
+                               std::plus());
+            face = end;
         };
         for (std::size_t i = 0; i < of_part_.size(); ++i) {
             const SharedPart& part = partition_.shared[i];
@@ -70,12 +83,21 @@ void measure_maps(PartitionSummary& summary, const Partition& partition, const T
     summary.maps.resize(partition.map_count);
     for (MapId id = 0; id < partition.map_count; ++id)
         summary.maps[id].id = id;
-    for (FaceId face = 0; face < mesh.face_count(); ++face) {
-        if (partition.map_of_face[face] == kNone)
-            continue;
-        PartitionSummary::Map& map = summary.maps[partition.map_of_face[face]];
-        ++map.faces;
-        map.area += face_area(mesh, face);
+    // Areas are found in parallel and added in the order of faces: the same at any thread count.
+    constexpr std::size_t kBlock = 1 << 16;
+    std::vector<double> area(std::min(kBlock, mesh.face_count()));
+    for (std::size_t begin = 0; begin < mesh.face_count(); begin += kBlock) {
+        const std::size_t end = std::min(begin + kBlock, mesh.face_count());
+        tbb::parallel_for(begin, end, [&](std::size_t face) {
+            area[face - begin] = face_area(mesh, static_cast<FaceId>(face));
+        });
+        for (std::size_t face = begin; face < end; ++face) {
+            if (partition.map_of_face[face] == kNone)
+                continue;
+            PartitionSummary::Map& map = summary.maps[partition.map_of_face[face]];
+            ++map.faces;
+            map.area += area[face - begin];
+        }
     }
     for (const PartitionSummary::Map& map : summary.maps)
         add_map(summary, map);
@@ -94,7 +116,7 @@ void summarise(const TriangleMesh& mesh, PartitionResult& result)
     summary.contacts = partition.own_contacts.size();
     for (const MapContact& contact : partition.contacts)
         summary.contacts += times.of_part(part_of_map(partition, contact.map));
-    summary.bridged_edges = times.sum([&](FaceId face) {
+    summary.bridged_edges = partition.bridged_edges.empty() ? 0 : times.sum([&](FaceId face) {
         const auto first = std::ranges::lower_bound(partition.bridged_edges, 3 * face);
         return static_cast<std::size_t>(
             std::ranges::lower_bound(partition.bridged_edges, 3 * face + 3) - first);
