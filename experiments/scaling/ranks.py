@@ -1,5 +1,6 @@
 """Renders by `render --mpi`, simulated event by event, as render/many does it."""
 
+import dataclasses
 import heapq
 import math
 
@@ -72,9 +73,9 @@ class Ranks:
         return ends, rendered
 
     def add_s(self):
-        """Adding up the films: numbers go to and fro a machine at each step."""
+        """Adding up the films: at each step the sums of one go to another machine, as they are."""
         count = steps(self.cluster.machines)
-        return count * (self.stages.add + self.cluster.transfer(self.stages.state_bytes))
+        return count * (self.stages.add + self.cluster.transfer(self.stages.film_bytes))
 
     def save_s(self):
         """Writing the state after a round, by the lead."""
@@ -97,47 +98,61 @@ def spend_setup(out, ranks, ready):
     out.spend("wait", machines * ready[0] - sum(ready))
 
 
-def simulate_ranks(stages, passes, cluster, checks=False, keeps_states=True):
+@dataclasses.dataclass(frozen=True)
+class Order:
     """passes: of the image.  checks: rounds end where --error looks at the error.  keeps_states: with
-    --state; without failures only."""
-    ranks, out = Ranks(stages, cluster), Outcome()
-    failures = Failures(cluster, "ranks")
-    machines, done, resumes = cluster.machines, 0, False
-    while True:
-        until_failure = failures.within(machines)
-        ready = ranks.begin(resumes)
-        origin = ready[0]
-        if until_failure > origin:
-            spend_setup(out, ranks, ready)
-            free, clock = [time - origin for time in ready], 0
-            while done < passes:
-                left = min(passes, next_check(done) if checks else passes) - done
-                ends, rendered = ranks.render_round(free, clock, left)
-                work = sum(end - max(time, clock) for time, end in zip(free, ends))
-                added = max(ends) + ranks.add_s()
-                written = added + ranks.write_s(added)
-                saved = written + (ranks.save_s() if keeps_states else 0)
-                if origin + saved > until_failure:
-                    out.spend("lost", machines * (until_failure - origin - clock))
-                    break
-                out.spend("passes", work)
-                out.spend("wait", machines * (max(ends) - clock) - work)
-                out.spend("add", machines * (added - max(ends)))
-                out.spend("save", machines * (saved - added))
-                done, clock, free = done + rendered, saved, [saved] * machines
-                out.rounds += 1
-            else:
-                last = stages.write / ranks.speeds[0]
-                out.spend("save", machines * last)
-                out.seconds += origin + clock + last
-                out.kept = done
-                return out
-        else:
-            out.spend("lost", machines * until_failure)
+    --state."""
+
+    passes: int
+    checks: bool = False
+    keeps_states: bool = True
+
+    def next_end(self, done):
+        return min(self.passes, next_check(done) if self.checks else self.passes)
+
+
+def run_rounds(ranks, order, done, until_failure, out):
+    """A run from `done` passes on, until all are rendered or a machine fails.  Returns its seconds, None if
+    it failed; and the passes that are kept."""
+    machines, ready = ranks.cluster.machines, ranks.begin(done > 0)
+    origin, clock = ready[0], 0
+    if until_failure <= origin:
+        out.spend("lost", machines * until_failure)
+        return None, done
+    spend_setup(out, ranks, ready)
+    free = [time - origin for time in ready]
+    while done < order.passes:
+        ends, rendered = ranks.render_round(free, clock, order.next_end(done) - done)
+        added = max(ends) + ranks.add_s()
+        saved = added + ranks.write_s(added) + (ranks.save_s() if order.keeps_states else 0)
+        if origin + saved > until_failure:
+            out.spend("lost", machines * (until_failure - origin - clock))
+            return None, done
+        work = sum(end - max(time, clock) for time, end in zip(free, ends))
+        out.spend("passes", work)
+        out.spend("wait", machines * (max(ends) - clock) - work)
+        out.spend("add", machines * (added - max(ends)))
+        out.spend("save", machines * (saved - added))
+        done, clock, free = done + rendered, saved, [saved] * machines
+        out.rounds += 1
+    last = ranks.stages.write / ranks.speeds[0]
+    out.spend("save", machines * last)
+    return origin + clock + last, done
+
+
+def simulate_ranks(stages, passes, cluster, checks=False, keeps_states=True):
+    """passes: of the image.  checks, keeps_states: as Order has them; no states without failures only."""
+    order, ranks, out = Order(passes, checks, keeps_states), Ranks(stages, cluster), Outcome()
+    failures, done = Failures(cluster, "ranks"), 0
+    while out.failures <= MOST_FAILURES:
+        until_failure = failures.within(cluster.machines)
+        seconds, done = run_rounds(ranks, order, done, until_failure, out)
+        if seconds is not None:
+            out.seconds += seconds
+            out.kept = done
+            return out
         out.failures += 1
         out.seconds += until_failure + cluster.replace_s
-        out.spend("lost", machines * cluster.replace_s)
-        resumes = done > 0
-        if out.failures > MOST_FAILURES:
-            out.seconds = math.inf
-            return out
+        out.spend("lost", cluster.machines * cluster.replace_s)
+    out.seconds = math.inf
+    return out

@@ -27,6 +27,7 @@ class Stages:
     merge_begin: float = 0  # of render merge, whatever the number of states
     merge: float = 0  # a state more
     state_bytes: float = 0
+    film_bytes: float = 0  # the sums of a film, as MPI moves them
 
     def setup(self):
         return self.start + self.load + self.pilots

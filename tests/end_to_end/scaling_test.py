@@ -4,16 +4,23 @@
 """
 
 import dataclasses
+import json
 import math
 import os
+import pathlib
+import subprocess
 import sys
+import tempfile
 import unittest
 
 ROOT = sys.argv[1]
 FOLDER = os.path.join(ROOT, "experiments/scaling")
 sys.path.insert(0, FOLDER)
 import farm
+import model
+import page
 import ranks
+import scenario
 from farm import Plan, simulate_farm
 from ranks import simulate_ranks
 from stages import Cluster, Stages
@@ -149,6 +156,71 @@ class Both(unittest.TestCase):
         several = STAGES.by_cores(4)
         self.assertAlmostEqual(several.one_pass(), (0.2 + 0.3 + 1.4) / 4 + 0.1)
         self.assertAlmostEqual(several.setup(), 0.5 + 1.5 / 4)
+
+
+TOOL = """#!/bin/sh
+while [ $# -gt 0 ]; do
+    case "$1" in
+        --stats) cp "$(dirname "$0")/stats.json" "$2"; shift;;
+        -o|--state) echo > "$2"; shift;;
+    esac
+    shift
+done
+"""
+MPIRUN = """#!/bin/sh
+while [ "${1##*/}" != render ]; do shift; done
+exec "$@"
+"""
+STATS = {"processor_seconds": {"process": 9, "scene": 0.2, "rays": 0.1, "pilots": 2, "photons": 1, "maps": 1, "image": 3,
+                               "film": 0.5, "write": 0.25, "state": 0, "add": 0.1},
+         "seconds": {"wait": 0}, "rounds": 2, "image": {"width": 24, "height": 16},
+         "options": {"photons": 1000, "samples": 4}, "error": {"law": {}}}
+
+
+class Scripts(unittest.TestCase):
+    """scale.py with programs that do nothing, and what page.py writes by it and by docs/scaling."""
+
+    def measured(self, folder):
+        for name, text in (("preprocess", TOOL), ("render", TOOL), ("mpirun", MPIRUN)):
+            (folder / name).write_text(text)
+            (folder / name).chmod(0o755)
+        (folder / "stats.json").write_text(json.dumps(STATS))
+        subprocess.run([sys.executable, "-B", os.path.join(FOLDER, "scale.py"), "--quick", "--scenes", "cornell",
+                        "--tools", folder, "--work", folder / "work", "--to", folder], check=True,
+                       stderr=subprocess.DEVNULL, env={**os.environ, "PATH": f"{folder}:{os.environ['PATH']}"})
+        return json.loads((folder / "scaling/measured.json").read_text())
+
+    def test_what_is_measured_makes_a_section(self):
+        with tempfile.TemporaryDirectory() as folder:
+            measured = self.measured(pathlib.Path(folder))
+        stages = model.Model(measured, "cornell").stages(24 * 16)
+        self.assertAlmostEqual(stages.load, 0.3)
+        self.assertAlmostEqual(stages.pilots, 2)
+        self.assertAlmostEqual(stages.image, 3 / measured["about"]["study"]["passes"])
+        self.assertEqual(stages.film_bytes, 384 * 24 * 16)
+        text, found = page.section(measured, scenario.Image("cornell", 64, 48, 8), (1, 4))
+        self.assertEqual(list(found.tiles), [1, 4])
+        self.assertIn("| cornell | 2 |", text)
+
+    def test_more_machines_are_no_slower_by_tasks(self):
+        with open(os.path.join(ROOT, "docs/scaling/measured.json"), encoding="utf-8") as file:
+            measured = json.load(file)
+        _, found = page.section(measured, scenario.Image(width=640, height=480, passes=32), (1, 4, 16))
+        one, four, many = (found.tiles[n].out.seconds for n in (1, 4, 16))
+        self.assertLess(four, one)
+        self.assertLess(many, four)
+
+    def test_a_fit_finds_the_weights_and_none_below_zero(self):
+        rows = [(1, 1, 2), (1, 4, 3), (1, 9, 1), (1, 2, 7)]
+        found = model.fit(rows, [0.5 + 2 * a + 3 * b for _, a, b in rows])
+        for weight, expected in zip(found, (0.5, 2, 3)):
+            self.assertAlmostEqual(weight, expected)
+        self.assertEqual(model.fit([(1, 1), (1, 2), (1, 3)], [3, 2, 1])[1], 0)
+
+    def test_only_the_section_is_replaced(self):
+        text = "a\n<!-- scaling -->\nold\n<!-- end -->\nb\n<!-- end -->\n"
+        self.assertEqual(page.replace_section(text, "new"),
+                         "a\n<!-- scaling -->\nnew\n<!-- end -->\nb\n<!-- end -->\n")
 
 
 if __name__ == "__main__":
