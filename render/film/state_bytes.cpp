@@ -3,6 +3,7 @@
 #include "common/file/output_file.h"
 #include "common/input_error.h"
 #include "render/film/byte_planes.h"
+#include "render/film/zstd_result.h"
 
 #include <xxhash.h>
 #include <zstd.h>
@@ -26,7 +27,7 @@ constexpr std::uint64_t kSumsInBlock = std::uint64_t{3} << 15;
 
 void require_no_error(std::size_t code)
 {
-    if (ZSTD_isError(code) != 0)
+    if (!zstd_succeeded(code))
         throw std::runtime_error(std::string("zstd: ") + ZSTD_getErrorName(code));
 }
 
@@ -40,8 +41,8 @@ struct Free {
 
 struct StateWriter::Output {
     WholeFile file;
-    std::unique_ptr<ZSTD_CCtx, Free> context{ZSTD_createCCtx()};
-    std::unique_ptr<XXH3_state_t, Free> checksum{XXH3_createState()};
+    std::unique_ptr<ZSTD_CCtx, Free> context{require_made(ZSTD_createCCtx())};
+    std::unique_ptr<XXH3_state_t, Free> checksum{require_made(XXH3_createState())};
     std::vector<std::byte> compressed = std::vector<std::byte>(ZSTD_CStreamOutSize());
 
     explicit Output(const std::filesystem::path& path) : file(path)
@@ -107,7 +108,7 @@ struct StateReader::Input {
     std::uint64_t left = 0; ///< compressed bytes that are not in the buffer yet
     std::vector<std::byte> buffer = std::vector<std::byte>(kPart);
     ZSTD_inBuffer compressed = {}; ///< of the buffer
-    std::unique_ptr<ZSTD_DCtx, Free> context{ZSTD_createDCtx()};
+    std::unique_ptr<ZSTD_DCtx, Free> context{require_made(ZSTD_createDCtx())};
     bool ended = false; ///< the compressed values
 
     explicit Input(const std::filesystem::path& path) : file(path) {}
@@ -154,7 +155,7 @@ std::uint32_t StateReader::version() const
 void StateReader::begin()
 {
     const std::uint64_t checked = input_->file.size() - kTail;
-    const std::unique_ptr<XXH3_state_t, Free> sum(XXH3_createState());
+    const std::unique_ptr<XXH3_state_t, Free> sum(require_made(XXH3_createState()));
     XXH3_64bits_reset(sum.get());
     input_->file.seek(0);
     for (std::uint64_t left = checked; left > 0;) {
@@ -192,7 +193,7 @@ void StateReader::take(std::span<std::byte> into)
         const std::size_t before = input_->compressed.pos + out.pos;
         const std::size_t left =
             ZSTD_decompressStream(input_->context.get(), &out, &input_->compressed);
-        require(ZSTD_isError(left) == 0, "compression");
+        require(zstd_succeeded(left), "compression");
         input_->ended = left == 0;
         require(input_->ended || input_->compressed.pos + out.pos > before, "length");
     }
@@ -206,7 +207,7 @@ bool StateReader::at_end()
         input_->fill();
         const std::size_t left =
             ZSTD_decompressStream(input_->context.get(), &out, &input_->compressed);
-        require(ZSTD_isError(left) == 0, "compression");
+        require(zstd_succeeded(left), "compression");
         if (out.pos > 0)
             return false;
         input_->ended = left == 0;

@@ -77,6 +77,19 @@ class OutOfMemory(ToolsTestCase):
                            self.path("out.exr"), "--size", "512x512", "--photons", 300000,
                            "--passes", 1, "--threads", threads, "--state", self.path("state")), 0)
 
+    def test_merge(self):
+        """A state that memory does not hold is not called damaged, and not left out."""
+        self.succeed("preprocess", Tools.scene, "-o", self.path("scene.hpm"))
+        for first in (0, 1):
+            self.succeed("render", Tools.scene, self.path("scene.hpm"), "-o", self.path("out.pfm"), "--size", "256x256",
+                         "--photons", 1000, "--samples", 1, "--first-pass", first, "--passes", 1, "--state",
+                         self.path(f"{first}.state"))
+        os.mkdir(self.path("states"))
+        for first in (0, 1):
+            os.rename(self.path(f"{first}.state"), self.path(f"states/{first}.state"))
+        failed = self.check(self.limits(170, 16), "render", "merge", self.path("states"), "-o", self.path("all.pfm"))
+        self.assertGreater(failed, 0)
+
 
 if __name__ == "__main__":
     Tools.folder = sys.argv[1]
