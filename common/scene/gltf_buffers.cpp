@@ -9,6 +9,7 @@
 
 #include <cstring>
 #include <optional>
+#include <utility>
 
 namespace hipmap {
 
@@ -74,7 +75,7 @@ bool has_compressed_views_only(const GltfDocument& document, std::size_t index)
     return used;
 }
 
-Bytes load_buffer(const GltfDocument& document, std::size_t index)
+Bytes load_buffer(GltfDocument& document, std::size_t index)
 {
     const nlohmann::json& buffer = document.json["buffers"][index];
     const std::string place = "buffers[" + std::to_string(index) + "]";
@@ -85,7 +86,7 @@ Bytes load_buffer(const GltfDocument& document, std::size_t index)
     else if (says_fallback(buffer))
         return {};
     else if (index == 0 && document.binary)
-        bytes = to_unsigned(document.bin());
+        bytes = std::move(document.bin);
     else if (has_compressed_views_only(document, index))
         return {};
     else
@@ -117,7 +118,7 @@ std::vector<unsigned char> read_gltf_uri(const GltfDocument& document, const std
     return to_unsigned(read_file(file_beside(document.path, place, *name)));
 }
 
-std::vector<std::vector<unsigned char>> load_gltf_buffers(const GltfDocument& document)
+std::vector<std::vector<unsigned char>> load_gltf_buffers(GltfDocument& document)
 {
     std::vector<Bytes> buffers;
     const auto listed = document.json.find("buffers");

@@ -14,8 +14,9 @@ std::vector<unsigned char> read_gltf_uri(const GltfDocument& document, const std
                                          const std::string& uri);
 
 /// Returns the bytes of every buffer of a checked document, exactly byteLength of each.  A fallback
-/// buffer of EXT_meshopt_compression that is not in the file is empty. Throws InputError, naming
+/// buffer of EXT_meshopt_compression that is not in the file is empty. The document's BIN chunk
+/// becomes a buffer. Throws InputError, naming
 /// the buffer: missing, too short, or as read_gltf_uri.
-std::vector<std::vector<unsigned char>> load_gltf_buffers(const GltfDocument& document);
+std::vector<std::vector<unsigned char>> load_gltf_buffers(GltfDocument& document);
 
 } // namespace hipmap

@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -13,16 +12,9 @@ namespace hipmap {
 /// A .gltf or .glb file and its JSON, checked as far as JSON can be: see check_gltf_schema.
 struct GltfDocument {
     std::filesystem::path path;
-    std::vector<std::byte> bytes; ///< the whole file
-    bool binary = false;          ///< GLB container
-    std::size_t bin_offset = 0;   ///< the BIN chunk of a container, if it has one
-    std::size_t bin_size = 0;
+    bool binary = false;            ///< GLB container
+    std::vector<unsigned char> bin; ///< the BIN chunk of a container, until load_gltf_buffers
     nlohmann::json json;
-
-    std::span<const std::byte> bin() const
-    {
-        return std::span(bytes).subspan(bin_offset, bin_size);
-    }
 };
 
 /// Returns the name of the program that wrote the file; empty if it says none.

@@ -58,7 +58,7 @@ void check_plain_views(const GltfDocument& document, const tinygltf::Model& mode
 
 } // namespace
 
-tinygltf::Model parse_gltf(const GltfDocument& document)
+tinygltf::Model parse_gltf(GltfDocument& document)
 {
     check_required_extensions(document);
     std::vector<std::vector<unsigned char>> buffers = load_gltf_buffers(document);

@@ -11,6 +11,6 @@ namespace hipmap {
 /// any form of the file.  Materials and textures are left alone. Throws InputError: an unknown or
 /// unreadable required extension, a buffer that is missing, too short, or not beside the scene
 /// (absolute, "..", another scheme), damaged compressed data.
-tinygltf::Model parse_gltf(const GltfDocument& document);
+tinygltf::Model parse_gltf(GltfDocument& document);
 
 } // namespace hipmap

@@ -1,6 +1,5 @@
 #include "common/scene/read_gltf.h"
 
-#include "common/freed_memory.h"
 #include "common/scene/blender_losses.h"
 #include "common/scene/gltf_animation.h"
 #include "common/scene/gltf_extras.h"
@@ -102,7 +101,6 @@ GltfSource::GltfSource(const std::filesystem::path& path, const SceneOptions& op
     timeless_.look = choose_look(options.look, generator);
     timeless_.light_units = options.light_units;
     timeless_.texture_cache_mib = options.texture_cache_mib;
-    free_array(document_.bytes); // the model has its own
     read_gltf_materials(document_, model_, timeless_);
     animation_ = read_gltf_animation(document_, model_, timeless_.audit);
     const bool has_copies = animation_.channels.empty() && options.exclude.empty();
