@@ -33,6 +33,8 @@ def allowed_folders():
         for i, folder in enumerate(order):
             allowed[folder] = set(LEAVES) | set(order[:i + 1])
     allowed["convert"] = set(LEAVES) | set(COMMON) | {"convert"}
+    allowed["experiments/rivals"] = (set(allowed["preprocess"]) | set(allowed["render"])
+                                     | {"experiments/rivals"})
     allowed["bench"] = set(allowed["preprocess"]) | set(allowed["render"]) | {"bench"}
     return allowed
 
@@ -81,12 +83,14 @@ def self_test(allowed):
              ("render/maps/a.cpp", "photon_tree.h"),
              ("render/maps/a.cpp", "../shading/bsdf.h"),
              ("render/maps/a.cpp", "render/utils/a.h"),
+             ("render/integrator/a.cpp", "experiments/rivals/rival.h"),
              ("render/maps/a.cpp", "tests/support/tiny_meshes.h")]
     right = [("render/integrator/a.cpp", "render/shading/bsdf.h"),
              ("render/integrator/a.cpp", "render/dissertation/dissertation.h"),
              ("render/dissertation/a.cpp", "render/dissertation/kd_tree.h"),
              ("bench/a.cpp", "render/dissertation/kd_tree.h"),
              ("render/main.cpp", "render/integrator/render_image.h"),
+             ("experiments/rivals/a.cpp", "render/integrator/path_tracer.h"),
              ("preprocess/colouring/a.cpp", "common/rays/embree_scene.h"),
              ("common/image/a.cpp", "common/file/output_file.h"),
              ("common/image/a.cpp", "common/input_error.h"),

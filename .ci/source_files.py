@@ -4,7 +4,7 @@ import os
 import subprocess
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
-FOLDERS = ("common", "convert", "preprocess", "render", "tests", "bench")
+FOLDERS = ("common", "convert", "preprocess", "render", "tests", "bench", "experiments")
 SUFFIXES = (".h", ".cpp")
 
 
