@@ -20,6 +20,7 @@ namespace {
 struct Arguments {
     std::string scene, method, output, size = "256";
     RivalSettings settings;
+    unsigned threads = 0;
 };
 
 void add_options(CLI::App& app, Arguments& arguments)
@@ -45,6 +46,7 @@ void add_options(CLI::App& app, Arguments& arguments)
         ->check(CLI::Range(2, 256));
     app.add_option("--window", settings.window, "Side of a light field's window, scene units")
         ->check(finite_in(0, 1));
+    app.add_option("--threads", arguments.threads, "Threads; 0: all cores");
 }
 
 SceneOptions with_look(LookChoice look)
@@ -98,6 +100,7 @@ int main(int argc, char** argv)
         hipmap::add_options(app, arguments);
         if (const std::optional<int> code = hipmap::parse_arguments(app, argc, argv))
             return *code;
+        hipmap::limit_threads(arguments.threads);
         hipmap::render(arguments);
         return hipmap::kExitDone;
     });
