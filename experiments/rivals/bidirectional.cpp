@@ -4,42 +4,13 @@
 #include "experiments/rivals/light_starts.h"
 #include "experiments/rivals/pinhole.h"
 #include "experiments/rivals/pixels.h"
-#include "experiments/rivals/spread_lobes.h"
-#include "render/paths/path_state.h"
-#include "render/paths/roulette.h"
+#include "experiments/rivals/sub_path.h"
 
 namespace hipmap {
 
 namespace {
 
 constexpr int kBands = 16; // of rows, each with an image of its own for light paths
-
-/// Two sums over all techniques that could have made a path, relative to the one at hand, by which
-/// the path is weighted; they are kept from vertex to vertex.  Source: Georgiev 2012, "Implementing
-/// Vertex Connection and Merging": dVCM and dVC.
-struct Weights {
-    float here = 0.0f;
-    float before = 0.0f;
-};
-
-/// A path from the eye or from a light on its way.
-struct SubPath : PathRay {
-    Rgb carried{1.0f};
-    float begun = 1.0f;  ///< largest channel of what it carried at first
-    float index2 = 1.0f; ///< as in PathState
-    int depth = 0;
-    bool from_light = false;
-    Weights weights;
-};
-
-/// A vertex of a path on a surface.
-struct Vertex {
-    Interaction at;
-    RayHit hit;
-    WaysOn ways;
-    Rgb carried{0.0f};
-    Weights weights;
-};
 
 /// What all threads share.
 struct Shared {
@@ -54,104 +25,6 @@ struct Shared {
         return static_cast<float>(settings.width) * static_cast<float>(settings.height);
     }
 };
-
-/// Rough glass and what transmits diffusely take light from both sides.
-LightReceiver receiver(const Interaction& at)
-{
-    const bool both = at.bsdf().transmits || at.bsdf().transmits_diffusely;
-    return {at.point.position, both ? glm::vec3(0) : at.normal};
-}
-
-float cosine_to(const Interaction& at, const glm::vec3& direction)
-{
-    return std::abs(glm::dot(direction, at.normal));
-}
-
-bool survives(SubPath& path, RandomSequence& random)
-{
-    const float carried = path.index2 * max_channel(path.carried) / path.begun;
-    return survives(survival_probability(path.depth, carried), random, path.carried);
-}
-
-/// Brings the path to the next surface; none: there is none.
-std::optional<Vertex> reach_vertex(const Shared& shared, RandomSequence& random, SubPath& path)
-{
-    const std::optional<RayHit> hit = shared.scene.rays.nearest(path.ray);
-    if (!hit)
-        return std::nullopt;
-    absorb(path.absorption, hit->distance, path.carried);
-    Vertex out;
-    out.hit = *hit;
-    out.at = meet_face(shared.scene, *hit, path);
-    find_index(shared.scene, out.at, path.nanometres, path.carried, random);
-    out.ways = ways_on(out.at);
-    out.carried = path.carried;
-    const float cosine = cosine_to(out.at, path.ray.direction);
-    path.weights.here *= hit->distance * hit->distance / cosine;
-    path.weights.before /= cosine;
-    out.weights = path.weights;
-    return out;
-}
-
-/// Sends the path on by a direction of the spread lobes.
-bool leave_by_spread(const Shared& shared, const Vertex& from, Lobes lobes, RandomSequence& random,
-                     SubPath& path)
-{
-    const ScatterSample sample = sample_scatter(from.at, lobes, random);
-    if (is_black(sample.weight))
-        return false;
-    const SpreadValue found =
-        spread_value(shared.scene, from.at, from.ways, from.hit, sample.direction);
-    if (is_black(found.value))
-        return false;
-    path.carried *= found.value / found.pdf;
-    if (path.from_light)
-        path.carried *= particle_factor(from.at, sample.direction);
-    const float cosine = cosine_to(from.at, sample.direction);
-    path.weights.before =
-        cosine / found.pdf * (path.weights.before * found.reverse + path.weights.here);
-    path.weights.here = 1 / found.pdf;
-    leave_by_lobes(shared.scene, from.at, sample, lobes, path);
-    return true;
-}
-
-/// Sends the path on by a mirror or through glass, whose probabilities the weights leave out on
-/// both sides.
-void leave_by_specular(const Shared& shared, const Vertex& from, bool mirror, SubPath& path)
-{
-    const SpecularLobes& lobes = from.ways.specular;
-    if (mirror) {
-        leave_by_mirror(shared.scene, from.at, path);
-        path.carried *= lobes.mirror / from.ways.mirror;
-    } else {
-        leave_through(shared.scene, from.at, lobes.eta, path);
-        path.carried *= lobes.transmit / from.ways.transmit;
-        if (!path.from_light) {
-            path.carried /= lobes.eta * lobes.eta;
-            path.index2 *= lobes.eta * lobes.eta;
-        }
-    }
-    if (path.from_light)
-        path.carried *= particle_correction(from.at, path.ray.direction);
-    path.weights.here = 0;
-    path.weights.before *= cosine_to(from.at, path.ray.direction);
-}
-
-/// Sends the path on by one of the lobes; false: it ends.
-bool leave_vertex(const Shared& shared, const Vertex& from, RandomSequence& random, SubPath& path)
-{
-    const float drawn = random.next();
-    const WaysOn& ways = from.ways;
-    ++path.depth;
-    if (drawn < ways.spread())
-        return leave_by_spread(
-            shared, from, drawn < ways.gathered ? Lobes::gathered : Lobes::followed, random, path);
-    const bool mirror = drawn < ways.spread() + ways.mirror;
-    if (!mirror && !(ways.transmit > 0))
-        return false;
-    leave_by_specular(shared, from, mirror, path);
-    return true;
-}
 
 /// Traces a light path; its vertices are those that others can be joined to.
 std::vector<Vertex> trace_light(const Shared& shared, RandomSequence& random)
@@ -168,7 +41,7 @@ std::vector<Vertex> trace_light(const Shared& shared, RandomSequence& random)
     path.weights = {1 / start.pdf, start.is_point ? 0 : start.cosine / start.pdf};
     while (survives(path, random)) {
         const float here = path.weights.here;
-        std::optional<Vertex> vertex = reach_vertex(shared, random, path);
+        std::optional<Vertex> vertex = reach_vertex(shared.scene, random, path);
         if (!vertex)
             break;
         if (path.depth == 0 && !start.is_point) { // times the pdf of the light sampled from there
@@ -180,7 +53,7 @@ std::vector<Vertex> trace_light(const Shared& shared, RandomSequence& random)
         }
         if (vertex->ways.spread() > 0)
             out.push_back(*vertex);
-        if (!leave_vertex(shared, *vertex, random, path))
+        if (!leave_vertex(shared.scene, *vertex, random, path))
             break;
     }
     return out;
@@ -327,7 +200,7 @@ Rgb trace_eye(const Shared& shared, const Ray& ray, const std::vector<Vertex>& l
     Rgb radiance(0.0f);
     std::optional<LightReceiver> source;
     while (survives(path, random)) {
-        const std::optional<Vertex> vertex = reach_vertex(shared, random, path);
+        const std::optional<Vertex> vertex = reach_vertex(shared.scene, random, path);
         if (!vertex)
             break;
         radiance += met_light(shared, *vertex, source);
@@ -337,7 +210,7 @@ Rgb trace_eye(const Shared& shared, const Ray& ray, const std::vector<Vertex>& l
             for (const Vertex& of_light : light)
                 radiance += joined_light(shared, *vertex, of_light);
         }
-        if (!leave_vertex(shared, *vertex, random, path))
+        if (!leave_vertex(shared.scene, *vertex, random, path))
             break;
     }
     return radiance;
