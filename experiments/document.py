@@ -30,7 +30,7 @@ larger, and their seconds are those of as many pixels.
 {again(about)}Building is splitting and ordering the photons. The **net query cost** is the time to render an image whose
 light comes from the photons alone less the time to render it without photons. Caustic photons have maps of
 their own in every mode. `balanced` is Jensen's kd-tree, `unbalanced` one made by inserting, `midpoint` one whose cells are halved, `wide`
-hipmap's ([photon_maps.md]({root}/docs/photon_maps.md)).
+hipmap's ([photon_maps.md]({root}/docs/photon_maps.md)). Other methods beside photon maps: [rivals.md]({root}/docs/rivals.md).
 """
 
 

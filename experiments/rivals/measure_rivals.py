@@ -64,7 +64,7 @@ def run(options, lab):
     scenes = [plan.SCENES[name] for name in options.scenes]
     for scene in scenes:
         lab.make_partition(scene)
-        for kind in plan.REFERENCES:
+        for kind in plan.KINDS:
             for number in (0, 1):
                 if not lab.half(scene, kind, number).exists():
                     notebook.forget(f"reference/{scene.name}/{kind}/{number}")

@@ -51,9 +51,8 @@ def curve(results, scene, method, kind):
 
 
 def after(points, seconds):
-    """Error after so many seconds of a curve of (seconds, error): the least that its points have by
-    then, or a line in logarithms between two; before the first point that is its error, after the
-    last it stays."""
+    """Error after so many seconds of a curve of (seconds, error): a line in logarithms between two
+    points; before the first point its error, after the last the least of all."""
     if seconds <= points[0][0]:
         return points[0][1]
     for (t0, e0), (t1, e1) in zip(points, points[1:]):
@@ -125,18 +124,18 @@ def ahead_of(rival, ours, kind=plan.WHOLE):
 
 
 CLAIMS = [
-    *(Claim(f"Photon maps are preferred for caustics: error of `{rival}` / of `direct`", DISSERTATION,
+    *(Claim(f"Photon maps are preferred for caustics: `{rival}` / `direct`", DISSERTATION,
             ahead_of(rival, plan.DIRECT), ahead_of(rival, plan.OF_ITS_TIME)) for rival in plan.RIVALS),
     Claim("Radiosity has problems with specular materials: its error on the whole image / without "
           "caustics", BOOK, lambda results, scene: left_out(results, scene, plan.RADIOSITY)),
-    Claim("Radiosity suffers from mesh artifacts: its error / that of paths, both without caustics", BOOK,
+    Claim("Radiosity suffers from mesh artifacts: `radiosity` / `path`, both without caustics", BOOK,
           ahead_of(plan.RADIOSITY, plan.PATH_EFFECTS, plan.EFFECTS)),
-    Claim("Irradiance caching speeds indirect light up: error of paths / its own, both without caustics",
+    Claim("Irradiance caching is faster: `path` / `irradiance-cache`, both without caustics",
           BOOK, ahead_of(plan.PATH_EFFECTS, plan.CACHE, plan.EFFECTS)),
-    Claim("Bidirectional path tracing is good for caustics of small lights: error of `path` / its own",
+    Claim("Bidirectional path tracing is good for caustics of small lights: `path` / `bidirectional`",
           COURSE, ahead_of(plan.PATH, plan.BOTH_WAYS)),
-    Claim("Both kinds of path tracing need many samples against noise: error of `bidirectional` / of "
-          "`progressive`", COURSE, ahead_of(plan.BOTH_WAYS, plan.PROGRESSIVE)),
+    Claim("Bidirectional path tracing needs many samples: `bidirectional` / `progressive`", COURSE,
+          ahead_of(plan.BOTH_WAYS, plan.PROGRESSIVE)),
 ]
 
 

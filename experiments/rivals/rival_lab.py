@@ -45,13 +45,13 @@ class Lab:
 
     def make_half(self, scene, kind, number):
         """One half of a reference."""
-        passes = self.study.passes[list(plan.REFERENCES).index(kind)]
+        passes = self.study.passes[plan.KINDS.index(kind)]
         with tempfile.TemporaryDirectory() as folder:
             stats = pathlib.Path(folder, "stats.json")
             done = programs.run(self.tools, "render", *self.render_words(scene, stats), "-o",
                                 self.half(scene, kind, number), "--passes", passes, "--seed",
                                 plan.REFERENCE_SEED + number, "--photons", self.study.photons,
-                                *plan.REFERENCES[kind])
+                                *plan.reference(scene, kind))
             check = json.loads(stats.read_text())["error"]["checks"][-1]
         return {"seconds": done.seconds, "bias2": max(0, check.get("bias2") or 0)}
 
@@ -96,9 +96,9 @@ def stages(lab, scenes):
     """[[Job]]: references, then images."""
     references = [Job(f"reference/{scene.name}/{kind}/{number}", 50,
                       functools.partial(lab.make_half, scene, kind, number))
-                  for scene in scenes for kind in plan.REFERENCES for number in (0, 1)]
+                  for scene in scenes for kind in plan.KINDS for number in (0, 1)]
     noise = [Job(f"noise/{scene.name}/{kind}", 1, functools.partial(lab.noise2, scene, kind))
-             for scene in scenes for kind in plan.REFERENCES]
+             for scene in scenes for kind in plan.KINDS]
     images = [Job(f"image/{scene.name}/{method.name}/{point}/{seed}", 4 ** point,
                   functools.partial(lab.measure, scene, method, point, seed))
               for seed in range(lab.study.seeds) for scene in scenes

@@ -71,7 +71,7 @@ def draw_images(results, lab, path):
     scenes = findings.scenes(results)
     figure, panels = pyplot.subplots(len(scenes), 1 + len(SHOWN), squeeze=False,
                                      figsize=(1.9 * (1 + len(SHOWN)), 1.95 * len(scenes)))
-    for row, scene in zip(panels, scenes):
+    for first, row, scene in zip([True] + len(scenes) * [False], panels, scenes):
         reference = lab.halves(scene, plan.WHOLE)[0]
         white = 1.5 * float(numpy.percentile(numpy.array(reference[1]), 85))
         named = [("reference", reference)]
@@ -80,7 +80,7 @@ def draw_images(results, lab, path):
         for axes, (name, image) in zip(row, named):
             axes.imshow(display(image, white))
             axes.set_axis_off()
-            if row is panels[0]:
+            if first:
                 axes.set_title(name, fontsize=8)
     figure.subplots_adjust(left=0, right=1, bottom=0, top=0.95, wspace=0.03, hspace=0.03)
     figure.savefig(path, dpi=75)

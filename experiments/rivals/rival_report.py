@@ -33,7 +33,8 @@ def run_part(results, _):
     noise = [math.sqrt(results["runs"][f"noise/{scene.name}/{plan.WHOLE}"])
              for scene in findings.scenes(results)]
     return (f"Run on {results['date']}; {results['about']['machine']}; images {study['width']} pixels wide, "
-            f"{study['seeds']} seeds; noise of the references at most {number(100 * max(noise))} %.\n")
+            f"{study['seeds']} seeds; {study['photons']:,} light paths in a pass of hipmap; noise of the "
+            f"references at most {number(100 * max(noise))} %.\n")
 
 
 def curves_part(_, drawn):
@@ -96,7 +97,7 @@ def claims_part(results, _):
     lines = [[claim.text, claim.source, *(findings.shown(claim, results, scene) for scene in scenes)]
              for claim in findings.CLAIMS]
     sources = "\n".join(f"* *{key}*: {text}." for key, text in findings.SOURCES.items())
-    return table(["claim: a ratio above 1", "source", *(scene.name for scene in scenes)],
+    return table(["claim: ratio of errors", "source", *(scene.name for scene in scenes)],
                  lines) + "\n" + sources + "\n"
 
 
