@@ -104,6 +104,17 @@ void add_translation(const HemisphereSamples& from, const Frame& frame, CacheRec
     }
 }
 
+/// Where the gradient would bring the irradiance down to zero the record does not reach (Krivanek
+/// et al. 2005): few bright rays make steep gradients.
+void limit_by_gradient(CacheRecord& record)
+{
+    for (int channel = 0; channel < 3; ++channel) {
+        const float steepest = glm::length(record.moved[static_cast<std::size_t>(channel)]);
+        if (steepest * record.distance > record.irradiance[channel])
+            record.distance = std::max(kNearest, record.irradiance[channel] / steepest);
+    }
+}
+
 /// A weight of Ward's above `least`, or zero: the record is too far away or turned.
 float weight_of(const CacheRecord& record, const glm::vec3& position, const glm::vec3& normal,
                 float least)
@@ -278,6 +289,7 @@ CacheRecord sample_hemisphere(const SurfacePoint& point, const glm::vec3& normal
         std::clamp(static_cast<float>(samples.light.size()) / nearness, kNearest, kFarthest);
     add_rotation(samples, frame, out);
     add_translation(samples, frame, out);
+    limit_by_gradient(out);
     return out;
 }
 
