@@ -23,9 +23,18 @@ def number(value):
     return "-" if value is None else f"{float(f'{value:.2g}'):g}"
 
 
-def error_cell(results, scene, method, seconds):
+def error_after(results, scene, method, seconds):
+    """Root of the mean of squares; None: not measured."""
     found = findings.errors_after(results, scene, method, plan.WHOLE, seconds)
-    return number(100 * math.sqrt(mean([error ** 2 for error in found]))) + " %" if found else "-"
+    return math.sqrt(mean([error ** 2 for error in found])) if found else None
+
+
+def error_cell(error, least):
+    """least: of the column, which stands out."""
+    if error is None:
+        return "-"
+    text = f"{number(100 * error)} %"
+    return f"**{text}**" if error == least else text
 
 
 def run_part(results, _):
@@ -48,8 +57,11 @@ def images_part(_, drawn):
 def errors_part(results, _):
     scenes = findings.scenes(results)
     budgets = [findings.budget(results, scene) for scene in scenes]
-    lines = [[f"`{method}`", *(error_cell(results, scene, method, seconds)
-                               for scene, seconds in zip(scenes, budgets))] for method in LISTED]
+    columns = [[error_after(results, scene, method, seconds) for method in LISTED]
+               for scene, seconds in zip(scenes, budgets)]
+    least = [min(error for error in column if error is not None) for column in columns]
+    lines = [[f"`{method}`", *map(error_cell, errors, least)]
+             for method, errors in zip(LISTED, zip(*columns))]
     return table(["method", *(f"{scene.name}, {number(seconds)} s"
                               for scene, seconds in zip(scenes, budgets))], lines)
 
