@@ -62,6 +62,17 @@ Rgb projected_density(const Search& search, const PhotonQuery& query, const Phot
     return per_area(search.power_scale(), sum, area);
 }
 
+/// Returns the k nearest photons on the query's side of the surface.
+template <typename Search>
+FoundPhotons nearest_on_side(const Search& search, const PhotonQuery& query)
+{
+    if (!search.surfaces.may_fold(query.face))
+        return search.nearest(query);
+    return search.accepted(query, [&](const PhotonMap& map, std::uint32_t slot) {
+        return is_on_side({map, slot}, query, search.surfaces);
+    });
+}
+
 /// Estimates by a second search, among the visible photons only.
 template <typename Search>
 Rgb estimate_visible(const Search& search, PhotonQuery query, float radius)
@@ -70,8 +81,10 @@ Rgb estimate_visible(const Search& search, PhotonQuery query, float radius)
     query.radius = look_around(search.surfaces, query, radius, scratch);
     if (!(query.radius > 0))
         return Rgb(0);
+    const bool folds = search.surfaces.may_fold(query.face);
     const auto seen = [&](const PhotonMap& map, std::uint32_t slot) {
-        return scratch.disc.sees(map.tree.position(slot));
+        return scratch.disc.sees(map.tree.position(slot)) &&
+               (!folds || is_on_side({map, slot}, query, search.surfaces));
     };
     const FoundPhotons found = search.accepted(query, seen);
     if (found.slots.empty())
@@ -107,6 +120,21 @@ std::optional<Rgb> estimate_from_sums(const Search& search, const PhotonQuery& q
     return {};
 }
 
+/// Estimates (3), for a query with fewer than k photons on its side within its radius: those of the
+/// whole map, on all its sides, if the radius is infinite.
+template <typename Search>
+Rgb estimate_sparse(const Search& search, const PhotonQuery& query)
+{
+    if (std::isfinite(query.radius))
+        return estimate_visible(search, query, query.radius);
+    const FoundPhotons found = search.nearest(query);
+    if (found.slots.empty())
+        return Rgb(0);
+    if (found.slots.size() == search.options().neighbours)
+        return estimate_visible(search, query, farthest(found));
+    return density(search, query, *found.map, found.slots, search.surfaces.area_at(query.face));
+}
+
 } // namespace clipped
 
 /// Implements estimate_irradiance with any search: docs/photon_maps.md (2) to (4).
@@ -115,18 +143,16 @@ Rgb clipped_estimate(const Search& search, const PhotonQuery& query)
 {
     using namespace clipped;
     EstimateScratch& scratch = search.scratch;
-    if (search.adds_up() && query.lobes == nullptr && !scratch.near_boundary)
+    if (search.adds_up() && query.lobes == nullptr && !scratch.near_boundary &&
+        !search.surfaces.may_fold(query.face))
         if (const std::optional<Rgb> sum = estimate_from_sums(search, query))
             return *sum;
     scratch.near_boundary = false;
-    const FoundPhotons found = search.nearest(query);
-    if (found.slots.empty())
+    const FoundPhotons found = nearest_on_side(search, query);
+    if (found.slots.empty() && std::isfinite(query.radius))
         return Rgb(0);
     if (found.slots.size() < search.options().neighbours)
-        return std::isfinite(query.radius) // (3)
-                   ? estimate_visible(search, query, query.radius)
-                   : density(search, query, *found.map, found.slots,
-                             search.surfaces.area_at(query.face));
+        return estimate_sparse(search, query);
     const float radius = farthest(found);
     if (!(radius > 0))
         return Rgb(0);

@@ -3,6 +3,7 @@
 #include "render/maps/clipped_estimate.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace hipmap {
 
@@ -34,6 +35,24 @@ struct SharedSearch {
     void recount(const SearchStatistics& counted) const { scratch.search.statistics = counted; }
 };
 
+/// [map] 1: the normals of its faces do not lie within 45 degrees of their mean.
+std::vector<std::uint8_t> find_folds(const Partition& partition,
+                                     const std::vector<glm::vec3>& normals)
+{
+    std::vector<glm::dvec3> mean(partition.map_count, glm::dvec3(0));
+    for (FaceId face = 0; face < normals.size(); ++face)
+        if (const MapId map = partition.map_of(face); map != kNone)
+            mean[map] += glm::dvec3(normals[face]);
+    std::vector<std::uint8_t> out(partition.map_count, 0);
+    for (FaceId face = 0; face < normals.size(); ++face)
+        if (const MapId map = partition.map_of(face); map != kNone) {
+            const double along = glm::dot(glm::dvec3(normals[face]), mean[map]);
+            if (!(along > glm::length(mean[map]) / std::numbers::sqrt2))
+                out[map] = 1;
+        }
+    return out;
+}
+
 } // namespace
 
 MapSurfaces::MapSurfaces(const TriangleMesh& of_mesh, const Partition& of_partition)
@@ -51,6 +70,7 @@ MapSurfaces::MapSurfaces(const TriangleMesh& of_mesh, const Partition& of_partit
             area[partition.map_of(face)] += length / 2;
     }
     map_area.assign(area.begin(), area.end());
+    folds = find_folds(partition, normals);
 }
 
 float even_radius(const PhotonMaps& maps, const MapSurfaces& surfaces, const PhotonQuery& query)

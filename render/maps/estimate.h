@@ -23,8 +23,10 @@ struct MapSurfaces {
     const Partition& partition;
     MapBoundaries boundaries; ///< of stored faces
     OwnBoundaries own_boundaries;
-    std::vector<glm::vec3> normals; ///< [F] unit, towards side 0; zero for a face without area
-    std::vector<float> map_area;    ///< [shared maps of stored faces] square scene units
+    std::vector<glm::vec3> normals;  ///< [F] unit, towards side 0; zero for a face without area
+    std::vector<float> map_area;     ///< [shared maps of stored faces] square scene units
+    std::vector<std::uint8_t> folds; ///< [the same] 1: two of its faces may look away from each
+                                     ///<     other
 
     MapSurfaces(const TriangleMesh& of_mesh, const Partition& of_partition);
 
@@ -36,6 +38,12 @@ struct MapSurfaces {
             return area;
         const double scale = mesh.copy_of(face).place.scale;
         return static_cast<float>(scale * scale * area);
+    }
+    /// Returns whether a wide disc at a face may reach faces of its map that look away from it.
+    bool may_fold(FaceId face) const
+    {
+        const MapId map = partition.map_of_face[partition.stored_face(face)];
+        return map != kNone && folds[map] != 0;
     }
     /// Returns the normal of any face, as `normals` has it.
     glm::vec3 normal(FaceId face) const

@@ -42,10 +42,11 @@ RadiusEstimates estimate_in_map(const PhotonMap& map, const RadiusQuery& wanted,
 {
     const PhotonQuery& query = wanted.query;
     const std::array<float, 3>& radii = wanted.radii;
-    const bool whole = query.lobes == nullptr;
+    const bool folds = wanted.surfaces.may_fold(query.face);
+    const bool whole = query.lobes == nullptr && !folds;
     // No boundary needs to be looked at where there is no photon.  Beside a boundary a list will be
     // needed anyhow.
-    const bool sums_first = whole && !std::exchange(scratch.near_boundary, false);
+    const bool sums_first = query.lobes == nullptr && !std::exchange(scratch.near_boundary, false);
     RadiusEstimates from_sums;
     if (sums_first) {
         from_sums = estimate_from_sums(map, wanted, scratch);
@@ -62,7 +63,7 @@ RadiusEstimates estimate_in_map(const PhotonMap& map, const RadiusQuery& wanted,
     const FoundPhotons found = list_within(map, within, scratch.search.within);
     const RadiusEstimates out = estimate_from_list(
         found, {wanted.scale, wanted.surfaces, query, narrowed(radii, seen)}, scratch);
-    scratch.near_boundary = !scratch.segments.empty() && out.photons > 0;
+    scratch.near_boundary = (folds || !scratch.segments.empty()) && out.photons > 0;
     return out;
 }
 
@@ -80,12 +81,14 @@ RadiusEstimates estimate_from_list(const FoundPhotons& found, const RadiusQuery&
                                    const EstimateScratch& scratch)
 {
     const bool tilted = !scratch.segments.empty(); // docs/photon_maps.md (4)
+    const bool folds = wanted.surfaces.may_fold(wanted.query.face);
     RadiusEstimates out;
     std::array<glm::dvec3, 3> sums{};
     for (const std::uint32_t slot : found.slots) {
         const MetPhoton photon{*found.map, slot};
         const glm::vec3 position = found.map->tree.position(slot);
-        if (!scratch.disc.sees(position))
+        if (!scratch.disc.sees(position) ||
+            (folds && !is_on_side(photon, wanted.query, wanted.surfaces)))
             continue;
         const glm::dvec3 power = tilted ? projected_power(photon, wanted.query, wanted.surfaces)
                                         : gathered_power(photon, wanted.query);

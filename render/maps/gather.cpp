@@ -69,6 +69,12 @@ glm::dvec3 projected_power(const MetPhoton& photon, const PhotonQuery& query,
     return power * double{std::max(0.0f, cosine)};
 }
 
+bool is_on_side(const MetPhoton& photon, const PhotonQuery& query, const MapSurfaces& surfaces)
+{
+    const FaceId face = photon.map.faces[photon.slot];
+    return face == query.face || glm::dot(surfaces.normal(face), surfaces.normal(query.face)) > 0;
+}
+
 Rgb per_area(const PowerScale& scale, const glm::dvec3& sum, double area)
 {
     if (!(area > 0))

@@ -28,6 +28,10 @@ inline glm::dvec3 gathered_power(const MetPhoton& photon, const PhotonQuery& que
 glm::dvec3 projected_power(const MetPhoton& photon, const PhotonQuery& query,
                            const MapSurfaces& surfaces);
 
+/// Returns whether the face of a photon looks to the same side as the query's, docs/visible_area.md
+/// (A8).
+bool is_on_side(const MetPhoton& photon, const PhotonQuery& query, const MapSurfaces& surfaces);
+
 /// Converts a sum in units of the scale into W/m2.  Zero where the area is not above zero or the
 /// quotient is not finite.
 Rgb per_area(const PowerScale& scale, const glm::dvec3& sum, double area);

@@ -46,7 +46,7 @@ std::vector<Photon> scatter_photons(const TriangleMesh& mesh, std::uint64_t seed
 
 /// docs/photon_maps.md (2) far from any boundary, over all photons.
 Rgb estimate_by_hand(const std::vector<Photon>& photons, const DissertationMaps& maps,
-                     const Partition& partition, const PhotonQuery& query)
+                     const MapSurfaces& surfaces, const PhotonQuery& query)
 {
     std::vector<glm::vec3> positions;
     for (const Photon& photon : photons)
@@ -55,8 +55,10 @@ Rgb estimate_by_hand(const std::vector<Photon>& photons, const DissertationMaps&
         const Photon& photon = photons[i];
         if (maps.one_map())
             return glm::dot(photon.direction, query.normal) > 0;
-        return photon.side == query.side &&
-               partition.map_of_face[photon.face] == partition.map_of_face[query.face];
+        const auto& map = surfaces.partition.map_of_face;
+        const auto& normal = surfaces.normals;
+        return photon.side == query.side && map[photon.face] == map[query.face] &&
+               (photon.face == query.face || glm::dot(normal[photon.face], normal[query.face]) > 0);
     };
     const std::uint32_t k = maps.shared.options.neighbours;
     const auto found = brute_force::k_nearest(positions, query.position, k, query.radius, counts);
@@ -106,7 +108,7 @@ TEST_CASE("estimate: every mode gives what its definition says, with a list and 
                 const Rgb sum = dissertation::estimate_irradiance(maps, surfaces, query, by_sum);
                 CHECK(sum == dissertation::estimate_irradiance(maps, surfaces, query, by_list));
                 ++cases;
-                const Rgb truth = estimate_by_hand(photons, maps, ready->partition, query);
+                const Rgb truth = estimate_by_hand(photons, maps, surfaces, query);
                 near += by_sum.estimate.segments.empty() ? 0 : 1;
                 if (!by_sum.estimate.segments.empty() || truth == Rgb(-1))
                     continue;

@@ -64,7 +64,9 @@ struct ByHand {
     {
         if (one_map)
             return glm::dot(photon.direction, query.normal) > 0;
-        return map(photon.face) == map(query.face) && photon.side == query.side;
+        return map(photon.face) == map(query.face) && photon.side == query.side &&
+               (photon.face == query.face ||
+                glm::dot(surfaces.normals[photon.face], surfaces.normals[query.face]) > 0);
     }
 
     RadiusEstimates estimate(const PhotonQuery& query, const Radii& radii) const
