@@ -9,11 +9,18 @@ namespace hipmap {
 namespace {
 
 constexpr const char* kDark = "the scene has no light";
+constexpr const char* kConvex = "the scene is one convex solid, no point of which lights another";
 
 std::string gathering_materials(const SceneFacts& facts)
 {
     return facts.materials_where(
         [](const Material&, const Bsdf& bsdf, bool) { return bsdf.gathers; });
+}
+
+/// What moves may not stay convex.
+bool lights_itself(const SceneFacts& facts)
+{
+    return !facts.lone_convex || !facts.moving.empty();
 }
 
 /// Names of the lights that emit and have a size.
@@ -54,6 +61,8 @@ Finding find_indirect(const SceneFacts& facts)
     const std::string names = gathering_materials(facts);
     if (names.empty())
         return {false, "no surface scatters light", ""};
+    if (!lights_itself(facts))
+        return {false, kConvex, ""};
     return {true, names + " scatter light to other surfaces",
             "light paths, the global and the indirect map, a final-gather ray for each sample"};
 }
@@ -70,6 +79,8 @@ Finding find_caustics(const SceneFacts& facts)
         return {false, "no specular surface is lit", ""};
     if (gathering_materials(facts).empty())
         return {false, "no surface gathers the light of specular ones", ""};
+    if (!lights_itself(facts))
+        return {false, kConvex, ""};
     return {true, "specular surfaces send light to others: " + names,
             "light paths aimed at them, a quarter as many as the others, and the caustic map"};
 }

@@ -2,7 +2,9 @@
 
 #include "common/scene/named_lights.h"
 #include "common/scene/scene_names.h"
+#include "render/effects/convex_solid.h"
 #include "render/media/nested_dielectrics.h"
+#include "render/shading/opacity.h"
 
 #include <algorithm>
 
@@ -17,6 +19,31 @@ std::string SceneFacts::materials_where(
             names.push_back(scene.materials[m].name);
     return list_names(names);
 }
+
+namespace {
+
+/// No light goes on behind any face.
+bool is_opaque(const SceneFacts& facts)
+{
+    for (std::size_t m = 0; m < facts.worn.size(); ++m) {
+        const Material& material = facts.scene.materials[m];
+        const Bsdf& bsdf = facts.bsdfs[m];
+        if (facts.worn[m] != 0 &&
+            (!material.boundary || material.holds_medium() || bsdf.transmits ||
+             bsdf.transmits_diffusely || may_let_light_pass(facts.scene, material)))
+            return false;
+    }
+    return true;
+}
+
+bool shows_lone_convex_solid(const SceneFacts& facts, const Partition& partition)
+{
+    const Scene& scene = facts.scene;
+    return is_convex_solid(scene.mesh, partition) && is_opaque(facts) && scene.around.is_clear() &&
+           sees_from_outside(scene.cameras[scene.camera], scene.mesh);
+}
+
+} // namespace
 
 SceneFacts gather_facts(const Scene& scene, const Partition& partition)
 {
@@ -40,6 +67,7 @@ SceneFacts gather_facts(const Scene& scene, const Partition& partition)
                       !scene.environment_map_file.empty() || scene.around.emits() ||
                       std::any_of(lights.begin(), lights.end(),
                                   [](const NamedLight& light) { return light.emits; });
+    facts.lone_convex = shows_lone_convex_solid(facts, partition);
     return facts;
 }
 

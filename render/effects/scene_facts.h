@@ -13,13 +13,15 @@ namespace hipmap {
 /// Facts about a scene by which effects are judged.  Borrows the scene.
 struct SceneFacts {
     const Scene& scene;
-    std::vector<Bsdf> bsdfs;           ///< [M] by the factors alone
-    std::vector<std::uint8_t> worn;    ///< [M] 1: some face with an area wears the material
-    std::vector<std::uint8_t> solid;   ///< [M] 1: some face of a closed surface does
-    std::vector<std::uint8_t> nested;  ///< [M] 1: a dielectric that lies in another, or has one in
-                                       ///<     it (nested_dielectrics.h)
-    bool has_light = false;            ///< there is any light
-    bool shutter = false;              ///< it is open for a time
+    std::vector<Bsdf> bsdfs;          ///< [M] by the factors alone
+    std::vector<std::uint8_t> worn;   ///< [M] 1: some face with an area wears the material
+    std::vector<std::uint8_t> solid;  ///< [M] 1: some face of a closed surface does
+    std::vector<std::uint8_t> nested; ///< [M] 1: a dielectric that lies in another, or has one in
+                                      ///<     it (nested_dielectrics.h)
+    bool has_light = false;           ///< there is any light
+    bool lone_convex = false; ///< the camera sees the outside of one opaque convex solid and
+                              ///<     nothing else, so that no point it sees lights another
+    bool shutter = false;     ///< it is open for a time
     std::vector<std::string> moving{}; ///< names of what moves meanwhile
 
     /// Returns the quoted names of the materials in use for which `holds(material, bsdf, solid)` is
