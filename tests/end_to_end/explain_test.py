@@ -92,8 +92,9 @@ def expected(facts):
     specular = [m["name"] for m in facts.materials if is_specular(m)]
     out["environment"] = (sky, None)
     out["soft-shadows"] = (bool(glowing + sized) or sky, glowing + sized or None)
-    out["indirect"] = (bool(gathering), gathering)
-    out["caustics"] = (bool(gathering) and bool(specular), specular)
+    meets = not facts.lone_box()
+    out["indirect"] = (meets and bool(gathering), gathering)
+    out["caustics"] = (meets and bool(gathering) and bool(specular), specular)
     out["depth-of-field"] = (facts.has_lens(), None)
     return out
 

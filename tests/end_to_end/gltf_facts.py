@@ -76,6 +76,15 @@ class GltfFacts:
         return [self.json["meshes"][i] for i in sorted({n["mesh"] for n in self.nodes()
                                                         if "mesh" in n})]
 
+    def lone_box(self):
+        """Whether one mesh of as many corners as a box of triangles is all there is.  Its positions may be compressed."""
+        if len([n for n in self.nodes() if "mesh" in n]) != 1 or len(self.primitives) != 1:
+            return False
+        primitive = self.primitives[0]
+        counts = [self.json["accessors"][i]["count"]
+                  for i in (primitive["attributes"]["POSITION"], primitive.get("indices", -1)) if i >= 0]
+        return counts == [24, 36]
+
     def lamps(self):
         return [n for n in self.nodes() if "KHR_lights_punctual" in n.get("extensions", {})]
 
