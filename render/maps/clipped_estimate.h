@@ -62,15 +62,20 @@ Rgb projected_density(const Search& search, const PhotonQuery& query, const Phot
     return per_area(search.power_scale(), sum, area);
 }
 
-/// Returns the k nearest photons on the query's side of the surface.
+/// Returns the k nearest photons on the query's side of the surface: nearly always the k nearest of
+/// all, else those of a second search.
 template <typename Search>
 FoundPhotons nearest_on_side(const Search& search, const PhotonQuery& query)
 {
-    if (!search.surfaces.may_fold(query.face))
-        return search.nearest(query);
-    return search.accepted(query, [&](const PhotonMap& map, std::uint32_t slot) {
+    const FoundPhotons found = search.nearest(query);
+    const auto on_side = [&](const PhotonMap& map, std::uint32_t slot) {
         return is_on_side({map, slot}, query, search.surfaces);
-    });
+    };
+    if (!search.surfaces.may_fold(query.face) ||
+        std::ranges::all_of(found.slots,
+                            [&](std::uint32_t slot) { return on_side(*found.map, slot); }))
+        return found;
+    return search.accepted(query, on_side);
 }
 
 /// Estimates by a second search, among the visible photons only.
