@@ -206,7 +206,7 @@ def main():
         with open(arguments.to, encoding="utf-8") as file:
             page = file.read()
         with open(arguments.to, "w", encoding="utf-8") as file:
-            file.write(re.sub(rf"(<!-- {name} -->\n).*?(\n<!-- end -->)", lambda m, new=text: m[1] + new + m[2], page,
+            file.write(re.sub(rf"(<!-- {name} -->\n).*?(<!-- end -->)", lambda m, new=text: m[1] + new + "\n" + m[2], page,
                               flags=re.S))
 
 
