@@ -31,8 +31,8 @@ struct Pixel {
     int x, y;
 };
 
-/// Pixels in the order in which they are asked for: neighbours one after another, as along the rows
-/// of an image, or at random.
+/// Returns the pixels to look up, in order: neighbours one after another along rows, or random ones
+/// (`scattered`).
 std::vector<Pixel> make_order(int side, std::size_t count, bool scattered)
 {
     constexpr int kRow = 256;

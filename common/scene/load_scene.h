@@ -24,7 +24,7 @@ struct SceneOptions {
     /// Instances of a mesh become copies in TriangleMesh where they would otherwise add so many
     /// faces: fewer take little memory.
     std::uint64_t least_copied_faces = 100'000;
-    /// Of the pixels of textures in memory: where they are more, tiles of them are read from a
+    /// Memory for the pixels of textures.  Where they need more, tiles of them are read from a
     /// temporary file as they are needed.
     double texture_cache_mib = 4096;
 };

@@ -1,14 +1,17 @@
 """Plots of error against time; none where matplotlib is not installed."""
 
 import math
+import sys
 
 import findings
 import plan
 
+sys.path.append(str(plan.ROOT / "experiments"))
 try:
     import matplotlib
     matplotlib.use("Agg")
-    from matplotlib import pyplot, ticker
+    from matplotlib import pyplot
+    import error_axes
 except ImportError:
     pyplot = None
 
@@ -30,18 +33,8 @@ PLOTS = {
 def draw_scene(axes, found, names):
     for name in names:
         if name in found:
-            colour, line = STYLES[name]
-            seconds, errors, spreads, _ = zip(*found[name])
-            axes.errorbar(seconds, [100 * error for error in errors],
-                          yerr=[100 * spread for spread in spreads], fmt=line, color=colour,
-                          label=name, markersize=4, linewidth=1.3, capsize=2)
-    axes.set_xscale("log")
-    axes.set_yscale("log")
-    for axis in (axes.xaxis, axes.yaxis):
-        axis.set_major_locator(ticker.LogLocator(subs=(1, 2, 5)))
-        axis.set_major_formatter(ticker.FuncFormatter(lambda value, _: f"{value:g}"))
-        axis.set_minor_formatter(ticker.NullFormatter())
-    axes.grid(which="both", alpha=0.2)
+            error_axes.draw_curve(axes, [point[:3] for point in found[name]], STYLES[name], name)
+    error_axes.scale_axes(axes)
 
 
 def draw(results, names, path):

@@ -26,8 +26,8 @@ using IncomingLight = std::function<Rgb(const Ray&, RandomSequence&, float& dist
 CacheRecord sample_hemisphere(const SurfacePoint& point, const glm::vec3& normal, int rays,
                               const IncomingLight& incoming, RandomSequence& random);
 
-/// Renders with irradiance caching: indirect light of diffuse surfaces is sampled by hemispheres
-/// of rays at few points and interpolated between them; the rays are paths.  Direct light is found
+/// Renders with irradiance caching: indirect light of diffuse surfaces is sampled by a hemisphere
+/// of paths at each of few points, and interpolated between these.  Direct light is found
 /// by shadow rays; caustics are left out, as in Ward's method.  The scene has no media.
 RivalImage render_irradiance_cache(const RenderScene& scene, const RivalSettings& settings);
 

@@ -5,13 +5,14 @@ import sys
 import rival_findings as findings
 import rival_plan as plan
 
-sys.path.append(str(plan.ROOT / "experiments/accuracy"))
+sys.path.extend((str(plan.ROOT / "experiments"), str(plan.ROOT / "experiments/accuracy")))
 import arithmetic
 
 try:
     import matplotlib
     matplotlib.use("Agg")
-    from matplotlib import pyplot, ticker
+    from matplotlib import pyplot
+    import error_axes
     import numpy
 except ImportError:
     pyplot = None
@@ -26,20 +27,11 @@ SHOWN = (plan.PROGRESSIVE, plan.PATH, *plan.RIVALS)
 
 
 def draw_scene(results, scene, axes):
-    for name, (colour, line) in STYLES.items():
+    for name, style in STYLES.items():
         points = findings.curve(results, scene, name, plan.WHOLE)
         if points:
-            seconds, errors, spreads = zip(*points)
-            axes.errorbar(seconds, [100 * error for error in errors],
-                          yerr=[100 * spread for spread in spreads], fmt=line, color=colour,
-                          label=name, markersize=4, linewidth=1.2, capsize=2)
-    axes.set_xscale("log")
-    axes.set_yscale("log")
-    for axis in (axes.xaxis, axes.yaxis):
-        axis.set_major_locator(ticker.LogLocator(subs=(1, 2, 5)))
-        axis.set_major_formatter(ticker.FuncFormatter(lambda value, _: f"{value:g}"))
-        axis.set_minor_formatter(ticker.NullFormatter())
-    axes.grid(which="both", alpha=0.2)
+            error_axes.draw_curve(axes, points, style, name)
+    error_axes.scale_axes(axes)
     axes.set_title(scene.name)
     axes.set_xlabel("processor seconds")
     axes.set_ylabel("error of the whole image, %")

@@ -1,4 +1,4 @@
-"""Writes docs/rivals.md: its words stay, what stands between its markers is written anew."""
+"""Writes docs/rivals.md: replaces the text between its markers and keeps all other text."""
 
 import math
 import re

@@ -88,9 +88,9 @@ std::vector<FaceId> faces_to_check(const WeldedFaces& faces, const EdgeGroups& o
 }
 
 /// Finds the opposites of the edges of all faces, by OpenMesh those of `some`; elsewhere they are
-/// the partners.  Opposites are those on which OpenMesh and the welded edges agree: where an edge
-/// of several faces was opened but the same fans meet at both of its ends, OpenMesh pairs what must
-/// stay apart.
+/// the partners.  Opposites are the pairs on which OpenMesh and the welded edges agree.  An edge
+/// of several faces is opened, so its faces must stay apart; OpenMesh pairs them nevertheless if
+/// the same two fans meet at its ends.
 HalfEdgePairs find_opposites(const WeldedFaces& faces, Orientation& orientation,
                              std::span<const FaceId> some)
 {

@@ -26,7 +26,7 @@ RunningMean means_of_seeds(const ReadyScene& ready, RivalSettings settings, cons
     return out;
 }
 
-/// The same by hipmap's path tracer.
+/// Returns the mean of an image by hipmap's path tracer.
 inline RunningMean means_of_paths(const ReadyScene& ready, const RivalSettings& settings,
                                   int samples, const LightClasses& light = {})
 {
