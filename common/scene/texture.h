@@ -29,8 +29,8 @@ struct TextureImage {
     std::string name;
     int width = 0;
     int height = 0;
-    std::vector<std::uint8_t> rgba;     ///< [4 * width * height]; empty if `cached` has the pixels
-    std::optional<CachedPixels> cached; ///< none: all pixels are in memory
+    std::vector<std::uint8_t> rgba; ///< [4 * width * height]; empty if `cached` has the pixels
+    std::optional<CachedPixels> cached = std::nullopt; ///< none: all pixels are in memory
 };
 
 /// How a texture continues outside [0, 1]: repeated, mirrored, or by its edge.
