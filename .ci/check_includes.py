@@ -15,7 +15,8 @@ from source_files import lines_of, source_files
 # as leaves.  A leaf includes only itself and the leaves left of it.
 LEAVES = ["common", "common/math", "common/file", "common/image"]
 COMMON = ["common/scene", "common/rays", "common/partition", "common/command_line"]
-PREPROCESS = ["preprocess/mesh", "preprocess/partition", "preprocess/colouring"]
+PREPROCESS = ["preprocess/mesh", "preprocess/partition", "preprocess/prediction",
+              "preprocess/colouring"]
 RENDER = ["render/lobes", "render/media", "render/lights", "render/shading", "render/effects", "render/paths",
           "render/photons", "render/maps", "render/dissertation", "render/film", "render/integrator", "render/layers", "render/many"]
 

@@ -5,6 +5,7 @@
 #include "common/scene/print_audit.h"
 #include "common/scene/store_copies.h"
 #include "common/stopwatch.h"
+#include "preprocess/choose_candidates.h"
 #include "preprocess/colouring/coloured_glb.h"
 #include "preprocess/colouring/partition_pictures.h"
 #include "preprocess/open_glass.h"
@@ -29,14 +30,18 @@ bool is_news(const std::string& sentence, std::set<std::string>& told, const Rep
 }
 
 /// told: what earlier frames printed.
-void print_summary(const PartitionSummary& summary, double angle_deg, std::set<std::string>& told,
-                   Report& report)
+void print_summary(const PartitionSummary& summary, const PreprocessArguments& arguments,
+                   std::set<std::string>& told, Report& report)
 {
     if (report.verbose()) {
-        for (const std::string& sentence : describe(summary, angle_deg))
+        for (const std::string& sentence : describe(summary, arguments.angle_deg))
             report.line(sentence);
-    } else if (const std::string maps = describe_maps(summary); is_news(maps, told, report)) {
-        report.line("partition: " + maps);
+    } else {
+        if (const std::string maps = describe_maps(summary); is_news(maps, told, report))
+            report.line("partition: " + maps);
+        const std::string candidates = describe_candidates(summary);
+        if (!arguments.quiet && is_news(candidates, told, report))
+            report.line(candidates);
     }
     for (const std::string& sentence : describe_defects(summary))
         if (is_news(sentence, told, report))
@@ -62,6 +67,12 @@ void make_partition(const PreprocessArguments& arguments, Scene& scene,
         return;
     }
     build_partition(scene, options, frame);
+    if (!arguments.frames.asked()) { // nobody asks for the rest
+        PreviousFrame needed;
+        needed.tree = std::move(frame->tree);
+        needed.result = std::move(frame->result);
+        *frame = std::move(needed);
+    }
 }
 
 /// Paints the images asked for, if any, and adds the time to the summary.
@@ -82,32 +93,37 @@ std::vector<LegendedPicture> paint_pictures(const PreprocessArguments& arguments
 }
 
 /// Writes the pictures and the coloured model asked for, if any.
-std::vector<LegendedPicture> show_stored(const PreprocessArguments& arguments, const Scene& scene,
-                                         const Partition& partition, PartitionSummary& summary,
+std::vector<LegendedPicture> show_stored(const PreprocessArguments& arguments,
+                                         const PartitionView& shown, PartitionSummary& summary,
                                          Report& report)
 {
-    std::vector<LegendedPicture> pictures =
-        paint_pictures(arguments, {scene, partition, arguments.candidates}, summary, report);
+    std::vector<LegendedPicture> pictures = paint_pictures(arguments, shown, summary, report);
     if (!arguments.coloured.empty()) {
         const Stopwatch writing;
-        write_coloured_glb(arguments.coloured, scene, partition);
+        write_coloured_glb(arguments.coloured, shown.scene, shown.partition);
         report.wrote(arguments.coloured);
         summary.passes.push_back({"write coloured model", writing.seconds()});
     }
     return pictures;
 }
 
-/// Writes what shows every face, for which all copies are stored.
+/// Writes what shows every face, for which all copies are stored.  photons: predicted by stored
+/// face; none: not predicted.
 std::vector<LegendedPicture> show_partition(const PreprocessArguments& arguments,
-                                            const Scene& scene, PartitionResult& result,
-                                            Report& report)
+                                            const Scene& scene, std::span<const float> photons,
+                                            PartitionResult& result, Report& report)
 {
     if (scene.mesh.copies.empty() || (arguments.images.empty() && arguments.coloured.empty()))
-        return show_stored(arguments, scene, result.partition, result.summary, report);
+        return show_stored(arguments, {scene, result.partition, arguments.candidates, photons},
+                           result.summary, report);
     Scene stored = scene;
     const Partition partition = expand_copies(result.partition, scene.mesh);
+    std::vector<float> of_all(photons.empty() ? 0 : partition.face_count());
+    for (std::size_t face = 0; face < of_all.size(); ++face)
+        of_all[face] = photons[scene.mesh.stored_face(static_cast<FaceId>(face))];
     store_copies(stored.mesh);
-    return show_stored(arguments, stored, partition, result.summary, report);
+    return show_stored(arguments, {stored, partition, arguments.candidates, of_all}, result.summary,
+                       report);
 }
 
 /// What frames of an animation hand on.
@@ -141,19 +157,25 @@ int preprocess(const PreprocessArguments& arguments, SceneSource& source, Frames
     make_partition(arguments, scene, frame, report);
     PartitionResult& result = frame->result;
     result.summary.passes.insert(result.summary.passes.begin(), {"load scene", load_seconds});
-    print_summary(result.summary, arguments.angle_deg, frames.told, report);
+    const Candidates by_shape =
+        arguments.frames.asked() ? candidates_of(result.partition) : Candidates();
+    const std::vector<float> photons = choose_candidates(arguments, scene, frame->tree, result);
+    print_summary(result.summary, arguments, frames.told, report);
     for (const std::string& sentence : describe_open_glass(scene, result.partition))
         if (is_news(sentence, frames.told, report))
             report.line("assumed: " + sentence);
     write_partition(arguments.output, result.partition);
     report.wrote(arguments.output);
-    const std::vector<LegendedPicture> pictures = show_partition(arguments, scene, result, report);
+    const std::vector<LegendedPicture> pictures =
+        show_partition(arguments, scene, photons, result, report);
     if (!arguments.json.empty()) {
         write_file(arguments.json,
                    summary_json(arguments, scene, result.partition, result.summary, pictures));
         report.wrote(arguments.json);
     }
     print_files(arguments, report);
+    if (arguments.frames.asked()) // the next frame expects those
+        set_candidates(by_shape, result.partition);
     return kExitDone;
 }
 

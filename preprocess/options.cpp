@@ -1,5 +1,6 @@
 #include "preprocess/options.h"
 
+#include "common/command_line/default_photons.h"
 #include "common/command_line/scene_arguments.h"
 #include "common/file/output_file.h"
 #include "common/input_error.h"
@@ -13,6 +14,7 @@ namespace {
 constexpr double kMostWeld = 1e9;
 
 constexpr const char* kPartitionSection = "Partition";
+constexpr const char* kCandidateSection = "Candidates for local and group maps";
 
 std::vector<OptionRow> partition_rows(PreprocessArguments& arguments)
 {
@@ -31,6 +33,19 @@ std::vector<OptionRow> partition_rows(PreprocessArguments& arguments)
              .field = number_field(arguments.weld_metres, {0, kMostWeld}, "M"),
              .help = "Merge vertices within this distance, in metres; 0: only vertices at the "
                      "same position"}};
+}
+
+std::vector<OptionRow> candidate_rows(PreprocessArguments& arguments)
+{
+    return {{.name = "photons",
+             .section = kCandidateSection,
+             .field = number_field(arguments.photons, {0, kMostPhotons}),
+             .help = "Light paths of a pass of render for which candidates are chosen",
+             .unset = "as many as render emits by default"},
+            {.name = "neighbours",
+             .section = kCandidateSection,
+             .field = number_field(arguments.neighbours, {2, kMostNeighbours}),
+             .help = "Photons in an estimate, k; a candidate is expected to hold 10 k"}};
 }
 
 std::vector<OptionRow> output_rows(PreprocessArguments& arguments)
@@ -54,7 +69,8 @@ std::vector<OptionRow> output_rows(PreprocessArguments& arguments)
              .section = kFilesSection,
              .field = flag_field(arguments.candidates),
              .help = "Write candidates.png and groups.png to that folder as well: faces that "
-                     "--maps thesis and hierarchical of render may give maps of their own",
+                     "--maps thesis and hierarchical of render are expected to give maps of their "
+                     "own",
              .needs = "images"},
             {.name = "size",
              .section = kFilesSection,
@@ -73,6 +89,7 @@ std::vector<OptionRow> option_rows(PreprocessArguments& arguments)
 {
     std::vector<OptionRow> rows = output_rows(arguments);
     append_rows(rows, partition_rows(arguments));
+    append_rows(rows, candidate_rows(arguments));
     append_rows(rows, scene_rows(arguments.scene_options, arguments.sky));
     append_rows(rows, frame_rows(arguments.frames));
     rows.push_back(threads_row(arguments.threads));

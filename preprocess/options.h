@@ -5,6 +5,7 @@
 #include "preprocess/partition/connected_edges.h"
 
 #include <filesystem>
+#include <optional>
 
 namespace hipmap {
 
@@ -21,13 +22,15 @@ struct PreprocessArguments {
     std::filesystem::path coloured; ///< .glb; empty: none
     double angle_deg = 30;
     SplitBy split = SplitBy::angle;
-    double weld_metres = 0; ///< 0: identical positions only
+    double weld_metres = 0;               ///< 0: identical positions only
+    std::optional<std::uint64_t> photons; ///< light paths of a pass of `render`; none: its default
+    std::uint32_t neighbours = 50;        ///< k of `render`
     SceneOptions scene_options;
     SkyOptions sky; ///< read, but not used by preprocess
     FrameOptions frames;
-    PictureSize size{768, 0};
-    bool candidates = false; ///< paint images of candidates for local and group maps too
-    unsigned threads = 0;    ///< 0: all cores
+    PictureSize size{768, 0}; ///< of pictures of the partition
+    bool candidates = false;  ///< paint images of candidates for local and group maps too
+    unsigned threads = 0;     ///< 0: all cores
     bool verbose = false;
     bool quiet = false;
 };

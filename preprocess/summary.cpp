@@ -43,6 +43,23 @@ std::string describe_maps(const PartitionSummary& summary)
            (summary.maps.empty() ? "" : "; " + describe_largest(summary));
 }
 
+std::string describe_candidates(const PartitionSummary& summary)
+{
+    const ExpectedUse& expected = summary.expected;
+    std::ostringstream text;
+    text << "candidates: " << summary.candidates << " of " << counted(summary.faces, "face")
+         << " for local maps";
+    if (summary.groups > 0)
+        text << ", " << counted(summary.groups, "group") << " over "
+             << counted(summary.grouped_faces, "face") << " for group maps";
+    if (expected.is_known)
+        text << "; each is expected to hold about " << expected.least
+             << " photons or more in a pass of " << expected.photons << " light paths";
+    else
+        text << "; by shape alone, as no light emits";
+    return text.str();
+}
+
 std::vector<std::string> describe(const PartitionSummary& summary, double angle_deg)
 {
     std::ostringstream angle;
@@ -67,11 +84,7 @@ std::vector<std::string> describe(const PartitionSummary& summary, double angle_
     if (summary.contacts > 0)
         lines.push_back("contacts: " + counted(summary.contacts, "piece") +
                         " of boundary where one surface stands on another or intersects it");
-    lines.push_back("local maps: " + counted(summary.candidates, "candidate") + " among " +
-                    counted(summary.faces, "face"));
-    if (summary.groups > 0)
-        lines.push_back("group maps: " + counted(summary.groups, "candidate") + " over " +
-                        counted(summary.grouped_faces, "face"));
+    lines.push_back(describe_candidates(summary));
     return lines;
 }
 
@@ -211,6 +224,16 @@ nlohmann::ordered_json unlisted_json(const Scene& scene, const PartitionSummary&
             {"area_m2", std::max(area, 0.0) * square_metres}};
 }
 
+nlohmann::ordered_json expected_json(const ExpectedUse& expected)
+{
+    nlohmann::ordered_json out{{"is_known", expected.is_known},
+                               {"light_paths", expected.photons},
+                               {"photons_at_least", expected.least},
+                               {"local_maps", expected.local_maps},
+                               {"candidates_by_shape", expected.by_shape}};
+    return out;
+}
+
 } // namespace
 
 std::string summary_json(const PreprocessArguments& arguments, const Scene& scene,
@@ -243,6 +266,7 @@ std::string summary_json(const PreprocessArguments& arguments, const Scene& scen
     json["candidates"] = summary.candidates;
     json["groups"] = summary.groups;
     json["grouped_faces"] = summary.grouped_faces;
+    json["expected"] = expected_json(summary.expected);
     json["shared_maps"] = summary.map_count;
     const std::vector<ListedMap> listed = maps_to_list(scene, partition, summary);
     json["maps"] = maps_json(scene, partition, listed);

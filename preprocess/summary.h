@@ -13,6 +13,10 @@ namespace hipmap {
 /// Describes the shared maps of a partition in one sentence.
 std::string describe_maps(const PartitionSummary& summary);
 
+/// Describes the candidates for local and group maps, and what they were chosen for, in one
+/// sentence.
+std::string describe_candidates(const PartitionSummary& summary);
+
 /// Describes a partition in plain sentences for the user.
 std::vector<std::string> describe(const PartitionSummary& summary, double angle_deg);
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "common/command_line/default_photons.h"
 #include "common/command_line/frames.h"
 #include "common/command_line/scene_arguments.h"
 #include "common/image/view_transform.h"
@@ -22,10 +23,6 @@ inline constexpr std::uint64_t kDefaultPasses = 16;
 
 /// The error that --quote compares costs at where --error is not given.
 inline constexpr double kQuotedError = 0.01;
-
-/// Bounds of the light paths of a pass where --photons is not given.
-inline constexpr std::uint64_t kFewestDefaultPhotons = 200'000;
-inline constexpr std::uint64_t kMostDefaultPhotons = 2'000'000;
 
 /// What --quality chooses at once; docs/accuracy.md has the evidence.
 enum class Quality : std::uint8_t { standard, draft, good, final };
@@ -76,11 +73,13 @@ struct RenderArguments {
     double shutter = 0;             ///< frames that the shutter is open; 0: no time
     /// The options of the passes.  The size, the photons and the light classes follow from the
     /// frame.
-    RenderOptions render{
-        .maps = {}, .dissertation = {.local_min = kLocalMinOpen}, .samples = 4, .light = {}};
+    RenderOptions render{.maps = {},
+                         .dissertation = {.local_min = kLocalMinOpen},
+                         .samples = kDefaultSamples,
+                         .light = {}};
     bool energy_compensation = false;     ///< of all metal
     std::optional<std::uint64_t> photons; ///< of a pass; none: as many as it has samples
-    PictureSize size{512, 0};
+    PictureSize size{kDefaultWidth, 0};
     std::optional<Crop> crop; ///< none: the whole image
     std::optional<Tile> tile; ///< none: all of that
     PixelRect tiled;          ///< the pixels that have tiles, once the frame is known; empty: none

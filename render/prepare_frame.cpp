@@ -34,15 +34,6 @@ void choose_environment_map(const RenderArguments& arguments, LoadedScene& loade
         loaded.audit.found.push_back("environment map " + loaded.scene.environment_map_file);
 }
 
-/// Returns as many photons as a pass has samples, within bounds: photons then cost a small part of
-/// a pass and are about as dense as the rays that read them.  Few are of no use, and maps of many
-/// would fill the memory.
-std::uint64_t default_photons(const PictureSize& size, int samples)
-{
-    const std::uint64_t pixels = static_cast<std::uint64_t>(size.width) * size.height;
-    return std::clamp(pixels * samples, kFewestDefaultPhotons, kMostDefaultPhotons);
-}
-
 /// Fills in what follows from the scene.
 void complete_by_scene(RenderArguments& arguments, const Scene& scene)
 {

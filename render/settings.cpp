@@ -40,8 +40,6 @@ constexpr std::uint64_t kDraftPasses = 4;
 constexpr double kGoodError = 0.05, kFinalError = 0.02;
 constexpr double kDraftSeconds = 60, kGoodSeconds = 20 * 60;
 
-constexpr double kMostPhotons = 4e9;
-constexpr double kMostNeighbours = 1e6;
 constexpr double kMostSamples = 65536;
 constexpr double kMostClamp = 1e9;
 constexpr double kMostDistance = 1e9;

@@ -90,27 +90,28 @@ Painter paint_edges(const TriangleMesh& mesh, const Partition& partition)
     };
 }
 
-ReachRange reach_of_candidates(const Partition& partition)
+PhotonRange photons_of_candidates(const Partition& partition, std::span<const float> photons)
 {
-    ReachRange range;
-    for (FaceId face = 0; face < partition.face_count(); ++face) {
+    PhotonRange range;
+    for (std::size_t face = 0; face < photons.size(); ++face) {
         if (!partition.candidate[face])
             continue;
-        const float reach = partition.reach[face];
-        range.least = range.largest > 0 ? std::min(range.least, reach) : reach;
-        range.largest = std::max(range.largest, reach);
+        range.least = range.largest > 0 ? std::min(range.least, photons[face]) : photons[face];
+        range.largest = std::max(range.largest, photons[face]);
     }
     return range;
 }
 
-Painter paint_candidates(const Partition& partition)
+Painter paint_candidates(const Partition& partition, std::span<const float> photons)
 {
-    const ReachRange range = reach_of_candidates(partition);
-    return [&partition, range](const SeenPoint& point) {
+    const PhotonRange range = photons_of_candidates(partition, photons);
+    return [&partition, photons, range](const SeenPoint& point) {
         if (!partition.candidate[point.face])
             return kPlainFace;
+        if (photons.empty())
+            return scale_colour(1.0);
         const double octaves = std::log2(double{range.largest} / range.least);
-        const double above = std::log2(double{partition.reach[point.face]} / range.least);
+        const double above = std::log2(double{photons[point.face]} / range.least);
         return scale_colour(octaves > 0 ? above / octaves : 1.0);
     };
 }

@@ -5,7 +5,7 @@
 #include "preprocess/colouring/painters.h"
 
 #include <algorithm>
-#include <iomanip>
+#include <cmath>
 #include <sstream>
 
 namespace hipmap {
@@ -32,25 +32,22 @@ Legend legend_of_edges(const Partition& partition)
     return legend;
 }
 
-std::string in_metres(double metres)
-{
-    std::ostringstream text;
-    text << std::setprecision(2) << metres << " m";
-    return text.str();
-}
-
-Legend legend_of_candidates(const Partition& partition, double metres_per_unit)
+Legend legend_of_candidates(const Partition& partition, std::span<const float> photons)
 {
     constexpr int kSteps = 96;
     Legend legend;
-    const ReachRange range = reach_of_candidates(partition);
+    const PhotonRange range = photons_of_candidates(partition, photons);
     if (range.largest > 0) {
         LegendEntry scale;
         for (int i = 0; i < kSteps; ++i)
             scale.colours.push_back(scale_colour(i / (kSteps - 1.0)));
-        scale.text = "candidates by reach: " + in_metres(range.least * metres_per_unit) + " to " +
-                     in_metres(range.largest * metres_per_unit);
+        std::ostringstream text;
+        text << "candidates by expected photons: " << std::lround(range.least) << " to "
+             << std::lround(range.largest);
+        scale.text = text.str();
         legend.push_back(scale);
+    } else if (photons.empty()) {
+        legend.push_back({{scale_colour(1)}, "candidates by shape alone, as no light emits"});
     }
     legend.push_back({{kPlainFace}, "no candidate"});
     return legend;
@@ -70,7 +67,7 @@ std::vector<LegendedPicture> write_partition_pictures(const std::filesystem::pat
                                                       const PartitionView& shown, int width,
                                                       int height)
 {
-    const auto& [scene, partition, candidates] = shown;
+    const auto& [scene, partition, candidates, photons] = shown;
     std::error_code problem;
     std::filesystem::create_directory(folder, problem);
     if (problem)
@@ -83,9 +80,9 @@ std::vector<LegendedPicture> write_partition_pictures(const std::filesystem::pat
     std::vector<Legend> legends = {legend_of_maps(partition), legend_of_edges(partition)};
     if (candidates) {
         names.insert(names.end(), {"candidates.png", "groups.png"});
-        paints.push_back(paint_candidates(partition));
+        paints.push_back(paint_candidates(partition, photons));
         paints.push_back(paint_groups(scene.mesh, partition));
-        legends.push_back(legend_of_candidates(partition, scene.frame.metres_per_unit));
+        legends.push_back(legend_of_candidates(partition, photons));
         legends.push_back(legend_of_groups(partition));
     }
     const std::vector<Image> images = colour_images(view, paints);

@@ -5,6 +5,7 @@
 #include "common/scene/scene.h"
 
 #include <filesystem>
+#include <span>
 #include <vector>
 
 namespace hipmap {
@@ -13,7 +14,8 @@ namespace hipmap {
 struct PartitionView {
     const Scene& scene;
     const Partition& partition;
-    bool candidates = false; ///< for local and group maps as well
+    bool candidates = false;          ///< for local and group maps as well
+    std::span<const float> photons{}; ///< [F] predicted on each face; empty: not predicted
 };
 
 /// Writes images of a partition, as the scene's camera sees it, into `folder`: shared_maps.png and

@@ -24,6 +24,15 @@ struct PartitionOptions {
     std::function<void(const PartitionPass&)> after_pass{}; ///< for progress; may be empty
 };
 
+/// What candidates were chosen for, docs/candidates.md.
+struct ExpectedUse {
+    bool is_known = false;      ///< false: by shape alone
+    std::uint64_t photons = 0;  ///< light paths of a pass
+    double least = 0;           ///< photons of a candidate
+    std::size_t local_maps = 0; ///< predicted on candidates, by face, side and kind of photon
+    std::size_t by_shape = 0;   ///< candidates by shape alone
+};
+
 /// Counts and times collected while a partition is built.
 struct PartitionSummary {
     struct Map {
@@ -40,9 +49,10 @@ struct PartitionSummary {
     std::size_t bridged_edges = 0;      ///< edges without a neighbour beyond which a map goes on
     std::size_t contacts = 0;           ///< pieces of boundary where one surface stands on another
     std::size_t given_up = 0;           ///< faces and edges that meet too many faces to look at all
-    std::size_t candidates = 0;
-    std::size_t groups = 0;        ///< candidates for group maps
-    std::size_t grouped_faces = 0; ///< faces of them all
+    std::size_t candidates = 0;         ///< faces, for local maps
+    std::size_t groups = 0;             ///< candidates for group maps
+    std::size_t grouped_faces = 0;      ///< faces of them all
+    ExpectedUse expected;
     std::size_t closed_faces = 0;
     std::vector<Map> maps;     ///< of stored faces, by id
     std::size_t map_count = 0; ///< with those of copies, as the others below

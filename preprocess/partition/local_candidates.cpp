@@ -12,9 +12,6 @@ namespace {
 
 using Corners = std::array<glm::dvec3, 3>;
 
-/// The thesis keeps a local map from M = 10 k photons on (its experiments all use this ratio).
-constexpr double kPhotonsPerNeighbour = 10;
-
 /// Sine of the angle at `apex` between the directions to two other points, 1 if it is obtuse.
 /// area2: twice the area of the triangle.
 double sine_or_one(const glm::dvec3& apex, const glm::dvec3& p, const glm::dvec3& q, double area2)

@@ -6,6 +6,9 @@
 
 namespace hipmap {
 
+/// The thesis keeps a local map from M = 10 k photons on (its experiments all use this ratio).
+inline constexpr double kPhotonsPerNeighbour = 10;
+
 struct LocalCandidates {
     std::vector<float> reach;            ///< [F] as in Partition
     std::vector<std::uint8_t> candidate; ///< [F] 1: worth a local map

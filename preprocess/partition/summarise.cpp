@@ -107,6 +107,15 @@ void measure_maps(PartitionSummary& summary, const Partition& partition, const T
 
 } // namespace
 
+void count_candidates(const Partition& partition, PartitionSummary& summary)
+{
+    const Times times(partition);
+    summary.candidates = times.sum([&](FaceId face) { return partition.candidate[face]; });
+    summary.groups = partition.group_count;
+    summary.grouped_faces =
+        times.sum([&](FaceId face) { return partition.group_of_face[face] != kNone; });
+}
+
 void summarise(const TriangleMesh& mesh, PartitionResult& result)
 {
     const Partition& partition = result.partition;
@@ -121,10 +130,7 @@ void summarise(const TriangleMesh& mesh, PartitionResult& result)
         return static_cast<std::size_t>(
             std::ranges::lower_bound(partition.bridged_edges, 3 * face + 3) - first);
     });
-    summary.candidates = times.sum([&](FaceId face) { return partition.candidate[face]; });
-    summary.groups = partition.group_count;
-    summary.grouped_faces =
-        times.sum([&](FaceId face) { return partition.group_of_face[face] != kNone; });
+    count_candidates(partition, summary);
     summary.closed_faces = times.sum([&](FaceId face) { return partition.closed[face]; });
     count_edges(summary, partition, times);
     measure_maps(summary, partition, mesh);

@@ -9,6 +9,10 @@ namespace hipmap {
 /// `defects`.  Linear, one thread.
 void summarise(const TriangleMesh& mesh, PartitionResult& result);
 
+/// Counts the candidates of a partition into `candidates`, `groups` and `grouped_faces`.  Linear,
+/// parallel.
+void count_candidates(const Partition& partition, PartitionSummary& summary);
+
 /// Calls visit(map, stored map) for each map of each copy, in order of their ids.  summary.maps is
 /// set.
 template <typename Visit>

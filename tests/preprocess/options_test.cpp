@@ -29,12 +29,15 @@ TEST_CASE("preprocess options: every option arrives", "[preprocess]")
     const PreprocessArguments a =
         parse("desk.glb -o desk.hpm --angle 45.5 --split both --weld 1e-3 --images out --json "
               "desk.json --coloured maps.glb --size 640x360 "
-              "--camera Top --exclude Cutter --exclude Helper --light-units raw --threads 3");
+              "--photons 300000 --neighbours 25 --camera Top --exclude Cutter --exclude Helper "
+              "--light-units raw --threads 3");
     CHECK(a.scene == "desk.glb");
     CHECK(a.output == "desk.hpm");
     CHECK(a.angle_deg == 45.5);
     CHECK(a.split == SplitBy::both);
     CHECK(a.weld_metres == 1e-3);
+    CHECK(a.photons == 300'000u);
+    CHECK(a.neighbours == 25);
     CHECK(a.images == "out");
     CHECK(a.json == "desk.json");
     CHECK(a.coloured == "maps.glb");

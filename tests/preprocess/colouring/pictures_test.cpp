@@ -86,19 +86,21 @@ TEST_CASE("paint_edges: lines lie on the edges, in the colour of their class", "
     CHECK(near(image.at(80, 80), image.at(120, 100))); // the other diagonal has no edge
 }
 
-TEST_CASE("paint_candidates: candidates by reach, the rest grey", "[colouring]")
+TEST_CASE("paint_candidates: candidates by expected photons, the rest grey", "[colouring]")
 {
     Scene scene = quad_scene();
     Partition partition = build_partition(scene, {}).partition;
     const SeenPoint first{0, {}, {}, 1};
     const SeenPoint second{1, {}, {}, 1};
-    partition.reach = {0.1f, 0.4f};
+    const std::vector<float> photons = {500, 8000};
     partition.candidate = {1, 1};
-    CHECK(paint_candidates(partition)(first) == scale_colour(0));
-    CHECK(paint_candidates(partition)(second) == scale_colour(1));
+    CHECK(paint_candidates(partition, photons)(first) == scale_colour(0));
+    CHECK(paint_candidates(partition, photons)(second) == scale_colour(1));
+    CHECK(paint_candidates(partition, {})(first) == scale_colour(1));
     partition.candidate = {0, 1};
-    CHECK(paint_candidates(partition)(first) == kPlainFace);
-    CHECK(reach_of_candidates(partition).least == 0.4f);
+    CHECK(paint_candidates(partition, photons)(first) == kPlainFace);
+    CHECK(photons_of_candidates(partition, photons).least == 8000);
+    CHECK(photons_of_candidates(partition, {}).largest == 0);
 }
 
 TEST_CASE("paint_groups: a colour for each group, full where it is widest, dark at its rim",
