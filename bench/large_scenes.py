@@ -18,7 +18,8 @@ import sys
 import time
 
 STAGES = ("load scene", "weld vertices", "find half-edges", "build tree", "join seams",
-          "build trees of maps", "find self-distances", "find group candidates", "find contacts")
+          "build trees of maps", "find self-distances", "find group candidates", "find contacts",
+          "predict photons")
 
 
 class Measured:

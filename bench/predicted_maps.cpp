@@ -1,5 +1,6 @@
 #include "bench/predicted_maps.h"
 
+#include "preprocess/partition/previous_frame.h"
 #include "render/dissertation/dissertation_maps.h"
 #include "render/effects/drop_effects.h"
 #include "render/photons/trace_photons.h"
@@ -76,8 +77,10 @@ PredictedMaps& PredictedMaps::operator+=(const PredictedMaps& other)
 
 PredictedMaps compare_predicted_maps(const Scene& scene, const ExpectedPass& pass)
 {
-    const Partition partition = build_partition(scene, {}).partition;
-    const PredictedPhotons predicted = predict_photons(scene, partition, {}, pass.photons);
+    std::optional<PreviousFrame> frame; // which keeps the tree
+    build_partition(scene, {}, frame);
+    const Partition& partition = frame->result.partition;
+    const PredictedPhotons predicted = predict_photons(scene, partition, frame->tree, pass.photons);
     Partition expected = partition;
     expect_candidates(scene.mesh, predicted, most_photons_of_faces(predicted, scene.mesh), pass,
                       expected);

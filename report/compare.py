@@ -7,8 +7,8 @@ KNOWN = {
     "error": ("Error", "the relative error of each pixel, in false colour"),
     "shared_maps": ("Shared maps", "the faces that share photons, in a colour for each map"),
     "edges": ("Edges", "the edges of faces by class"),
-    "candidates": ("Local maps", "the faces that may get a map of their own, by reach"),
-    "groups": ("Group maps", "the patches of faces that may get a map together"),
+    "candidates": ("Local maps", "the faces that are expected to get a map of their own, by photons"),
+    "groups": ("Group maps", "the patches of faces that are expected to get a map together"),
 }
 
 

@@ -47,6 +47,25 @@ class Pipeline(ToolsTestCase):
                             self.path("dark.pfm"), "--size", 16, "--passes", 2)
         self.assertRegex(said, r"accuracy: the image is black, .* looks at 'Room', ")
 
+    def candidates(self, *options):
+        self.succeed("preprocess", Tools.scene, "-o", self.path("cornell.hpm"), "--json",
+                     self.path("partition.json"), *options)
+        return self.read_json("partition.json")
+
+    def test_candidates_are_those_of_the_pass_that_is_expected(self):
+        few, none = self.candidates("--photons", 20000), self.candidates("--photons", 0)
+        self.assertIn(few["candidates"], range(2, CANDIDATES - 2))
+        self.assertEqual(few["expected"]["light_paths"], 20000)
+        self.assertEqual(none["candidates"], 0)
+        fewer_each = self.candidates("--photons", 20000, "--neighbours", 10)
+        self.assertEqual(fewer_each["expected"]["photons_at_least"], 100)
+        self.assertGreater(fewer_each["candidates"], few["candidates"])
+
+    def test_without_light_candidates_are_those_by_shape(self):
+        dark = self.candidates("--exclude", "Lamp", "--environment", 0)
+        self.assertFalse(dark["expected"]["is_known"])
+        self.assertEqual(dark["candidates"], FACES - 2)
+
     def test_as_pipeline_sh_calls_it(self):
         name = self.path("cornell")
         said = self.succeed("preprocess", Tools.scene, "-o", name + ".hpm", "--images",
