@@ -98,7 +98,8 @@ Rgb estimate_visible(const Search& search, PhotonQuery query, float radius)
         return projected_density(search, query, *found.map, all_but_last(found),
                                  scratch.disc.area(farthest(found)));
     if (scratch.segments.empty())
-        return density(search, query, *found.map, found.slots, disc_area(query.radius));
+        return density(search, query, *found.map, found.slots,
+                       open_area(search.surfaces, query.face, query.radius));
     return projected_density(search, query, *found.map, found.slots,
                              scratch.disc.area(query.radius));
 }
@@ -164,7 +165,8 @@ Rgb clipped_estimate(const Search& search, const PhotonQuery& query)
     const bool to_the_end = look_around(search.surfaces, query, radius, scratch) == radius;
     scratch.near_boundary = !scratch.segments.empty();
     if (to_the_end && scratch.segments.empty())
-        return density(search, query, *found.map, all_but_last(found), disc_area(radius));
+        return density(search, query, *found.map, all_but_last(found),
+                       open_area(search.surfaces, query.face, radius));
     if (to_the_end && sees_all(found, scratch.disc))
         return projected_density(search, query, *found.map, all_but_last(found),
                                  scratch.disc.area(radius));

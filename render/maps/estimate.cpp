@@ -2,6 +2,7 @@
 
 #include "render/maps/clipped_estimate.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -61,16 +62,30 @@ MapSurfaces::MapSurfaces(const TriangleMesh& of_mesh, const Partition& of_partit
 {
     normals.reserve(mesh.face_count());
     std::vector<double> area(partition.map_count, 0.0);
+    std::vector<glm::dvec3> vectors(partition.map_count, glm::dvec3(0));
     for (FaceId face = 0; face < mesh.face_count(); ++face) {
         const glm::dvec3 normal = scaled_normal(mesh, face);
         const double length = glm::length(normal);
         const double sign = partition.is_flipped(face) ? -1 : 1;
         normals.push_back(length > 0 ? glm::vec3(normal * (sign / length)) : glm::vec3(0));
-        if (partition.map_of(face) != kNone)
-            area[partition.map_of(face)] += length / 2;
+        if (const MapId map = partition.map_of(face); map != kNone) {
+            area[map] += length / 2;
+            vectors[map] += normal * (sign / 2);
+        }
     }
     map_area.assign(area.begin(), area.end());
+    vector_area.assign(vectors.begin(), vectors.end());
     folds = find_folds(partition, normals);
+}
+
+double MapSurfaces::facing_area(FaceId face) const
+{
+    const glm::dvec3 normal(normals[mesh.stored_face(face)]);
+    const MapId map = partition.map_of_face[partition.stored_face(face)];
+    const double along = glm::dot(normal, glm::dvec3(vector_area[map]));
+    const double area = map_area[map];
+    const double facing = std::min(area, std::max(along, area / 2 + 3 * along / 4));
+    return facing * (area_at(face) / area);
 }
 
 float even_radius(const PhotonMaps& maps, const MapSurfaces& surfaces, const PhotonQuery& query)

@@ -23,10 +23,11 @@ struct MapSurfaces {
     const Partition& partition;
     MapBoundaries boundaries; ///< of stored faces
     OwnBoundaries own_boundaries;
-    std::vector<glm::vec3> normals;  ///< [F] unit, towards side 0; zero for a face without area
-    std::vector<float> map_area;     ///< [shared maps of stored faces] square scene units
-    std::vector<std::uint8_t> folds; ///< [the same] 1: two of its faces may look away from each
-                                     ///<     other
+    std::vector<glm::vec3> normals;     ///< [F] unit, towards side 0; zero for a face without area
+    std::vector<float> map_area;        ///< [shared maps of stored faces] square scene units
+    std::vector<glm::vec3> vector_area; ///< [the same] sum of area times normal
+    std::vector<std::uint8_t> folds;    ///< [the same] 1: two of its faces may look away from each
+                                        ///<     other
 
     MapSurfaces(const TriangleMesh& of_mesh, const Partition& of_partition);
 
@@ -45,6 +46,9 @@ struct MapSurfaces {
         const MapId map = partition.map_of_face[partition.stored_face(face)];
         return map != kNone && folds[map] != 0;
     }
+    /// Returns about the area of the faces of a face's map that look to its side,
+    /// docs/visible_area.md (A9); square scene units.
+    double facing_area(FaceId face) const;
     /// Returns the normal of any face, as `normals` has it.
     glm::vec3 normal(FaceId face) const
     {

@@ -100,8 +100,10 @@ RadiusEstimates estimate_from_list(const FoundPhotons& found, const RadiusQuery&
     }
     for (std::size_t r = 0; r < sums.size() && out.photons > 0; ++r) {
         const float radius = wanted.radii[r];
-        out.irradiance[r] = per_area(wanted.scale, sums[r],
-                                     radius > 0 ? scratch.disc.area(radius) : disc_area(radius));
+        const double area = tilted && radius > 0
+                                ? scratch.disc.area(radius)
+                                : open_area(wanted.surfaces, wanted.query.face, radius);
+        out.irradiance[r] = per_area(wanted.scale, sums[r], area);
     }
     return out;
 }

@@ -88,6 +88,12 @@ double disc_area(float radius)
     return std::numbers::pi * (double{radius} * radius);
 }
 
+double open_area(const MapSurfaces& surfaces, FaceId face, float radius)
+{
+    const double disc = disc_area(radius);
+    return surfaces.may_fold(face) ? std::min(disc, surfaces.facing_area(face)) : disc;
+}
+
 float look_around(const MapSurfaces& surfaces, const PhotonQuery& query, float radius,
                   EstimateScratch& scratch)
 {

@@ -15,12 +15,14 @@ namespace {
 
 constexpr float kGap = 0.02f;
 
-/// A sheet folded back on itself, which is one shared map.
-struct FoldedSheet {
-    std::unique_ptr<tiny::ReadyScene> ready = tiny::ready(tiny::make_scene(tiny::hairpin(8, kGap)));
+/// A surface that is one shared map.
+struct LitSurface {
+    std::unique_ptr<tiny::ReadyScene> ready;
     const TriangleMesh& mesh = ready->scene.mesh;
     MapSurfaces surfaces{mesh, ready->partition};
     EstimateScratch scratch;
+
+    explicit LitSurface(const TriangleMesh& shape) : ready(tiny::ready(tiny::make_scene(shape))) {}
 
     /// Irradiance 1 on the faces that `lit` accepts, on the side of their fronts.
     PhotonMaps light(const std::function<bool(FaceId)>& lit) const
@@ -36,6 +38,12 @@ struct FoldedSheet {
             }
         return build_photon_maps(photons, ready->partition, {50});
     }
+};
+
+/// A sheet folded back on itself.
+struct FoldedSheet : LitSurface {
+    FoldedSheet() : LitSurface(tiny::hairpin(8, kGap)) {}
+
     bool is_lower(FaceId face) const { return mesh.positions[mesh.corners[face].x].z < kGap / 2; }
     /// Queries in the middle of the lower leaf, far from the ends of the sheet and from the fold.
     std::vector<PhotonQuery> queries() const
@@ -97,4 +105,24 @@ TEST_CASE("fold: few photons are spread over the whole map, whatever leaf they a
     for (const PhotonQuery& query : sheet.queries())
         CHECK(estimate_irradiance(maps, sheet.surfaces, query, sheet.scratch).x ==
               Approx(power / sheet.surfaces.area_at(lit)).epsilon(0.01));
+}
+
+TEST_CASE("fold: a ball in even light has its irradiance within radii beyond its size", "[maps]")
+{
+    LitSurface ball(tiny::uv_sphere(24, 13));
+    REQUIRE(ball.ready->partition.map_count == 1);
+    const PhotonMaps maps = ball.light([](FaceId) { return true; });
+    for (const float widest : {0.5f, 1.5f, 4.0f}) {
+        RunningMean within;
+        for (FaceId face = 0; face < ball.mesh.face_count(); ++face) {
+            const SurfacePoint at = surface_point(ball.mesh, face, glm::vec2(1.0f / 3));
+            const PhotonQuery query{at.position, ball.surfaces.normals[face], face, 0};
+            for (const Rgb& found :
+                 estimate_within(maps, ball.surfaces, query, {widest, 0.9f * widest, 0.8f * widest},
+                                 ball.scratch)
+                     .irradiance)
+                within.add(found.x);
+        }
+        CHECK(within.mean() == Approx(1).epsilon(0.03));
+    }
 }
