@@ -2,6 +2,7 @@
 #include "common/command_line/command_line.h"
 #include "common/file/output_file.h"
 
+#include <cmath>
 #include <cstdio>
 #include <iomanip>
 #include <numeric>
@@ -41,15 +42,30 @@ constexpr Series kSeries[] = {{"shared clipped", MapMode::shared, EstimateForm::
                               {"dark shared", MapMode::shared, EstimateForm::thesis, true},
                               {"dark global", MapMode::global, EstimateForm::thesis, true}};
 
-std::vector<double> measure_series(const Series& series, const std::vector<glm::vec2>& points,
-                                   EvenRoomOptions options)
+/// A mean of independent estimates and its standard error.
+struct Mean {
+    double value, error;
+};
+
+Mean mean_of(const std::vector<double>& values)
+{
+    const double n = static_cast<double>(values.size());
+    const double mean = std::accumulate(values.begin(), values.end(), 0.0) / n;
+    double squares = 0;
+    for (const double value : values)
+        squares += (value - mean) * (value - mean);
+    return {mean, n > 1 ? std::sqrt(squares / (n - 1) / n) : 0};
+}
+
+std::vector<Mean> measure_series(const Series& series, const std::vector<glm::vec2>& points,
+                                 EvenRoomOptions options)
 {
     options.dissertation.mode = series.mode;
     options.dissertation.estimate = series.form;
     options.dark_floor = series.dark_floor;
-    std::vector<double> means;
+    std::vector<Mean> means;
     for (const std::vector<double>& values : estimates_in_even_room(points, options))
-        means.push_back(std::accumulate(values.begin(), values.end(), 0.0) / values.size());
+        means.push_back(mean_of(values));
     return means;
 }
 
@@ -60,9 +76,9 @@ std::string measure_profile(const EvenRoomOptions& options)
     std::ostringstream csv, table;
     csv << "crease,distance";
     table << "        distance";
-    std::vector<std::vector<double>> means;
+    std::vector<std::vector<Mean>> means;
     for (const Series& series : kSeries) {
-        csv << ',' << series.name;
+        csv << ',' << series.name << ',' << series.name << " error";
         table << std::setw(16) << series.name;
         means.push_back(measure_series(series, points, options));
     }
@@ -72,9 +88,9 @@ std::string measure_profile(const EvenRoomOptions& options)
         const char* const crease = i <= kSteps ? "edge" : "corner";
         csv << '\n' << crease << ',' << distance;
         table << '\n' << std::setw(6) << crease << std::setw(10) << distance;
-        for (const std::vector<double>& mean : means) {
-            csv << ',' << mean[i];
-            table << std::setw(16) << mean[i];
+        for (const std::vector<Mean>& mean : means) {
+            csv << ',' << mean[i].value << ',' << mean[i].error;
+            table << std::setw(16) << mean[i].value;
         }
     }
     csv << '\n';

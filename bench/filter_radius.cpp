@@ -166,7 +166,9 @@ std::vector<std::string> describe(const std::vector<LocalQuery>& queries,
 
 std::string compare_rules(const Arguments& arguments)
 {
-    const LoadedScene loaded = load_scene(arguments.scene, {});
+    SceneOptions as_gltf;
+    as_gltf.look = LookChoice::gltf; // as in docs/experiments.md
+    const LoadedScene loaded = load_scene(arguments.scene, as_gltf);
     const double angle = arguments.angle_deg * std::numbers::pi / 180;
     const Partition partition = build_partition(loaded.scene, {.angle_threshold = angle}).partition;
     const RenderScene scene(loaded.scene, partition);
