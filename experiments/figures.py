@@ -1,7 +1,7 @@
 """Plots of what the experiment measured; none where matplotlib is not installed."""
 
-from measure import MODES, SCENES, TREES, ratio
-from tables import one, pick, values
+from measure import CELLS, MODES, SCENES, TREES, label, ratio
+from tables import one, pick, usual, values
 
 try:
     import matplotlib
@@ -35,7 +35,7 @@ def draw_net(rows, path):
         axes.set_ylim(bottom=0)
         axes.grid(alpha=0.25)
     panels[0].legend()
-    figure.suptitle(f"Scene {rows[0]['scene']}: {SCENES[rows[0]['scene']]}")
+    figure.suptitle(f"Scene {label(rows[0]['scene'])}: {SCENES[rows[0]['scene']]}")
     save(figure, path)
 
 
@@ -45,7 +45,7 @@ def interval(found):
 
 def draw_local_tier(rows, path):
     """How many times faster than shared maps alone local maps make it, with intervals."""
-    scenes = values(rows, "scene")
+    scenes = [scene for scene in values(rows, "scene") if scene != CELLS]
     figure, panels = pyplot.subplots(1, len(scenes), figsize=(4 * len(scenes), 3.6), squeeze=False,
                                      sharey=True)
     for axes, scene in zip(panels[0], scenes):
@@ -54,7 +54,7 @@ def draw_local_tier(rows, path):
             for test in values(pick(rows, scene=scene), "test"):
                 pair = [one(rows, scene=scene, test=test, tree=tree, mode=mode)
                         for mode in ("shared", "thesis")]
-                found = ratio(*pair)
+                found = ratio(*pair) if all(pair) else None
                 if found is not None:
                     points.append((test + 0.08 * (shift - 1), found.value, *interval(found)))
             if not points:
@@ -106,12 +106,17 @@ def draw_all(results, folder):
     """{name: file name}; empty where matplotlib is not installed."""
     if pyplot is None:
         return {}
-    rows, drawn = results["rows"], {}
+    rows, drawn = usual(results["rows"]), {}
     for scene in values(rows, "scene"):
+        if scene == CELLS:
+            continue  # one test
         drawn[f"net_{scene}"] = f"net_query_cost_scene_{scene}.png"
         draw_net(pick(rows, scene=scene), folder / drawn[f"net_{scene}"])
-    drawn["local_tier"] = "local_tier.png"
-    draw_local_tier(rows, folder / drawn["local_tier"])
+    if drawn:
+        drawn["local_tier"] = "local_tier.png"
+        draw_local_tier(rows, folder / drawn["local_tier"])
+    if not results["creases"]:
+        return drawn
     drawn["creases"] = "creases.png"
     draw_creases(results["creases"], folder / drawn["creases"])
     return drawn

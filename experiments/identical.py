@@ -2,7 +2,7 @@
 
 import itertools
 
-from measure import LEVELS, maps, ratio
+from measure import LEVELS, label, maps, ratio
 from ratios import CHANCE, written
 from tables import table
 
@@ -12,7 +12,7 @@ def searches(row):
     if row["mode"] == "global" or any(maps(row, kind, level) for kind in row["kinds"]
                                       for level in LEVELS[1:]):
         return None
-    return row["scene"], row["test"], row["tree"], row["estimate"]
+    return row["tree"], row["estimate"], row["together"]
 
 
 def pairs_in(batch):
@@ -22,17 +22,15 @@ def pairs_in(batch):
 
 
 def batches(results):
-    """Rows of each batch: measured in the same rounds."""
-    for rows in (results["rows"], *results["questions"].values()):
-        key = lambda row: (row["scene"], row["test"], row["size"], len(row["image_runs"]))
-        for _, batch in itertools.groupby(rows, key):
-            yield list(batch)
+    """Rows of each scene and test: measured in the same rounds."""
+    for _, batch in itertools.groupby(results["rows"], lambda row: (row["scene"], row["test"])):
+        yield list(batch)
 
 
 def named(row):
-    detail = "".join(f", {row[key]}" for key, usual in (("tiers", "paying"), ("ratio", 10))
+    detail = "".join(f", {row[key]}" for key, usual in (("tiers", "paying"), ("estimate", "thesis"), ("ratio", 10))
                      if row[key] != usual)
-    return row["mode"] + detail
+    return ("control of " if row["control"] else "") + row["mode"] + detail
 
 
 def find_all(results):
@@ -58,12 +56,12 @@ def complaints(results):
     pairs = find_all(results)
     if not any(is_measured(pair[2]) for pair in pairs):
         return ["no identical computations were measured in two rounds or more"]
-    return [f"scene {a['scene']}, test {a['test']}, {a['tree']} trees: {named(a)} and {named(b)} make "
+    return [f"scene {label(a['scene'])}, test {a['test']}, {a['tree']} trees: {named(a)} and {named(b)} make "
             f"the same searches, but their costs have a ratio of {written(found)}"
             for a, b, found in differ(pairs)]
 
 
 def identical_table(results):
     return table(["scene", "test", "tree", "modes", "ratio"],
-                 [[a["scene"], a["test"], a["tree"], f"{named(a)} / {named(b)}", written(found)]
+                 [[label(a["scene"]), a["test"], a["tree"], f"{named(a)} / {named(b)}", written(found)]
                   for a, b, found in find_all(results)])

@@ -1,59 +1,62 @@
-"""Runs preprocess and render for the experiment and reads what they measured."""
+"""Runs map_costs for the experiment and reads what it measured."""
 
 import dataclasses
 import itertools
 import json
-import math
 import pathlib
-import random
 import struct
 
 import programs
 import ratios
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-SCENES = {1: "axis_aligned", 2: "hexagonal", 3: "egg_chair"}
+SCENES = {1: "axis_aligned", 2: "hexagonal_room", 3: "egg_room", 4: "egg_chair"}
+CELLS = 4  # scene 3 as its walls, not its furniture, have the local maps
+TESTS_OF_CELLS = (2,)
 MODES = ("global", "shared", "thesis", "hierarchical")
 TREES = ("balanced", "unbalanced", "wide")
 # Light paths for each light primitive and neighbours k of tests 1 to 5 (dissertation).
 TESTS = {1: (2500, 25), 2: (5000, 50), 3: (15000, 150), 4: (30000, 300), 5: (60000, 600)}
+EVERY = {4: 2, 5: 4}  # test: one band of an image's rows of so many is rendered; else all are
 ANGLE_DEG = 90  # the dissertation's threshold
 LOCAL_MIN_PER_NEIGHBOUR = 10  # the dissertation's M / k
 MANY_PATHS = 2_000_000
-ROUNDS_OF_MANY = 3  # times to render so many light paths or more, if it may be more
+ROUNDS_OF_MANY = 4  # rounds of so many light paths or more, if there may be more
 LEAST_ROUNDS = 5  # of fewer, some look precise by chance
 PRECISE = 0.03  # half the interval of a ratio at which rounds end
-MOST_WIDER = 4  # times as wide as asked, an image whose pixels take too little time
+REFERENCE, MOST_REFERENCE = 40, 8_000_000  # light paths of a reference for each of an image; at most
 LEVELS = ("shared_maps", "local_maps", "group_maps")
 
 
 @dataclasses.dataclass(frozen=True)
 class Bench:
     """tools: folder of the programs.  folder: for their files.  size: pixels across an image.
-    most_rounds: of each rendering.  divide: photons and k are divided by it.  net_seconds: what the
-    photons of an image take at least, by a larger image if need be.  rounds_asked: as many rounds,
-    whatever it takes; 0: not asked."""
+    most_rounds: of each scene and test.  divide: photons and k are divided by it."""
 
     tools: pathlib.Path
     folder: pathlib.Path
     size: int
     most_rounds: int
     divide: int
-    net_seconds: float = 0
-    rounds_asked: int = 0
 
 
 @dataclasses.dataclass(frozen=True)
 class Setting:
-    """One rendering.  ratio: M / k."""
+    """One way to put photons into maps.  ratio: M / k.  together: caustic photons are in the maps of
+    the others.  control: measured a second time, to see what noise alone does."""
 
-    scene: int
-    test: int
     mode: str
     tree: str
     estimate: str = "thesis"
     tiers: str = "paying"
     ratio: float = LOCAL_MIN_PER_NEIGHBOUR
+    together: bool = False
+    control: bool = False
+
+
+def label(scene):
+    """What the document calls it."""
+    return "3, walls in cells" if scene == CELLS else str(scene)
 
 
 def scene_path(scene):
@@ -93,9 +96,7 @@ def light_paths(bench, scene, test):
 
 
 def rounds(bench, scene, test):
-    """The most rounds: short runs are disturbed more, and repeated more often."""
-    if bench.rounds_asked:
-        return bench.rounds_asked
+    """The most rounds."""
     many = light_paths(bench, scene, test) >= MANY_PATHS
     return min(bench.most_rounds, ROUNDS_OF_MANY) if many else bench.most_rounds
 
@@ -104,62 +105,33 @@ def neighbours(bench, test):
     return max(2, TESTS[test][1] // bench.divide)
 
 
-def render(bench, setting, photons, size):
-    """The statistics (docs/statistics.md) of one pass in which all light is gathered from photons.
-
-    photons: light paths; 0 leaves the maps empty.  size: pixels across."""
-    stats = bench.folder / "stats.json"
-    k = neighbours(bench, setting.test)
-    run_tool(bench, "render", scene_path(setting.scene), partition_path(bench, setting.scene),
-             "-o", bench.folder / "image.pfm", "--stats", stats, "--maps", setting.mode,
-             "--tree", setting.tree, "--estimate", setting.estimate, "--tiers", setting.tiers,
-             "--photons", photons, "--neighbours", k, "--local-min", round(setting.ratio * k),
-             "--integrator", "direct", "--direct", "photons", "--look", "gltf",
-             "--passes", 1, "--samples", 1, "--size", size)
-    return json.loads(stats.read_text())
+def as_option(setting, k):
+    """A setting as map_costs reads it."""
+    text = (f"--maps {setting.mode} --tree {setting.tree} --estimate {setting.estimate} "
+            f"--tiers {setting.tiers} --local-min {round(setting.ratio * k)}")
+    return f"--setting={text} --together" if setting.together else f"--setting={text}"
 
 
-def summary(stats):
-    """Of one rendering, what the tables need.  Seconds are of the processor, of all threads."""
-    photons = stats["photons"]
-    kinds = {kind: photons[kind] for kind in ("caustic", "global")}
-    return {"stored": photons["stored"], "aimed": photons["aimed"],
-            "kinds": {name: {key: kind[key] for key in ("stored", "queries", *LEVELS, "local",
-                                                        "group") if key in kind}
-                      for name, kind in kinds.items()},
-            "build_s": stats["processor_seconds"]["maps"],
-            "image_s": stats["processor_seconds"]["image"]}
+def arguments(bench, scene, test, settings):
+    """Of map_costs.  Errors are asked for where caustic photons are together with the others."""
+    k, paths = neighbours(bench, test), light_paths(bench, scene, test)
+    every = EVERY.get(test, 1)
+    reference = min(REFERENCE * paths, MOST_REFERENCE)
+    asked = any(setting.together for setting in settings)
+    return [scene_path(scene), "--photons", paths, "--neighbours", k, "--angle", ANGLE_DEG,
+            "--size", bench.size, "--every", every, "--rounds", rounds(bench, scene, test),
+            *(("--reference", reference) if asked else ()),
+            *(as_option(setting, k) for setting in settings)]
 
 
 def maps(row, kind, level):
-    """How many maps of a level this rendering built of a kind of photon."""
+    """How many maps of a level this setting built of a kind of photon."""
     return row["kinds"][kind].get(level, 0)
 
 
-def image_size(bench, setting, photons):
-    """Pixels across an image whose photons take `net_seconds`, by a rendering of the size asked."""
-    if bench.net_seconds == 0:
-        return bench.size
-    net = (summary(render(bench, setting, photons, bench.size))["image_s"] -
-           summary(render(bench, setting, 0, bench.size))["image_s"])
-    wider = math.sqrt(bench.net_seconds / max(net, 1e-3))
-    return round(bench.size * min(max(wider, 1), MOST_WIDER))
-
-
-def image_sizes(bench, settings, photons):
-    """{tree: pixels across}: as large for all settings that are compared."""
-    cheapest = {setting.tree: setting
-                for setting in sorted(settings, key=lambda one: one.mode != "global")}
-    sizes = {tree: image_size(bench, setting, photons) for tree, setting in cheapest.items()}
-    if len(sizes) < len(settings):
-        return sizes
-    return dict.fromkeys(sizes, min(sizes.values()))
-
-
 def compared(rows):
-    """Pairs of rows: those on trees of one kind; all where each has a kind of its own."""
-    pairs = list(itertools.combinations(rows, 2))
-    return [pair for pair in pairs if pair[0]["tree"] == pair[1]["tree"]] or pairs
+    """Pairs of rows whose ratios the document has: those on trees of one kind."""
+    return [pair for pair in itertools.combinations(rows, 2) if pair[0]["tree"] == pair[1]["tree"]]
 
 
 def is_precise(rows):
@@ -168,51 +140,45 @@ def is_precise(rows):
     return all(one is not None and one.half() <= PRECISE for one in found)
 
 
-def measure_round(bench, settings, rows, photons):
-    """Adds a round to the rows.  The empty images are measured in it too.  Yields (setting, row)."""
-    first = {row["size"]: setting for setting, row in zip(settings, rows)}
-    empty = {size: summary(render(bench, setting, 0, size))["image_s"]
-             for size, setting in first.items()}
-    order = list(zip(settings, rows))
-    random.Random(len(rows[0]["image_runs"])).shuffle(order)  # no setting always follows another
-    for setting, row in order:
-        done = summary(render(bench, setting, photons, row["size"]))
-        row["build_runs"].append(done.pop("build_s"))
-        row["image_runs"].append(done.pop("image_s"))
-        row["empty_runs"].append(empty[row["size"]])
-        row.update(done)
-        yield setting, row
+def add_round(rows, measured):
+    """measured: of one round, in the order of the rows."""
+    for row, one in zip(rows, measured):
+        for name in ("build", "image", "empty"):
+            row[f"{name}_runs"].append(one[f"{name}_s"])
+        row["kinds"] = one["kinds"]
+        row["stored"] = sum(kind["stored"] for kind in one["kinds"].values())
+        if "errors" in one:
+            row["errors"] = one["errors"]
 
 
-def measure_together(bench, settings, ran):
+def measure(bench, scene, test, settings):
     """Rows of some settings of one scene and test, measured in turn again and again, so that what
-    else the machine does falls on all alike, until their ratios are precise.  ran(setting, row):
-    after each rendering."""
-    scene, test = settings[0].scene, settings[0].test
-    photons = light_paths(bench, scene, test)
-    sizes = image_sizes(bench, settings, photons)
-    rows = [{**dataclasses.asdict(setting), "k": neighbours(bench, test), "emitted": photons,
-             "size": sizes[setting.tree], "scale": (sizes[setting.tree] / bench.size) ** 2,
-             "build_runs": [], "image_runs": [], "empty_runs": []} for setting in settings]
-    for round_ in range(rounds(bench, scene, test)):
-        for setting, row in measure_round(bench, settings, rows, photons):
-            ran(setting, row)
-        if round_ + 1 >= LEAST_ROUNDS and not bench.rounds_asked and is_precise(rows):
-            break
+    else the machine does falls on all alike, until their ratios are precise."""
+    rows = []
+    least = min(LEAST_ROUNDS, rounds(bench, scene, test))
+    with programs.lines_of(bench.tools, "map_costs", *arguments(bench, scene, test, settings)) as lines:
+        about = json.loads(next(lines))
+        rows = [{"scene": scene, "test": test, **dataclasses.asdict(setting),
+                 "k": neighbours(bench, test), **about,
+                 "build_runs": [], "image_runs": [], "empty_runs": []} for setting in settings]
+        for line in lines:
+            add_round(rows, json.loads(line))
+            if len(rows[0]["image_runs"]) >= least and is_precise(rows):
+                break
     return [complete(row) for row in rows]
 
 
 def complete(row):
-    """Means of the rounds, for an image of the size asked."""
+    """Means of the rounds, for a whole image."""
     return {**row, "build_s": ratios.mean_cost(row["build_runs"]),
-            "image_s": ratios.mean_cost([image / row["scale"] for image in row["image_runs"]]),
-            "empty_s": ratios.mean_cost([empty / row["scale"] for empty in row["empty_runs"]]),
+            "image_s": ratios.mean_cost(row["image_runs"]) / row["share"],
+            "empty_s": ratios.mean_cost(row["empty_runs"]) / row["share"],
             "net_s": ratios.mean_cost(net_runs(row))}
 
 
 def net_runs(row):
-    """The net query costs of the rounds, for an image of the size asked."""
-    return [(image - empty) / row["scale"]
+    """The net query costs of the rounds, for a whole image."""
+    return [(image - empty) / row["share"]
             for image, empty in zip(row["image_runs"], row["empty_runs"])]
 
 

@@ -22,8 +22,3 @@ def draw_scene(bench, scene, folder, settings):
              "--angle", ANGLE_DEG, "--images", images)
     shutil.copy(images / "shared_maps.png", folder / drawn[f"maps_{scene}"])
     return drawn
-
-
-def draw_all(bench, scenes, folder, settings):
-    return {name: file for scene in scenes
-            for name, file in draw_scene(bench, scene, folder, settings).items()}

@@ -1,5 +1,6 @@
 """Runs hipmap's programs from outside, as a user would."""
 
+import contextlib
 import dataclasses
 import hashlib
 import os
@@ -25,6 +26,13 @@ def refuse_without(folder, program):
              f"{program}")
 
 
+def fail(program, code, errors):
+    """Ends this program with the last line of the other's errors.  errors: a file."""
+    errors.seek(0)
+    lines = errors.read().splitlines() or ["no message"]
+    sys.exit(f"error: {program} ended with code {code}: {lines[-1]}")
+
+
 def run(folder, program, *arguments):
     """Runs a program of the folder; ends this one with one line if that fails.  Any thread."""
     command = [str(folder / program), *map(str, arguments)]
@@ -37,11 +45,33 @@ def run(folder, program, *arguments):
         _, status, used = os.wait4(process.pid, 0)
         process.returncode = os.waitstatus_to_exitcode(status)
         output.seek(0)
-        errors.seek(0)
         if process.returncode != 0:
-            lines = errors.read().splitlines() or ["no message"]
-            sys.exit(f"error: {program} ended with code {process.returncode}: {lines[-1]}")
+            fail(program, process.returncode, errors)
         return Done(output.read(), used.ru_utime + used.ru_stime)
+
+
+@contextlib.contextmanager
+def lines_of(folder, program, *arguments):
+    """The lines that a program prints, while it runs; it is ended where they are not read to the end.
+    Ends this program with one line if the other fails."""
+    command = [str(folder / program), *map(str, arguments)]
+    with tempfile.TemporaryFile("w+") as errors:
+        try:
+            process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                                       stderr=errors, text=True)
+        except OSError:
+            refuse_without(folder, program)
+
+        def lines():
+            yield from process.stdout
+            if process.wait() != 0:
+                fail(program, process.returncode, errors)
+        try:
+            yield lines()
+        finally:
+            process.terminate()
+            process.wait()
+            process.stdout.close()
 
 
 def digest(folder, programs):

@@ -3,13 +3,13 @@
 
     experiments/run_experiment.py                      # writes docs/experiments.md
     experiments/run_experiment.py --quick --scenes 1   # a look; writes below out/
+    experiments/run_experiment.py --so-far             # writes it from what a stopped run has measured
     experiments/run_experiment.py --check              # compares identical computations of the last run
 
 Needs the programs in build/release/bin and, for the plots, Debian's python3-matplotlib.
 """
 
 import argparse
-import dataclasses
 import datetime
 import itertools
 import json
@@ -18,7 +18,6 @@ import pathlib
 import subprocess
 import sys
 import tempfile
-import time
 
 import document
 import figures
@@ -27,72 +26,45 @@ import measure
 import pictures
 import programs
 import questions
-from progress import Progress
+from notebook import Job, Notebook, do_stages
 
-QUICK = {"divide": 10, "size": 96, "most_rounds": 1, "net_seconds": 0}
-FULL = {"divide": 1, "size": 256, "most_rounds": 12, "net_seconds": 0.5}
-PROGRAMS = ("preprocess", "render", "crease_profile", "filter_radius", "rebuild_maps")
-# Seconds of a light path and of a photon found, about; for the time left.
-PATH_SECONDS, FOUND_SECONDS, START_SECONDS = 1.5e-6, 1e-7, 0.05
+QUICK = {"divide": 10, "size": 96, "most_rounds": 1}
+FULL = {"divide": 1, "size": 256, "most_rounds": 20}
+PROGRAMS = ("preprocess", "render", "map_costs", "crease_profile", "filter_radius", "rebuild_maps")
+CREASE_SETS = 10_000
+PATH_SECONDS, FOUND_SECONDS = 1e-5, 1e-7  # of a light path in all maps, of a photon found; about
 
 
 def parse_options():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
     parser.add_argument("--scenes", type=int, nargs="+", choices=measure.SCENES,
-                        default=list(measure.SCENES), help="which of them [1 2 3]")
+                        default=list(measure.SCENES),
+                        help="which of them; 4 is scene 3 with walls in cells [1 2 3 4]")
     parser.add_argument("--tests", type=int, nargs="+", choices=measure.TESTS,
                         default=list(measure.TESTS), help="which of them [1 2 3 4 5]")
     parser.add_argument("--quick", action="store_true",
-                        help="a tenth of the photons and neighbours, small images, one run each")
+                        help="a tenth of the photons and neighbours, small images, one round")
     parser.add_argument("--rounds", type=int,
-                        help="times to run each at most [12; with --quick 1]")
+                        help="times to measure each at most [20; with --quick 1]")
     parser.add_argument("--to", type=pathlib.Path,
                         help="folder to write to [docs; with --quick out/experiments]")
+    parser.add_argument("--work", type=pathlib.Path,
+                        help="folder of what a stopped run has measured [out/experiment; with "
+                             "--quick work, below the folder to write to]")
     parser.add_argument("--tools", type=pathlib.Path, default=measure.ROOT / "build/release/bin",
                         help="folder of the programs [build/release/bin]")
+    parser.add_argument("--so-far", action="store_true",
+                        help="measure nothing: write the document from what a stopped run has measured")
     parser.add_argument("--again", action="store_true",
                         help="measure nothing: write the document and plots from results.json")
     parser.add_argument("--check", action="store_true",
                         help="measure nothing: say which identical computations of results.json differ by "
                              "more than their intervals; exit code 1 if any do")
-    parser.add_argument("--update", action="store_true",
-                        help="measure these scenes and tests anew, keep the rest of results.json")
     options = parser.parse_args()
     options.to = options.to or measure.ROOT / ("out/experiments" if options.quick else "docs")
+    options.work = options.work or (options.to / "work" if options.quick else
+                                    measure.ROOT / "out/experiment")
     return options
-
-
-def weight(bench, setting):
-    """Seconds that a rendering takes, about."""
-    found = bench.size ** 2 * 0.75 * measure.neighbours(bench, setting.test)
-    paths = measure.light_paths(bench, setting.scene, setting.test)
-    return START_SECONDS + PATH_SECONDS * paths + FOUND_SECONDS * found
-
-
-class Measuring:
-    """Measures batches of settings and says how far they are."""
-
-    def __init__(self, bench, batches):
-        self.bench = bench
-        weights = [self.batch_weight(batch, self.rounds(batch)) for batch in batches]
-        self.progress = Progress(sum(self.rounds(batch) * len(batch) for batch in batches),
-                                 sum(weights))
-
-    def rounds(self, batch):
-        return measure.rounds(self.bench, batch[0].scene, batch[0].test)
-
-    def batch_weight(self, batch, rounds):
-        return rounds * sum(weight(self.bench, setting) for setting in batch)
-
-    def ran(self, setting, row):
-        self.progress.ran(f"scene {setting.scene}, test {setting.test}, {setting.mode}, "
-                          f"{setting.tree}: {row['stored']:,} photons", weight(self.bench, setting))
-
-    def rows(self, batch):
-        rows = measure.measure_together(self.bench, batch, self.ran)
-        spared = self.rounds(batch) - len(rows[0]["image_runs"])
-        self.progress.skip(spared * len(batch), self.batch_weight(batch, spared))
-        return rows
 
 
 def commit():
@@ -101,77 +73,102 @@ def commit():
     return done.stdout.strip() or "unknown"
 
 
-def main_batch(scene, test):
-    """The settings of one scene and test, to be measured in turn."""
-    return [measure.Setting(scene, test, mode, tree) for tree in measure.TREES
-            for mode in measure.MODES]
+def measured(options):
+    """Scenes and tests."""
+    return [(scene, test) for scene, test in itertools.product(options.scenes, options.tests)
+            if scene != measure.CELLS or test in measure.TESTS_OF_CELLS]
 
 
-def run_all(bench, options):
-    """The results, but for what the run itself was."""
-    main = list(itertools.starmap(main_batch, itertools.product(options.scenes, options.tests)))
-    asked = questions.batches(options.scenes, options.tests)
-    print("measuring creases, filter radii and rebuilt maps", file=sys.stderr)
-    singly = {"creases": questions.run_creases(bench, 10_000 // bench.divide),
-              "filter": questions.run_filter(bench, options.scenes, options.tests),
-              "rebuilds": questions.run_rebuilds(bench, options.scenes, options.tests)}
-    measuring = Measuring(bench, main + [batch for batches in asked.values() for batch in batches])
-    return {**singly, "rows": [row for batch in main for row in measuring.rows(batch)],
-            "questions": questions.measure_batches(asked, measuring.rows)}
+def own_settings():
+    return [measure.Setting(mode, tree) for tree in measure.TREES for mode in measure.MODES]
 
 
-def write(results, drawn, to):
+def weight(bench, scene, test, settings):
+    """Seconds that measuring them takes, about."""
+    found = bench.size ** 2 * 0.75 * measure.neighbours(bench, test) / measure.EVERY.get(test, 1)
+    paths = measure.light_paths(bench, scene, test)
+    once = (PATH_SECONDS * paths + FOUND_SECONDS * found) * len(settings)
+    return once * measure.rounds(bench, scene, test)
+
+
+def cost_job(bench, scene, test):
+    settings = own_settings() + questions.settings(scene, test)
+    return Job(f"costs of scene {scene}, test {test}", weight(bench, scene, test, settings),
+               lambda: measure.measure(bench, scene, test, settings))
+
+
+def single_jobs(bench, options):
+    """What is measured by other programs."""
+    settings = pictures.QUICK_RENDER if options.quick else pictures.RENDER
+    folder = options.to / "experiments"
+    found = [Job("creases", 60, lambda: questions.run_creases(bench, CREASE_SETS // bench.divide))]
+    for scene in options.scenes:
+        found.append(Job(f"pictures of scene {scene}", 30, lambda scene=scene: pictures.draw_scene(
+            bench, scene, folder, settings)))
+    for scene, test in measured(options):
+        if questions.ASKED.get(scene) == test:
+            found.append(Job(f"filter radius of scene {scene}", 60, lambda of=(scene, test):
+                             questions.run_filter(bench, *of)))
+        if test in questions.SOME_TESTS and scene != measure.CELLS:
+            found.append(Job(f"rebuilt maps of scene {scene}, test {test}", 60, lambda of=(
+                scene, test): questions.run_rebuilds(bench, *of)))
+    return found
+
+
+def all_jobs(bench, options):
+    """Those that take least first."""
+    jobs = [cost_job(bench, *of) for of in measured(options)] + single_jobs(bench, options)
+    return sorted(jobs, key=lambda job: job.weight)
+
+
+def collect(notebook, jobs):
+    """The results, of what was measured of the jobs."""
+    done = [job.key for job in jobs if job.key in notebook]
+    of = lambda start: [row for key in sorted(done) if key.startswith(start) for row in notebook[key]]
+    drawn = {name: file for key in done if key.startswith("pictures")
+             for name, file in notebook[key].items()}
+    return {"rows": of("costs"), "creases": of("creases"), "filter": of("filter"),
+            "rebuilds": of("rebuilt"), "pictures": drawn,
+            "missing": [job.key for job in jobs if job.key not in notebook]}
+
+
+def write(results, to):
     folder = to / "experiments"
     plots = figures.draw_all(results, folder)
     if not plots:
         print("no plots: matplotlib is not installed (Debian: python3-matplotlib)",
               file=sys.stderr)
-    links = {name: f"experiments/{file}" for name, file in {**drawn, **plots}.items()}
+    links = {name: f"experiments/{file}"
+             for name, file in {**results["pictures"], **plots}.items()}
     root = os.path.relpath(measure.ROOT, to)
     (to / "experiments.md").write_text(document.write(results, links, root))
     print(f"wrote {to / 'experiments.md'}", file=sys.stderr)
 
 
+def settings_of(options):
+    found = dict(QUICK if options.quick else FULL)
+    found["most_rounds"] = options.rounds or found["most_rounds"]
+    return found
+
+
 def run(options, results_file):
-    start = time.monotonic()
-    settings = dict(QUICK if options.quick else FULL)
-    settings["most_rounds"] = options.rounds or settings["most_rounds"]
+    """Measures what the notebook does not have, and writes the results."""
+    settings = settings_of(options)
+    options.work.mkdir(parents=True, exist_ok=True)
+    notebook = Notebook(options.work / "measured.json",
+                        {"programs": programs.digest(options.tools, PROGRAMS), **settings})
     with tempfile.TemporaryDirectory() as folder:
         bench = measure.Bench(options.tools, pathlib.Path(folder), **settings)
-        about = {"date": datetime.date.today().isoformat(), "commit": commit(),
-                 "machine": programs.machine(), **settings}
-        for scene in options.scenes:
-            measure.make_partition(bench, scene)
-        results = {"about": about, "pictures": {}, **run_all(bench, options)}
-        about["minutes"] = (time.monotonic() - start) / 60
-        results_file.write_text(json.dumps(results, indent=1) + "\n")
-        print("rendering the scenes", file=sys.stderr)
-        results["pictures"] = pictures.draw_all(
-            bench, options.scenes, results_file.parent,
-            pictures.QUICK_RENDER if options.quick else pictures.RENDER)
-    results_file.write_text(json.dumps(results, indent=1) + "\n")
-    return results
-
-
-def update(options, results_file):
-    """Rows of the scenes and tests asked for, measured anew; the rest as it was."""
-    results = json.loads(results_file.read_text())
-    with tempfile.TemporaryDirectory() as folder:
-        bench = measure.Bench(options.tools, pathlib.Path(folder),
-                              **{name: results["about"][name] for name in FULL})
-        bench = dataclasses.replace(bench, rounds_asked=options.rounds)
-        for scene in options.scenes:
-            measure.make_partition(bench, scene)
-        batches = list(itertools.starmap(main_batch,
-                                         itertools.product(options.scenes, options.tests)))
-        measuring = Measuring(bench, batches)
-        rows = [row for batch in batches for row in measuring.rows(batch)]
-    new = {(row["scene"], row["test"]): row for row in rows}
-    kept = [row for row in results["rows"] if (row["scene"], row["test"]) not in new]
-    results["about"].setdefault("again", []).extend(
-        f"scene {scene}, test {test} ({len(row['image_runs'])} rounds)"
-        for (scene, test), row in new.items())
-    results["rows"] = sorted(kept + rows, key=lambda row: (row["scene"], row["test"]))
+        jobs = all_jobs(bench, options)
+        if not options.so_far:
+            for scene in options.scenes:
+                measure.make_partition(bench, scene)
+            do_stages([jobs], notebook, 1)
+    results = collect(notebook, jobs)
+    results["about"] = {"date": datetime.date.today().isoformat(), "commit": commit(),
+                        "machine": programs.machine(), **settings,
+                        "minutes": notebook.results["seconds"] / 60,
+                        "missing": results.pop("missing")}
     results_file.write_text(json.dumps(results, indent=1) + "\n")
     return results
 
@@ -202,8 +199,8 @@ def main():
         if missing:
             sys.exit(f"error: {options.tools}/{missing[0]} is missing; build it: cmake --build "
                      f"build/release --target {' '.join(PROGRAMS)}")
-        results = (update if options.update else run)(options, results_file)
-    write(results, results["pictures"], options.to)
+        results = run(options, results_file)
+    write(results, options.to)
     check(results, False)
 
 

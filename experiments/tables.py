@@ -1,13 +1,18 @@
 """Tables of what the experiment measured, in Markdown."""
 
-from measure import LEVELS, MODES, SCENES, TREES, maps, ratio
+import dataclasses
+
+from measure import LEVELS, MODES, SCENES, TREES, Setting, label, maps, ratio
 from ratios import written
 
 # Photons stored in tests 1 to 5 by the dissertation; it says no more of scene 3.
 DISSERTATION_STORED = {1: (26019, 50513, 152881, 384119, 778138),
                        2: (7814, 16178, 48869, 97588, 180389),
                        3: (None, 1152000, None, None, None)}
-DISSERTATION_SHARED_PERCENT = {1: 80, 2: 52, 3: 2}
+DISSERTATION_STORED[4] = DISSERTATION_STORED[3]
+DISSERTATION_SHARED_PERCENT = {1: 80, 2: 52, 3: 2, 4: 2}
+USUAL = {field.name: field.default for field in dataclasses.fields(Setting)
+         if field.default is not dataclasses.MISSING}
 
 
 def table(headers, rows):
@@ -23,13 +28,18 @@ def seconds(value):
     return f"{value:.3f}" if value < 10 else f"{value:.1f}"
 
 
-def percent(share):
-    return f"{100 * share:.0f} %"
+def percent(share, digits=0):
+    return f"{100 * share:.{digits}f} %"
 
 
 def pick(rows, **wanted):
     """The rows that have these values."""
     return [row for row in rows if all(row[key] == value for key, value in wanted.items())]
+
+
+def usual(rows, **others):
+    """The rows of settings that differ from the experiment's in the others at most."""
+    return pick(rows, **{**USUAL, **others})
 
 
 def one(rows, **wanted):
@@ -86,7 +96,7 @@ def stored_table(rows):
         for row in pick(rows, scene=scene, tree="balanced", mode="thesis"):
             theirs = DISSERTATION_STORED[scene][row["test"] - 1]
             shared, local = (maps(row, "global", level) for level in LEVELS[:2])
-            lines.append([scene, row["test"], number(row["emitted"]), number(row["aimed"]),
+            lines.append([label(scene), row["test"], number(row["emitted"]), number(row["aimed"]),
                           number(row["stored"]), number(theirs),
                           f"{row['stored'] / theirs:.2f}" if theirs else "-", shared, local,
                           percent(shared / (shared + local)),
@@ -100,13 +110,13 @@ def stored_table(rows):
 def scene_part(rows, scene, drawn):
     """All of one scene.  drawn: {name: address of a picture}."""
     rows = pick(rows, scene=scene)
-    parts = [f"## Scene {scene}: `{SCENES[scene]}`\n"]
+    parts = [f"## Scene {label(scene)}: `{SCENES[scene]}`\n"]
     if f"render_{scene}" in drawn:
         parts.append(table(["rendered", "its shared maps"], [[
-            f"![scene {scene}]({drawn[f'render_{scene}']})",
+            f"![scene {label(scene)}]({drawn[f'render_{scene}']})",
             f"![its partition]({drawn[f'maps_{scene}']})"]]))
     if f"net_{scene}" in drawn:
-        parts.append(f"![Net query cost of scene {scene}]({drawn[f'net_{scene}']})\n")
+        parts.append(f"![Net query cost of scene {label(scene)}]({drawn[f'net_{scene}']})\n")
     for tree in TREES:
         parts.append(f"Net query cost, {tree} trees:\n")
         parts.append(net_table(rows, tree))
