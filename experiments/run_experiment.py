@@ -32,7 +32,7 @@ QUICK = {"divide": 10, "size": 96, "most_rounds": 1}
 FULL = {"divide": 1, "size": 256, "most_rounds": 20}
 PROGRAMS = ("preprocess", "render", "map_costs", "crease_profile", "filter_radius", "rebuild_maps")
 CREASE_SETS = 10_000
-PATH_SECONDS, FOUND_SECONDS = 1e-5, 1e-7  # of a light path in all maps, of a photon found; about
+PATH_SECONDS, FOUND_SECONDS = 3e-6, 1.5e-7  # of a light path in all maps, of a photon found; about
 
 
 def parse_options():
@@ -51,6 +51,8 @@ def parse_options():
     parser.add_argument("--work", type=pathlib.Path,
                         help="folder of what a stopped run has measured [out/experiment; with "
                              "--quick work, below the folder to write to]")
+    parser.add_argument("--workers", type=int, default=1,
+                        help="how many to measure at the same time [1]; seconds are of the processor")
     parser.add_argument("--tools", type=pathlib.Path, default=measure.ROOT / "build/release/bin",
                         help="folder of the programs [build/release/bin]")
     parser.add_argument("--so-far", action="store_true",
@@ -88,7 +90,7 @@ def weight(bench, scene, test, settings):
     found = bench.size ** 2 * 0.75 * measure.neighbours(bench, test) / measure.EVERY.get(test, 1)
     paths = measure.light_paths(bench, scene, test)
     once = (PATH_SECONDS * paths + FOUND_SECONDS * found) * len(settings)
-    return once * measure.rounds(bench, scene, test)
+    return once * min(measure.LEAST_ROUNDS, measure.rounds(bench, scene, test))
 
 
 def cost_job(bench, scene, test):
@@ -163,7 +165,7 @@ def run(options, results_file):
         if not options.so_far:
             for scene in options.scenes:
                 measure.make_partition(bench, scene)
-            do_stages([jobs], notebook, 1)
+            do_stages([jobs], notebook, options.workers)
     results = collect(notebook, jobs)
     results["about"] = {"date": datetime.date.today().isoformat(), "commit": commit(),
                         "machine": programs.machine(), **settings,
