@@ -4,7 +4,7 @@ import collections
 import dataclasses
 import typing
 
-from measure import CELLS, label, ratio
+from measure import CELLS, TESTS, label, ratio
 from ratios import of_rounds, written
 from tables import one, percent, pick, table, usual, values
 
@@ -21,6 +21,7 @@ brackets), and its rule a threshold:
 | {UNDECIDED} | around the threshold on balanced trees |
 """
 FAR = 1.5  # times faster that count as far ahead
+FIRST, LAST = min(TESTS), max(TESTS)
 LEAK = 0.01  # of what leaks with one map, below which a leak has stopped
 NORMAL_LIMIT = 1.96  # standard errors of a 95 % confidence interval
 NEAR = 0.9  # of the gain that is claimed, which counts as as much
@@ -79,27 +80,23 @@ def against(rows, setting, tree, above, below):
     return ratio(*pair) if all(pair) else None
 
 
-def tests_of(rows, scene):
-    """The first and the last; nothing where the scene was not measured."""
-    found = values(pick(rows, scene=scene), "test")
-    return (found[0], found[-1]) if found else (0, 0)
+def last_test(rows, scene):
+    """The last that was measured; 0: none."""
+    return max(values(pick(rows, scene=scene), "test"), default=0)
 
 
 def far_ahead(rows, scene, mode, name):
-    last = tests_of(rows, scene)[1]
-    return Claim(f"{name} far ahead of one map, in the last test (one map / {mode})", scene, "far",
-                 lambda tree: against(rows, (scene, last), tree, "global", mode), FAR)
+    return Claim(f"{name} far ahead of one map, in test {LAST} (one map / {mode})", scene, "far",
+                 lambda tree: against(rows, (scene, LAST), tree, "global", mode), FAR)
 
 
 def grows(rows, scene, mode, name):
-    first, last = tests_of(rows, scene)
-
     def find(tree):
-        early, late = (against(rows, (scene, test), tree, "global", mode) for test in (first, last))
-        return late.over(early) if early and late and first < last else None
+        early, late = (against(rows, (scene, test), tree, "global", mode) for test in (FIRST, LAST))
+        return late.over(early) if early and late else None
 
-    return Claim(f"{name} the more ahead the more photons are stored (that ratio in the last test / "
-                 "in the first)", scene, "grows", find, 1)
+    return Claim(f"{name} the more ahead the more photons are stored (that ratio in test {LAST} / in "
+                 f"test {FIRST})", scene, "grows", find, 1)
 
 
 def local_maps(rows, setting, claimed):
@@ -112,26 +109,26 @@ def local_maps(rows, setting, claimed):
 
 def unbalanced(rows, scene, how, kind):
     """Building one map in an unbalanced tree of a kind against building it balanced."""
-    last = tests_of(rows, scene)[1]
+    last = last_test(rows, scene)
 
     def find(tree):
         pair = [one(rows, scene=scene, test=last, tree=of, mode="global") for of in (tree, kind)]
         return ratio(*pair, of=lambda row: row["build_runs"]) if all(pair) else None
 
-    return Claim(f"Unbalanced trees are built faster, {how}: one map in the last test (this "
+    return Claim(f"Unbalanced trees are built faster, {how}: one map in test {last} (this "
                  f"tree / {kind})", scene, "faster", find, 1)
 
 
 def rebuilt_alone(rows, scene):
     """rows: of rebuild_maps."""
-    last = tests_of(rows, scene)[1]
+    last = last_test(rows, scene)
 
     def find(tree):
         row = one(rows, scene=scene, test=last, tree=tree)
         return of_rounds(row["ms all"], row["ms largest"]) if row else None
 
     return Claim("A single map can be rebuilt alone, at less than half the cost of all: the largest in "
-                 "the last test (all / largest)", scene, "can be", find, 2)
+                 f"test {last} (all / largest)", scene, "can be", find, 2)
 
 
 def ratio_claims(results):
