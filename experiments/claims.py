@@ -59,7 +59,7 @@ class Claim:
         if found is None:
             return None
         exceeds = found.exceeds(self.threshold)
-        return Shown(written(found), not exceeds if self.below and exceeds is not None else exceeds)
+        return Shown(written(found, 3), not exceeds if self.below and exceeds is not None else exceeds)
 
 
 def verdict(on_theirs, on_ours):

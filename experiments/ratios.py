@@ -62,10 +62,10 @@ def mean_cost(costs):
     return statistics.geometric_mean(costs) if min(costs) > 0 else statistics.mean(costs)
 
 
-def written(ratio):
+def written(ratio, digits=2):
     if ratio is None:
         return "lost in noise"
     if ratio.freedom == 0:
-        return f"{ratio.value:.2f} (one round)"
+        return f"{ratio.value:.{digits}f} (one round)"
     low, high = ratio.bounds()
-    return f"{ratio.value:.2f} ({low:.2f} to {high:.2f})"
+    return f"{ratio.value:.{digits}f} ({low:.{digits}f} to {high:.{digits}f})"
