@@ -16,6 +16,8 @@ ROW = re.compile(r"^(--\S+(?: \w+)?): (.*)$", re.M)
 
 
 class Quote(ToolsTestCase):
+    long_quote = None
+
     def setUp(self):
         super().setUp()
         self.succeed("preprocess", Tools.scene, "-o", self.path("scene.hpm"))
@@ -28,12 +30,18 @@ class Quote(ToolsTestCase):
         with open(self.path("quote.json"), encoding="utf-8") as file:
             return said, json.load(file)
 
+    def quote_with_time(self):
+        """The words and statistics of a quote with time for all comparisons, made once."""
+        if Quote.long_quote is None:
+            Quote.long_quote = self.quote("--error", "0.2%")
+        return Quote.long_quote
+
     def image(self, name, *options):
         self.render("-o", self.path(name), *options)
         return [channel for pixel in read_pfm(self.path(name)).pixels() for channel in pixel]
 
     def test_integrators_and_effects_are_compared_where_there_is_time(self):
-        said, stats = self.quote("--error", "0.2%")
+        said, stats = self.quote_with_time()
         quote = stats["quote"]
         rows = dict(ROW.findall(said))
         self.assertRegex(rows["--integrator path"], r"^0\.2 % error would take about [\d,]+ passes, ")
@@ -53,7 +61,7 @@ class Quote(ToolsTestCase):
         self.assertRegex(said, r"not compared, for lack of time: --integrator direct, .*--effects=-caustics")
 
     def test_the_error_that_an_effect_adds_is_that_of_the_images(self):
-        _, stats = self.quote("--error", "0.2%")
+        _, stats = self.quote_with_time()
         whole = self.image("whole.pfm", "--passes", 24)
         dark = 0.1 * sum(whole) / len(whole)
         for row in stats["quote"]["effects"]:
