@@ -8,7 +8,7 @@ namespace {
 
 constexpr int kHalvings = 5;
 
-/// Of larger scenes every so many-th face is looked at: the spheres need not be exact.
+/// Scenes with more faces are sampled, at a fixed step: the spheres need not be exact.
 constexpr std::uint64_t kMostFaces = 1 << 16;
 
 struct Covered {

@@ -10,8 +10,6 @@ namespace {
 /// Points of a texture that are averaged, along each side.
 constexpr int kPointsAcross = 16;
 
-constexpr float kClearCoatReflectance = 0.04f;
-
 /// Calls visit(value) for points spread over the texture of a use; once with white if there is
 /// none.
 template <typename Visit>
