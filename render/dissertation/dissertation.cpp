@@ -82,9 +82,11 @@ Rgb estimate_plainly(const LevelledSearch& search, PhotonQuery query)
     query.radius = std::numeric_limits<float>::infinity();
     const FoundPhotons found = search.nearest(query);
     glm::dvec3 sum(0.0);
-    for (const std::uint32_t slot : found.slots)
-        if (glm::dot(found.map->direction(slot), query.normal) > 0)
-            sum += gathered_power({*found.map, slot}, query);
+    for_each_power(*found.map, found.slots, query,
+                   [&](std::uint32_t slot, const glm::dvec3& power) {
+                       if (glm::dot(found.map->direction(slot), query.normal) > 0)
+                           sum += power;
+                   });
     return per_area(search.power_scale(), sum, disc_area(clipped::farthest(found)));
 }
 
@@ -92,17 +94,13 @@ Rgb estimate_plainly(const LevelledSearch& search, PhotonQuery query)
 RadiusEstimates estimate_in_discs(const FoundPhotons& found, const RadiusQuery& wanted)
 {
     RadiusEstimates out;
-    std::array<glm::dvec3, 3> sums{};
-    for (const std::uint32_t slot : found.slots) {
-        const glm::dvec3 power = gathered_power({*found.map, slot}, wanted.query);
-        const glm::vec3 d = found.map->tree.position(slot) - wanted.query.position;
-        for (std::size_t r = 0; r < sums.size(); ++r)
-            if (glm::dot(d, d) <= wanted.radii[r] * wanted.radii[r])
-                sums[r] += power;
-        ++out.photons;
-    }
-    for (std::size_t r = 0; r < sums.size() && out.photons > 0; ++r)
-        out.irradiance[r] = per_area(wanted.scale, sums[r], disc_area(wanted.radii[r]));
+    SumsByRadius sums;
+    for_each_batch(found.slots, [&](std::span<const std::uint32_t> batch) {
+        add_photons(*found.map, batch, wanted, false, sums);
+    });
+    out.photons = static_cast<std::uint32_t>(found.slots.size());
+    for (std::size_t r = 0; r < out.irradiance.size() && out.photons > 0; ++r)
+        out.irradiance[r] = per_area(wanted.scale, sums.at(r), disc_area(wanted.radii[r]));
     return out;
 }
 

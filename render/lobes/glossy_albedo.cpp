@@ -119,13 +119,18 @@ struct Between {
 
 GlossyAlbedo glossy_albedo(float cosine, float alpha)
 {
-    const Between row(std::sqrt(alpha), kWidths);
+    const GlossyAlbedoRows rows = glossy_albedo_rows(alpha);
     const Between column(std::sqrt(std::max(0.0f, cosine)), kCosines);
-    const auto at = [&](int r) {
-        const std::array<GlossyAlbedo, kCosines>& line = table().of[r];
-        return mix(line[column.first], line[column.first + 1], column.part);
+    const auto at = [&](const GlossyAlbedo* row) {
+        return mix(row[column.first], row[column.first + 1], column.part);
     };
-    return mix(at(row.first), at(row.first + 1), row.part);
+    return mix(at(rows.low), at(rows.high), rows.part);
+}
+
+GlossyAlbedoRows glossy_albedo_rows(float alpha)
+{
+    const Between row(std::sqrt(alpha), kWidths);
+    return {table().of[row.first].data(), table().of[row.first + 1].data(), row.part, kCosines};
 }
 
 GlossyAlbedo average_glossy_albedo(float alpha)

@@ -24,6 +24,17 @@ struct GlossyAlbedo {
 /// (some 10 ms), within 0.003 of the integral.  Thread-safe.
 GlossyAlbedo glossy_albedo(float cosine, float alpha);
 
+/// The two rows of the table between which the albedos of one width lie, by sqrt(cosine).
+struct GlossyAlbedoRows {
+    const GlossyAlbedo* low;
+    const GlossyAlbedo* high;
+    float part;  ///< of the way from low to high
+    int columns; ///< of a row
+};
+
+/// Returns the rows that glossy_albedo interpolates between, first along each, then across.
+GlossyAlbedoRows glossy_albedo_rows(float alpha);
+
 /// Returns the average of the albedo over the cosine-weighted hemisphere, exactly that of the
 /// table.
 GlossyAlbedo average_glossy_albedo(float alpha);

@@ -46,8 +46,8 @@ Rgb density(const Search& search, const PhotonQuery& query, const PhotonMap& map
             double area)
 {
     glm::dvec3 sum(0.0);
-    for (const std::uint32_t slot : slots)
-        sum += gathered_power({map, slot}, query);
+    for_each_power(map, slots, query,
+                   [&](std::uint32_t, const glm::dvec3& power) { sum += power; });
     return per_area(search.power_scale(), sum, area);
 }
 
@@ -57,8 +57,9 @@ Rgb projected_density(const Search& search, const PhotonQuery& query, const Phot
                       Slots slots, double area)
 {
     glm::dvec3 sum(0.0);
-    for (const std::uint32_t slot : slots)
-        sum += projected_power({map, slot}, query, search.surfaces);
+    for_each_power(map, slots, query, [&](std::uint32_t slot, const glm::dvec3& power) {
+        sum += power * facing({map, slot}, query, search.surfaces);
+    });
     return per_area(search.power_scale(), sum, area);
 }
 

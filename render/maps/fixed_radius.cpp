@@ -67,6 +67,27 @@ RadiusEstimates estimate_in_map(const PhotonMap& map, const RadiusQuery& wanted,
     return out;
 }
 
+using Slots = std::span<const std::uint32_t>;
+
+/// Writes the slots of the photons that the query sees to `out` and returns them.
+Slots seen_of(Slots slots, const FoundPhotons& found, const RadiusQuery& wanted,
+              const VisibleDisc& disc, std::array<std::uint32_t, kBatch>& out)
+{
+    const bool folds = wanted.surfaces.may_fold(wanted.query.face);
+    const bool weighed = wanted.query.lobes != nullptr;
+    std::size_t count = 0;
+    for (const std::uint32_t slot : slots) {
+        // Soon read: memory is what an estimate waits for.
+        __builtin_prefetch(&found.map->powers.blocks[slot / kTreeWidth]);
+        if (weighed)
+            __builtin_prefetch(&found.map->directions[slot]);
+        if (disc.sees(found.map->tree.position(slot)) &&
+            (!folds || is_on_side({*found.map, slot}, wanted.query, wanted.surfaces)))
+            out[count++] = slot;
+    }
+    return {out.data(), count};
+}
+
 } // namespace
 
 std::array<float, 3> narrowed(const std::array<float, 3>& radii, float seen)
@@ -80,30 +101,22 @@ std::array<float, 3> narrowed(const std::array<float, 3>& radii, float seen)
 RadiusEstimates estimate_from_list(const FoundPhotons& found, const RadiusQuery& wanted,
                                    const EstimateScratch& scratch)
 {
-    const bool tilted = !scratch.segments.empty(); // docs/photon_maps.md (4)
-    const bool folds = wanted.surfaces.may_fold(wanted.query.face);
+    const bool tilted = !scratch.segments.empty();
     RadiusEstimates out;
-    std::array<glm::dvec3, 3> sums{};
-    for (const std::uint32_t slot : found.slots) {
-        const MetPhoton photon{*found.map, slot};
-        const glm::vec3 position = found.map->tree.position(slot);
-        if (!scratch.disc.sees(position) ||
-            (folds && !is_on_side(photon, wanted.query, wanted.surfaces)))
-            continue;
-        const glm::dvec3 power = tilted ? projected_power(photon, wanted.query, wanted.surfaces)
-                                        : gathered_power(photon, wanted.query);
-        const glm::vec3 d = position - wanted.query.position;
-        for (std::size_t r = 0; r < sums.size(); ++r)
-            if (glm::dot(d, d) <= wanted.radii[r] * wanted.radii[r])
-                sums[r] += power;
-        ++out.photons;
-    }
-    for (std::size_t r = 0; r < sums.size() && out.photons > 0; ++r) {
+    SumsByRadius sums;
+    std::array<std::uint32_t, kBatch> slots;
+    for_each_batch(found.slots, [&](Slots batch) {
+        const Slots seen = seen_of(batch, found, wanted, scratch.disc, slots);
+        if (!seen.empty())
+            add_photons(*found.map, seen, wanted, tilted, sums);
+        out.photons += static_cast<std::uint32_t>(seen.size());
+    });
+    for (std::size_t r = 0; r < out.irradiance.size() && out.photons > 0; ++r) {
         const float radius = wanted.radii[r];
         const double area = tilted && radius > 0
                                 ? scratch.disc.area(radius)
                                 : open_area(wanted.surfaces, wanted.query.face, radius);
-        out.irradiance[r] = per_area(wanted.scale, sums[r], area);
+        out.irradiance[r] = per_area(wanted.scale, sums.at(r), area);
     }
     return out;
 }

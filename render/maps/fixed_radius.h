@@ -25,6 +25,18 @@ struct RadiusQuery {
     std::array<float, 3> radii; ///< scene units, descending
 };
 
+/// Sums of powers by radius: red, green, blue, 0.
+struct alignas(32) SumsByRadius {
+    double of[3][4] = {};
+
+    glm::dvec3 at(std::size_t r) const { return {of[r][0], of[r][1], of[r][2]}; }
+};
+
+/// Adds 1 to kBatch photons of a map, in their order, to the sums of the radii that they lie
+/// within.  tilted: by the cosine between their faces and the query's, docs/photon_maps.md (4).
+void add_photons(const PhotonMap& map, std::span<const std::uint32_t> slots,
+                 const RadiusQuery& wanted, bool tilted, SumsByRadius& sums);
+
 /// Adds up the photons of a list that count: those that scratch.disc, pointed by look_around, sees.
 /// found: all photons within the first radius.  wanted.radii: as look_around allows them.
 RadiusEstimates estimate_from_list(const FoundPhotons& found, const RadiusQuery& wanted,

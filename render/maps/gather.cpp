@@ -52,21 +52,34 @@ float outline_all(const MapSurfaces& surfaces, const PhotonQuery& query, float r
 
 } // namespace
 
-glm::dvec3 power_in_lobes(const MetPhoton& photon, const PhotonQuery& query)
+void gather_powers(const PhotonMap& map, std::span<const std::uint32_t> slots,
+                   const PhotonQuery& query, PowerBatch& out)
 {
-    return glm::dvec3(photon.map.powers.of(photon.slot)) *
-           glm::dvec3((*query.lobes)(photon.map.direction(photon.slot)));
+    const auto write = [&](std::size_t i, const glm::dvec3& weight) {
+        const PowerSum power = map.powers.of(slots[i]);
+        for (int channel = 0; channel < 3; ++channel)
+            out.of[i][channel] = static_cast<double>(power[channel]) * weight[channel];
+        out.of[i][3] = 0;
+    };
+    if (query.lobes == nullptr) {
+        for (std::size_t i = 0; i < slots.size(); ++i)
+            write(i, glm::dvec3(1));
+        return;
+    }
+    DirectionBatch in;
+    RgbBatch weights;
+    unpack_directions(map.directions, slots, in);
+    query.lobes->weigh(in, slots.size(), weights);
+    for (std::size_t i = 0; i < slots.size(); ++i)
+        write(i, glm::dvec3(weights.at(i)));
 }
 
-glm::dvec3 projected_power(const MetPhoton& photon, const PhotonQuery& query,
-                           const MapSurfaces& surfaces)
+double facing(const MetPhoton& photon, const PhotonQuery& query, const MapSurfaces& surfaces)
 {
-    const glm::dvec3 power = gathered_power(photon, query);
     const FaceId face = photon.map.faces[photon.slot];
-    if (face == query.face)
-        return power;
-    const float cosine = glm::dot(surfaces.normal(face), surfaces.normal(query.face));
-    return power * double{std::max(0.0f, cosine)};
+    return face == query.face ? 1.0
+                              : double{std::max(0.0f, glm::dot(surfaces.normal(face),
+                                                               surfaces.normal(query.face)))};
 }
 
 bool is_on_side(const MetPhoton& photon, const PhotonQuery& query, const MapSurfaces& surfaces)

@@ -1,6 +1,9 @@
 #pragma once
 
 #include "render/maps/estimate.h"
+#include "render/shading/lobe_batch.h"
+
+#include <algorithm>
 
 namespace hipmap {
 
@@ -10,23 +13,42 @@ struct MetPhoton {
     std::uint32_t slot;
 };
 
-/// Returns the photon's power in units of the maps' scale, weighted by the query's lobes, which it
-/// must name.
-glm::dvec3 power_in_lobes(const MetPhoton& photon, const PhotonQuery& query);
+/// What photons add to the sum of an estimate, in units of the maps' scale: red, green, blue, 0.
+struct alignas(32) PowerBatch {
+    double of[kBatch][4];
 
-/// Returns what a photon adds to the sum of an estimate: its power, weighted by the query's lobes
-/// if it names any.
-inline glm::dvec3 gathered_power(const MetPhoton& photon, const PhotonQuery& query)
+    glm::dvec3 at(std::size_t i) const { return {of[i][0], of[i][1], of[i][2]}; }
+};
+
+/// Writes what 1 to kBatch photons of a map add to the sum of an estimate: their powers, weighted
+/// by the query's lobes if it names any.
+void gather_powers(const PhotonMap& map, std::span<const std::uint32_t> slots,
+                   const PhotonQuery& query, PowerBatch& out);
+
+/// Calls use(batch) for at most kBatch slots at a time, in their order.
+template <typename Use>
+void for_each_batch(std::span<const std::uint32_t> slots, const Use& use)
 {
-    if (query.lobes != nullptr)
-        return power_in_lobes(photon, query);
-    return photon.map.powers.of(photon.slot);
+    for (; !slots.empty(); slots = slots.subspan(std::min(kBatch, slots.size())))
+        use(slots.first(std::min(kBatch, slots.size())));
 }
 
-/// Returns the gathered power times the cosine between the photon's face and the query's,
-/// docs/photon_maps.md (4).
-glm::dvec3 projected_power(const MetPhoton& photon, const PhotonQuery& query,
-                           const MapSurfaces& surfaces);
+/// Calls use(slot, power) for each photon in turn, with what it adds to the sum of an estimate.
+template <typename Use>
+void for_each_power(const PhotonMap& map, std::span<const std::uint32_t> slots,
+                    const PhotonQuery& query, const Use& use)
+{
+    PowerBatch powers;
+    for_each_batch(slots, [&](std::span<const std::uint32_t> batch) {
+        gather_powers(map, batch, query, powers);
+        for (std::size_t i = 0; i < batch.size(); ++i)
+            use(batch[i], powers.at(i));
+    });
+}
+
+/// Returns the cosine between the faces of a photon and of the query, at least 0: the factor of its
+/// power in the plane of the query's face, docs/photon_maps.md (4).
+double facing(const MetPhoton& photon, const PhotonQuery& query, const MapSurfaces& surfaces);
 
 /// Returns whether the face of a photon looks to the same side as the query's, docs/visible_area.md
 /// (A8).

@@ -1,10 +1,13 @@
 #pragma once
 
+#include "render/shading/lobe_batch.h"
+
 #include <glm/glm.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <span>
 
 namespace hipmap {
 
@@ -44,5 +47,10 @@ inline glm::vec3 unpack_direction(const PackedDirection& packed)
         p = fold_octahedron(p);
     return glm::normalize(glm::vec3(p, z));
 }
+
+/// Writes the directions of some slots, 1 to kBatch, as unpack_direction returns them, the same
+/// bits, several at a time.
+void unpack_directions(std::span<const PackedDirection> directions,
+                       std::span<const std::uint32_t> slots, DirectionBatch& out);
 
 } // namespace hipmap

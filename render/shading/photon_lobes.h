@@ -2,21 +2,21 @@
 
 #include "common/math/sampling.h"
 #include "render/shading/interaction.h"
-
-#include <array>
+#include "render/shading/lobe_batch.h"
 
 namespace hipmap {
 
-/// The gathered or the followed lobes of a surface seen from one direction, as photons need them.
+/// The gathered or the followed lobes of a surface that has some, seen from one direction, as
+/// photons need them.
 /// What depends on that direction alone is computed once, so that a photon costs little.  Borrows
 /// the interaction.
 class PhotonLobes {
   public:
     explicit PhotonLobes(const Interaction& at, Lobes handled = Lobes::gathered)
-        : at_(at), bsdf_(at.bsdf()), handled_(handled), view_(view_of(at, Depth::diffuse)),
-          base_(bsdf_.diffuse * (1 / kPi))
+        : at_(at), lobes_{at.bsdf(), handled, view_of(at, Depth::diffuse), at.normal, {}},
+          base_(lobes_.bsdf.diffuse * (1 / kPi))
     {
-        if (!bsdf_.is_diffuse)
+        if (!lobes_.bsdf.is_diffuse)
             look_through_layers();
     }
 
@@ -25,13 +25,18 @@ class PhotonLobes {
     /// have the diffuse transmission, others nothing.  in: unit, away from the surface.
     Rgb operator()(const glm::vec3& in) const
     {
-        const float cosine = glm::dot(view_.normal, in);
+        const Bsdf& bsdf = lobes_.bsdf;
+        const float cosine = glm::dot(lobes_.view.normal, in);
         if (!(cosine > 0))
-            return bsdf_.transmits_diffusely && handled_ == Lobes::gathered
+            return bsdf.transmits_diffusely && lobes_.handled == Lobes::gathered
                        ? transmitted(in, -cosine)
                        : Rgb(0);
-        return bsdf_.is_diffuse ? eval(bsdf_.all[0].lobe, view_, in) : of_all(in, cosine);
+        return bsdf.is_diffuse ? eval(bsdf.all[0].lobe, lobes_.view, in) : of_all(in, cosine);
     }
+
+    /// Writes f of the first `count` directions, 1 to kBatch: the same bits, several at a time
+    /// where weigh_batch can.
+    void weigh(const DirectionBatch& in, std::size_t count, RgbBatch& out) const;
 
     /// Returns the factor of f that depends on no photon: enough where all gathered lobes of the
     /// scene are separable, and photons carry the factor of `in`, docs/photon_maps.md (1).
@@ -50,11 +55,8 @@ class PhotonLobes {
     Rgb transmitted(const glm::vec3& in, float cosine) const;
 
     const Interaction& at_;
-    const Bsdf& bsdf_;
-    const Lobes handled_;
-    LobeView view_; ///< of all but the clear coat
+    SeenLobes lobes_;
     Rgb base_, behind_{0.0f};
-    std::array<Rgb, 4> seen_; ///< [Depth] what layers leave on the way to `back`
 };
 
 } // namespace hipmap
