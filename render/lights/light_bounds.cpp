@@ -92,9 +92,12 @@ double importance(const LightBounds& lights, const LightReceiver& at)
         return lights.power / bounded2;
     const glm::dvec3 direction = way / std::sqrt(distance2);
     const Angle box{std::sqrt(1 - radius2 / distance2), std::sqrt(radius2 / distance2)};
-    const double off_axis = glm::dot(glm::dvec3(lights.axis), direction);
-    const Angle from_axis = with_cosine(lights.both_sides ? std::abs(off_axis) : off_axis);
-    const Angle beyond = less(less(from_axis, with_cosine(lights.cos_spread)), box);
+    Angle beyond;
+    if (lights.cos_spread > -1) { // else no direction is off the cone
+        const double off_axis = glm::dot(glm::dvec3(lights.axis), direction);
+        const Angle from_axis = with_cosine(lights.both_sides ? std::abs(off_axis) : off_axis);
+        beyond = less(less(from_axis, with_cosine(lights.cos_spread)), box);
+    }
     if (beyond.cosine <= lights.cos_reach)
         return 0;
     double arriving = 1;
