@@ -1,5 +1,7 @@
 #include "bench/predicted_maps.h"
 
+#include "common/scene/light_path_rules.h"
+#include "preprocess/partition/local_candidates.h"
 #include "preprocess/partition/previous_frame.h"
 #include "render/dissertation/dissertation_maps.h"
 #include "render/effects/drop_effects.h"
@@ -12,8 +14,6 @@ namespace hipmap {
 
 namespace {
 
-constexpr std::uint64_t kPathsPerCausticPath = 4; // of integrator direct
-
 /// What has a map, or enough photons for one.
 struct Built {
     std::vector<std::uint32_t> maps;  ///< [F] local maps of the face
@@ -24,7 +24,7 @@ struct Built {
 void add_built(const std::vector<Photon>& photons, const MapSurfaces& surfaces,
                const ExpectedPass& pass, Built& out)
 {
-    const auto least = static_cast<std::uint32_t>(10 * pass.neighbours);
+    const auto least = static_cast<std::uint32_t>(kPhotonsPerNeighbour * pass.neighbours);
     const DissertationOptions asked{.mode = MapMode::thesis, .local_min = least};
     const DissertationMaps maps =
         build_dissertation_maps(photons, surfaces, {pass.neighbours}, asked);

@@ -2,7 +2,9 @@
 
 #include "common/math/frame.h"
 #include "common/math/sampling.h"
+#include "common/math/sphere_cone.h"
 #include "common/rays/surface_point.h"
+#include "common/scene/light_path_rules.h"
 #include "common/scene/store_copies.h"
 
 #include <algorithm>
@@ -13,9 +15,6 @@
 namespace hipmap {
 
 namespace {
-
-/// The share of all paths that is dealt out evenly, as `render` does.
-constexpr double kFloorShare = 0.1;
 
 using Kind = LightSource::Kind;
 
@@ -167,19 +166,10 @@ glm::vec3 point_of_disc(const BoundingSphere& sphere, const glm::vec3& across,
     return sphere.centre + frame.x * disc.x + frame.y * disc.y;
 }
 
-/// 1 - cos of the angle that a sphere takes; 2 from inside, 0 where the light sends nothing.
 float height_of(const BoundingSphere& target, const LightPoint& point)
 {
-    const glm::vec3 way = target.centre - point.position;
-    const float distance2 = glm::dot(way, way), radius2 = target.radius * target.radius;
-    if (distance2 <= radius2)
-        return 2;
-    const float sin2 = radius2 / distance2;
-    const float off_axis =
-        std::acos(std::clamp(glm::dot(way, point.axis) / std::sqrt(distance2), -1.0f, 1.0f));
-    if (off_axis > std::acos(point.cos_reach) + std::asin(std::sqrt(sin2)))
-        return 0;
-    return sin2 / (1 + std::sqrt(1 - sin2));
+    return cone_height(target.centre - point.position, target.radius, point.axis,
+                       std::acos(point.cos_reach));
 }
 
 /// Draws a target by weight.  Returns the number of targets if all weights are zero.
@@ -261,8 +251,8 @@ MeanLights collect_mean_lights(const Scene& scene, std::span<const MeanMaterial>
     for (const LightSource& light : out.lights)
         total += light.power;
     for (const LightSource& light : out.lights)
-        out.cumulative.push_back(sum += kFloorShare / static_cast<double>(out.lights.size()) +
-                                        (1 - kFloorShare) * light.power / total);
+        out.cumulative.push_back(sum += kLightFloorShare / static_cast<double>(out.lights.size()) +
+                                        (1 - kLightFloorShare) * light.power / total);
     return out;
 }
 

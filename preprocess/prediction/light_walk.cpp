@@ -1,6 +1,7 @@
 #include "preprocess/prediction/light_walk.h"
 
 #include "common/math/frame.h"
+#include "common/math/fresnel.h"
 #include "common/math/sampling.h"
 #include "common/rays/surface_point.h"
 
@@ -33,12 +34,6 @@ struct Way {
 };
 
 constexpr std::size_t kWays = 5;
-
-float grazing_weight(float cosine)
-{
-    const float m = 1 - std::min(cosine, 1.0f), m2 = m * m;
-    return m2 * m2 * m;
-}
 
 std::array<Way, kWays> ways_from(const Met& at)
 {
@@ -85,28 +80,11 @@ glm::vec3 draw_facet(const glm::vec3& normal, float roughness, RandomSequence& r
     return Frame(normal).to_world(direction_from_cosine(1 / std::sqrt(1 + tan2), u.y));
 }
 
-glm::vec3 mirrored(const glm::vec3& back, const glm::vec3& normal)
-{
-    return 2 * glm::dot(back, normal) * normal - back;
-}
-
 glm::vec3 reflect_off(const Met& at, float roughness, RandomSequence& random)
 {
     const glm::vec3 facet = draw_facet(at.normal, roughness, random);
-    const glm::vec3 out = mirrored(at.back, facet);
-    return glm::dot(out, at.normal) > 0 ? out : mirrored(at.back, at.normal);
-}
-
-/// The reflectance of clear glass, by Fresnel's equations.  eta: index behind over before.
-float glass_reflectance(float cosine, float eta)
-{
-    const float behind2 = 1 - (1 - cosine * cosine) / (eta * eta);
-    if (behind2 <= 0)
-        return 1;
-    const float behind = std::sqrt(behind2);
-    const float s = (cosine - eta * behind) / (cosine + eta * behind);
-    const float p = (eta * cosine - behind) / (eta * cosine + behind);
-    return 0.5f * (s * s + p * p);
+    const glm::vec3 out = reflect(at.back, facet);
+    return glm::dot(out, at.normal) > 0 ? out : reflect(at.back, at.normal);
 }
 
 /// Reflects or refracts; through thin panes light goes straight on.
@@ -116,19 +94,17 @@ glm::vec3 cross_glass(const Met& at, Rgb& power, RandomSequence& random)
     const float eta = at.solid && !at.front ? 1 / m.ior : m.ior;
     const glm::vec3 facet = draw_facet(at.normal, m.roughness, random);
     const float cosine = glm::dot(at.back, facet);
-    float reflected = cosine > 0 ? glass_reflectance(cosine, eta) : 1;
+    float reflected = cosine > 0 ? fresnel_dielectric(cosine, eta) : 1;
     if (!at.solid) // both faces of the pane
         reflected = 2 * reflected / (1 + reflected);
     if (random.next() < reflected) {
-        const glm::vec3 out = mirrored(at.back, facet);
-        return glm::dot(out, at.normal) > 0 ? out : mirrored(at.back, at.normal);
+        const glm::vec3 out = reflect(at.back, facet);
+        return glm::dot(out, at.normal) > 0 ? out : reflect(at.back, at.normal);
     }
     power *= m.base_color;
     if (!at.solid)
         return -at.back;
-    const float behind2 = 1 - (1 - cosine * cosine) / (eta * eta);
-    return glm::normalize(-at.back / eta +
-                          (cosine / eta - std::sqrt(std::max(0.0f, behind2))) * facet);
+    return refract(at.back, facet, eta);
 }
 
 /// A path under way.
@@ -170,8 +146,8 @@ bool scatter(const Met& at, Walk& walk, RandomSequence& random)
         break;
     }
     const bool gathered = *by == Way::By::diffuse || *by == Way::By::through ||
-                          (*by == Way::By::reflection && m.roughness > kFollowedUpTo) ||
-                          (*by == Way::By::coat && m.coat_roughness > kFollowedUpTo);
+                          (*by == Way::By::reflection && m.roughness > kFollowedRoughness) ||
+                          (*by == Way::By::coat && m.coat_roughness > kFollowedRoughness);
     (gathered ? walk.was_diffuse : walk.was_specular) = true;
     const bool goes_in = glm::dot(out, at.normal) < 0;
     if (goes_in)

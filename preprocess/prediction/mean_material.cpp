@@ -137,17 +137,17 @@ bool stores_photons(const MeanMaterial& material)
 {
     const bool diffuse =
         material.opaque > 0 && (max_channel(material.base_color) > 0 || material.through > 0);
-    const bool rough = material.roughness > kFollowedUpTo &&
+    const bool rough = material.roughness > kFollowedRoughness &&
                        (material.grazing > 0 || max_channel(material.reflectance) > 0);
-    const bool coat = material.clearcoat > 0 && material.coat_roughness > kFollowedUpTo;
+    const bool coat = material.clearcoat > 0 && material.coat_roughness > kFollowedRoughness;
     return material.boundary && (diffuse || rough || coat);
 }
 
 bool makes_caustics(const MeanMaterial& material)
 {
-    const bool smooth = material.roughness <= kFollowedUpTo &&
+    const bool smooth = material.roughness <= kFollowedRoughness &&
                         (material.grazing > 0 || max_channel(material.reflectance) > 0);
-    const bool coat = material.clearcoat > 0 && material.coat_roughness <= kFollowedUpTo;
+    const bool coat = material.clearcoat > 0 && material.coat_roughness <= kFollowedRoughness;
     return material.boundary && (smooth || coat || material.glass > 0);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "common/scene/light_path_rules.h"
 #include "common/scene/scene.h"
 
 namespace hipmap {
@@ -23,9 +24,6 @@ struct MeanMaterial {
     float opacity = 1.0f; ///< share of light that the surface stops
     bool boundary = true; ///< false: rays go on
 };
-
-/// Up to this roughness photons follow a reflection; rougher ones store them.  As `render` has it.
-inline constexpr float kFollowedUpTo = 0.3f;
 
 /// Returns the means of all materials, [M].  Textures count with 256 points each, and vertex
 /// colours as white. Cost: linear in materials.

@@ -1,5 +1,6 @@
 #include "preprocess/prediction/predict_photons.h"
 
+#include "common/scene/light_path_rules.h"
 #include "preprocess/prediction/caustic_targets.h"
 #include "preprocess/prediction/tree_rays.h"
 
@@ -22,9 +23,6 @@ constexpr std::uint64_t kPathsPerTraced = 64;
 constexpr std::uint64_t kFewestTraced = 1 << 15;
 constexpr std::uint64_t kMostTraced = 1 << 20;
 constexpr std::uint64_t kLessOfLarge = 8;
-
-/// Light paths of `render` for each one that it aims at surfaces that make caustics.
-constexpr std::uint64_t kPathsPerCausticPath = 4;
 
 constexpr std::uint64_t kPathsPerChunk = 512;
 

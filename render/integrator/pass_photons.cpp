@@ -1,14 +1,8 @@
 #include "render/integrator/pass_photons.h"
 
+#include "common/scene/light_path_rules.h"
+
 namespace hipmap {
-
-namespace {
-
-/// Light paths for each one that is aimed at specular surfaces besides: nearly all of those leave a
-/// caustic photon, where few of the others would.
-constexpr std::uint64_t kPathsPerCausticPath = 4;
-
-} // namespace
 
 PhotonOptions photon_options(const RenderScene& scene, const RenderOptions& options,
                              std::uint64_t pass)

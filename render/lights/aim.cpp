@@ -2,6 +2,7 @@
 
 #include "common/math/frame.h"
 #include "common/math/sampling.h"
+#include "common/math/sphere_cone.h"
 #include "render/lights/cone.h"
 
 #include <algorithm>
@@ -11,23 +12,6 @@
 namespace hipmap {
 
 namespace {
-
-constexpr float kAngleMargin = 1e-3f; ///< radians, for rounding
-
-/// Solid angle of the cone around a sphere over 2 pi; 2 from inside, 0 if the light misses it.
-float cone_height(const TargetSphere& target, const glm::vec3& origin, const LightCone& light)
-{
-    const glm::vec3 way = target.centre - origin;
-    const float distance2 = glm::dot(way, way), radius2 = target.radius * target.radius;
-    if (distance2 <= radius2)
-        return 2;
-    const float sin2 = radius2 / distance2;
-    const float off_axis =
-        std::acos(std::clamp(glm::dot(way, light.axis) / std::sqrt(distance2), -1.0f, 1.0f));
-    if (off_axis > light.half_angle + std::asin(std::sqrt(sin2)) + kAngleMargin)
-        return 0;
-    return sin2 / (1 + std::sqrt(1 - sin2)); // 1 - cos without cancellation
-}
 
 bool in_cone(const TargetSphere& target, float height, const glm::vec3& origin,
              const glm::vec3& direction)
@@ -60,7 +44,8 @@ AimedRay aim_from_point(const std::vector<TargetSphere>& targets, const glm::vec
     std::array<float, kMostTargets> heights;
     float sum = 0;
     for (std::size_t i = 0; i < targets.size(); ++i)
-        sum += heights[i] = cone_height(targets[i], origin, light);
+        sum += heights[i] = cone_height(targets[i].centre - origin, targets[i].radius, light.axis,
+                                        light.half_angle);
     if (!(sum > 0))
         return {};
     float drawn = random.next() * sum;

@@ -1,14 +1,13 @@
 #include "render/lights/emission.h"
 
+#include "common/scene/light_path_rules.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace hipmap {
 
 namespace {
-
-/// The share of all paths that is dealt out evenly, so that no light is left without.
-constexpr double kFloorShare = 0.1;
 
 /// [lights] 0: no paths.
 std::vector<double> powers_of(const LightSet& lights, Emitters emitters)
@@ -37,8 +36,8 @@ EmissionGuide even_guide(const LightSet& lights, Emitters emitters)
     out.lights.resize(powers.size());
     for (std::size_t i = 0; i < powers.size(); ++i)
         if (powers[i] > 0)
-            out.lights[i].share =
-                kFloorShare / static_cast<double>(emitting) + (1 - kFloorShare) * powers[i] / total;
+            out.lights[i].share = kLightFloorShare / static_cast<double>(emitting) +
+                                  (1 - kLightFloorShare) * powers[i] / total;
     return out;
 }
 

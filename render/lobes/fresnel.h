@@ -1,31 +1,9 @@
 #pragma once
 
+#include "common/math/fresnel.h"
 #include "common/math/rgb.h"
 
-#include <glm/glm.hpp>
-
-#include <algorithm>
-
 namespace hipmap {
-
-/// Returns (1 - cosine)^5, of a cosine clamped to [0, 1].
-inline float grazing_weight(float cosine)
-{
-    const float m = std::clamp(1 - cosine, 0.0f, 1.0f);
-    return m * m * m * m * m;
-}
-
-/// Returns the reflectance of a smooth interface between dielectrics for unpolarised light; 1 at
-/// total reflection.  cosine: of incidence, [0, 1].  eta: index of refraction behind the interface
-/// over that before it.
-float fresnel_dielectric(float cosine, float eta);
-
-/// Returns the reflectance of such an interface at normal incidence.
-inline float reflectance_of_index(float index)
-{
-    const float root = (index - 1) / (index + 1);
-    return root * root;
-}
 
 /// The average of (1 - cosine)^5 over the cosine-weighted hemisphere.
 inline constexpr float kAverageGrazingWeight = 1.0f / 21;
@@ -63,19 +41,5 @@ struct Reflectance {
 /// Returns fresnel_dielectric scaled by KHR_materials_specular's `scale`; still 1 at total
 /// reflection.
 Rgb scaled_fresnel(float cosine, float eta, const Rgb& scale);
-
-/// Returns the refracted direction behind a smooth interface, away from it. direction: unit, away
-/// from the surface on the side that light comes from.  normal: unit, on the same side.  eta: as in
-/// `fresnel_dielectric`; there must be no total reflection.
-glm::vec3 refract(const glm::vec3& direction, const glm::vec3& normal, float eta);
-
-/// Returns the mirror image of `direction` in the plane across `normal`: on its other side.
-inline glm::vec3 mirrored(const glm::vec3& direction, const glm::vec3& normal)
-{
-    return direction - 2 * glm::dot(direction, normal) * normal;
-}
-
-/// Returns the mirror image of `direction` about `normal`; both unit and away from the surface.
-glm::vec3 reflect(const glm::vec3& direction, const glm::vec3& normal);
 
 } // namespace hipmap

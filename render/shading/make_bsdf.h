@@ -1,5 +1,6 @@
 #pragma once
 
+#include "common/scene/light_path_rules.h"
 #include "common/scene/scene.h"
 #include "render/lobes/bsdf.h"
 #include "render/shading/textured_material.h"
@@ -11,10 +12,6 @@ namespace hipmap {
 /// Up to this roughness a reflection is a mirror's and glass is clear: the lobe is narrower than a
 /// pixel.
 inline constexpr float kMirrorRoughness = 0.02f;
-
-/// Up to this roughness a glossy reflection is followed, as a mirror's is; above it is gathered
-/// from photons.  Rough glass is always followed.  For photons, eye paths and path tracer alike.
-inline constexpr float kFollowedRoughness = 0.3f;
 
 /// The least index ratio of rough glass: with exactly the index of its surroundings it would have
 /// no surface.
