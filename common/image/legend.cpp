@@ -8,6 +8,7 @@
 #include <cctype>
 #include <cstdio>
 #include <map>
+#include <sstream>
 
 namespace hipmap {
 
@@ -19,6 +20,7 @@ constexpr int kAdvance = 6;
 constexpr int kSwatchHeight = 12;
 constexpr int kRow = 20;
 constexpr int kMargin = 8;
+constexpr int kGap = 6; ///< between swatch and text
 constexpr float kPaper = 0.96f;
 constexpr float kInk = 0.1f;
 
@@ -93,25 +95,65 @@ void draw_swatch(Image& image, int left, int top, const LegendEntry& entry)
     }
 }
 
-struct Place {
-    int left;
-    int row;
+/// A line of an entry's text, of which the first has the swatch.
+struct Line {
+    const LegendEntry& entry;
+    std::string text;
+    bool first = true;
+    int left = 0, row = 0;
+
+    int text_left() const
+    {
+        return left + (entry.colours.empty() ? 0 : swatch_width(entry) + kGap);
+    }
 };
 
-/// Where each entry goes, in rows as wide as the picture.
-std::vector<Place> arrange(const std::vector<LegendEntry>& entries, int width)
+/// Breaks a text at blanks into lines of at most so many letters, or of one word;
+/// at least one.
+std::vector<std::string> broken(const std::string& text, int letters)
 {
-    std::vector<Place> places;
-    Place next{kMargin, 0};
-    for (const LegendEntry& entry : entries) {
-        const int wide =
-            (entry.colours.empty() ? 0 : swatch_width(entry) + 6) + text_width(entry.text);
-        if (next.left > kMargin && next.left + wide + kMargin > width)
-            next = {kMargin, next.row + 1};
-        places.push_back(next);
-        next.left += wide + 3 * kMargin;
+    std::vector<std::string> lines;
+    std::istringstream words(text);
+    for (std::string word; words >> word;) {
+        const bool fits =
+            !lines.empty() && static_cast<int>(lines.back().size() + 1 + word.size()) <= letters;
+        if (fits)
+            lines.back() += ' ' + word;
+        else
+            lines.push_back(word);
     }
-    return places;
+    return lines.empty() ? std::vector<std::string>{""} : lines;
+}
+
+/// Where each line goes, in rows as wide as the picture.  Entries that are too long for a row are
+/// broken.
+std::vector<Line> arrange(const std::vector<LegendEntry>& entries, int width)
+{
+    std::vector<Line> lines;
+    int left = kMargin, row = 0;
+    for (const LegendEntry& entry : entries) {
+        Line line{entry, entry.text, true, kMargin, row};
+        const int wide = line.text_left() - kMargin + text_width(entry.text);
+        if (left > kMargin && left + wide + kMargin > width) {
+            left = kMargin;
+            line.row = ++row;
+        }
+        line.left = left;
+        left += wide + 3 * kMargin;
+        if (line.left + wide + kMargin <= width) {
+            lines.push_back(line);
+            continue;
+        }
+        for (const std::string& text :
+             broken(entry.text, (width - kMargin - line.text_left()) / kAdvance)) {
+            line.text = text;
+            line.row = row++;
+            lines.push_back(line);
+            line.first = false;
+        }
+        --row;
+    }
+    return lines;
 }
 
 } // namespace
@@ -120,18 +162,15 @@ Image add_legend(const Image& picture, const std::vector<LegendEntry>& entries)
 {
     if (entries.empty())
         return picture;
-    const std::vector<Place> places = arrange(entries, picture.width);
-    Image out(picture.width, picture.height + kRow * (places.back().row + 1) + kMargin);
+    const std::vector<Line> lines = arrange(entries, picture.width);
+    Image out(picture.width, picture.height + kRow * (lines.back().row + 1) + kMargin);
     std::ranges::fill(out.pixels, Rgb(kPaper));
     std::ranges::copy(picture.pixels, out.pixels.begin());
-    for (std::size_t i = 0; i < entries.size(); ++i) {
-        const int top = picture.height + kMargin + kRow * places[i].row;
-        int left = places[i].left;
-        if (!entries[i].colours.empty()) {
-            draw_swatch(out, left, top, entries[i]);
-            left += swatch_width(entries[i]) + 6;
-        }
-        draw_text(out, left, top + (kSwatchHeight - kGlyphHeight) / 2, entries[i].text);
+    for (const Line& line : lines) {
+        const int top = picture.height + kMargin + kRow * line.row;
+        if (line.first && !line.entry.colours.empty())
+            draw_swatch(out, line.left, top, line.entry);
+        draw_text(out, line.text_left(), top + (kSwatchHeight - kGlyphHeight) / 2, line.text);
     }
     return out;
 }

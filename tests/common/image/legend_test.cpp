@@ -31,6 +31,25 @@ TEST_CASE("add_legend: rows are added until every entry has its place", "[image]
     CHECK(add_legend(Image(1, 1), {entry}).width == 1); // too narrow for any of it
 }
 
+TEST_CASE("add_legend: a text that is too long for a row is broken, and none of it is lost",
+          "[image]")
+{
+    const LegendEntry scale{{Rgb(1, 0, 0), Rgb(0, 1, 0)}, "error: 0.1 to 100 %, logarithmic"};
+    const auto ink = [&](int width) {
+        const Image image = add_legend(Image(width, 1), {scale});
+        return std::ranges::count_if(image.pixels.begin() + width, image.pixels.end(),
+                                     [](const Rgb& c) { return c == Rgb(0.1f); });
+    };
+    const auto height = [&](int width) { return add_legend(Image(width, 1), {scale}).height; };
+    CHECK(ink(1000) > 100);
+    CHECK(ink(256) == ink(1000));
+    CHECK(ink(192) == ink(1000));
+    CHECK(height(1000) < height(256));
+    CHECK(height(256) < height(192));
+    CHECK(add_legend(Image(256, 1), {scale, scale}).height > height(256) + 20);
+    CHECK(add_legend(Image(9, 1), {{{Rgb(1)}, ""}, scale}).height > 1);
+}
+
 TEST_CASE("hex_colour: what an 8-bit picture would show", "[image]")
 {
     CHECK(hex_colour(Rgb(0, 1, 2)) == "#00ffff");
