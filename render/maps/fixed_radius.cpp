@@ -40,29 +40,35 @@ FoundPhotons list_within(const PhotonMap& map, const PhotonQuery& query, TreeScr
 RadiusEstimates estimate_in_map(const PhotonMap& map, const RadiusQuery& wanted,
                                 EstimateScratch& scratch)
 {
-    const PhotonQuery& query = wanted.query;
+    PhotonQuery query = wanted.query;
     const std::array<float, 3>& radii = wanted.radii;
+    query.radius = radii[0];
     const bool folds = wanted.surfaces.may_fold(query.face);
     const bool whole = query.lobes == nullptr && !folds;
     // No boundary needs to be looked at where there is no photon.  Beside a boundary a list will be
     // needed anyhow.
     const bool sums_first = query.lobes == nullptr && !std::exchange(scratch.near_boundary, false);
     RadiusEstimates from_sums;
+    FoundPhotons found;
     if (sums_first) {
         from_sums = estimate_from_sums(map, wanted, scratch);
         if (from_sums.photons == 0)
             return from_sums;
+    } else {
+        found = list_within(map, query, scratch.search.within);
+        if (found.slots.empty())
+            return {};
     }
     const float seen = look_around(wanted.surfaces, query, radii[0], scratch);
     if (!(seen > 0))
         return {};
-    if (seen == radii[0] && whole && scratch.segments.empty())
-        return sums_first ? from_sums : estimate_from_sums(map, wanted, scratch);
-    PhotonQuery within = query;
-    within.radius = seen;
-    const FoundPhotons found = list_within(map, within, scratch.search.within);
+    if (sums_first && seen == radii[0] && whole && scratch.segments.empty())
+        return from_sums;
+    query.radius = seen;
+    if (sums_first || seen < radii[0])
+        found = list_within(map, query, scratch.search.within);
     const RadiusEstimates out = estimate_from_list(
-        found, {wanted.scale, wanted.surfaces, query, narrowed(radii, seen)}, scratch);
+        found, {wanted.scale, wanted.surfaces, wanted.query, narrowed(radii, seen)}, scratch);
     scratch.near_boundary = (folds || !scratch.segments.empty()) && out.photons > 0;
     return out;
 }
