@@ -1,9 +1,8 @@
 #pragma once
 
-#include <catch2/catch.hpp>
-#include <hwy/highway.h>
+#include "render/maps/wide_search.h"
 
-#include <cstdint>
+#include <catch2/catch.hpp>
 
 namespace hipmap {
 
@@ -12,14 +11,13 @@ namespace hipmap {
 template <typename Test>
 void with_each_instruction_set(const Test& test)
 {
-    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-        hwy::SetSupportedTargetsForTest(target);
-        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-        INFO("instruction set " << hwy::TargetName(target));
+    const std::vector<const char*> targets = simd_targets();
+    for (const char* target : targets) {
+        REQUIRE(use_simd_target(target));
+        INFO("instruction set " << target);
         test();
     }
-    hwy::SetSupportedTargetsForTest(0);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    use_simd_target(targets.front());
 }
 
 } // namespace hipmap
