@@ -81,6 +81,8 @@ Rgb estimate_plainly(const LevelledSearch& search, PhotonQuery query)
 {
     query.radius = std::numeric_limits<float>::infinity();
     const FoundPhotons found = search.nearest(query);
+    if (found.slots.empty())
+        return Rgb(0);
     glm::dvec3 sum(0.0);
     for_each_power(*found.map, found.slots, query,
                    [&](std::uint32_t slot, const glm::dvec3& power) {
