@@ -1,7 +1,10 @@
 // What a search for the k nearest photons costs, by method: ns a query on one thread, and how many
 // times less than nanoflann's; checks that all methods find the same photons.  The last column adds
 // the sum of their powers, which irradiance needs.  Bytes are those of a method's tree and
-// positions; of the wide tree, all that is kept of a photon.
+// positions; of the wide tree, all that is kept of a photon.  Of the wide tree also: the nodes,
+// blocks and bytes that a search reads (nodes above its last level are shared by searches near each
+// other and not counted), and which share of its time they would take at the speed of L2, L3 and
+// DRAM, and its arithmetic at that of the processor: a roofline.
 //
 //     queries [PHOTONS...] [--neighbours K...] [--simd TARGET]     default: 50000 1000000, all K
 
@@ -162,9 +165,34 @@ void print_times(QueryMethod& method, const std::vector<QueryOrder>& orders,
     }
 }
 
+/// Prints what searches with the sum read in an order, where that is counted.
+void print_traffic(QueryMethod& method, const QueryOrder& order, const MachineLimits& limits)
+{
+    Traffic sum;
+    for (const RoomPoint& query : order.queries) {
+        method.sum(query);
+        const std::optional<Traffic> one = method.traffic();
+        if (!one)
+            return;
+        sum += *one;
+    }
+    const double each = 1 / double(order.queries.size());
+    const Traffic mean{sum.nodes * each, sum.blocks * each, sum.whole * each, sum.bytes * each,
+                       sum.operations * each};
+    const std::string name = std::string(method.name()) + ", " + order.name;
+    print_roofline(name.c_str(), mean, nanoseconds(method, order, true), limits);
+}
+
+void print_limits(const MachineLimits& limits)
+{
+    std::printf("one thread reads %.0f GB/s from L2, %.0f from L3, %.0f from DRAM, and makes %.0f "
+                "billion float additions and multiplications a second\n",
+                1e-9 * limits.l2, 1e-9 * limits.l3, 1e-9 * limits.dram, 1e-9 * limits.operations);
+}
+
 /// Returns whether every method found what it should.
 bool measure(const Points& photons, std::vector<BuiltMethod>& methods,
-             const std::vector<QueryOrder>& orders, std::size_t k)
+             const std::vector<QueryOrder>& orders, const MachineLimits& limits, std::size_t k)
 {
     std::printf("\n%zu photons, k = %zu: ns a query (times faster than the first)\n%-26s",
                 photons.size(), k, "");
@@ -187,6 +215,10 @@ bool measure(const Points& photons, std::vector<BuiltMethod>& methods,
         std::printf(" %8zu %6zu\n", different, wrong);
         right = right && different == 0 && wrong == 0;
     }
+    std::printf("searches with the sum, beside the limits of the machine:\n");
+    for (const BuiltMethod& built : methods)
+        for (const QueryOrder& order : orders)
+            print_traffic(*built.method, order, limits);
     return right;
 }
 
@@ -203,6 +235,8 @@ int measure_queries(const std::vector<std::size_t>& sizes, const std::vector<std
 {
     limit_threads(1);
     const std::vector<QueryOrder> orders = make_orders();
+    const MachineLimits limits = measure_machine();
+    print_limits(limits);
     bool right = true;
     for (const std::size_t size : sizes) {
         const Points photons = room_photons(size);
@@ -216,7 +250,7 @@ int measure_queries(const std::vector<std::size_t>& sizes, const std::vector<std
                         double(built.method->bytes()) / double(size));
         right = measure_fixed_radius(photons, orders[1].queries) && right;
         for (const std::size_t k : wanted)
-            right = measure(photons, methods, orders, k) && right;
+            right = measure(photons, methods, orders, limits, k) && right;
     }
     std::printf("\n%s\n", right ? "every method found the same photons, brute force too"
                                 : "NOT every method found the same photons");

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bench/machine_limits.h"
 #include "bench/power_sum.h"
 #include "bench/query_scene.h"
 #include "render/maps/wide_tree.h"
@@ -7,6 +8,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace hipmap {
@@ -26,6 +28,8 @@ class QueryMethod {
     /// Numbers of the photons of the last search, in any order.
     virtual std::vector<std::uint32_t> found() const = 0;
     virtual std::size_t bytes() const = 0;
+    /// What the last search read, powers too if it added them; none: it is not counted.
+    virtual std::optional<Traffic> traffic() const { return {}; }
     /// Whether it searches the query's map alone.
     virtual bool by_map() const { return false; }
     /// Whether equally far photons are told apart by their numbers.

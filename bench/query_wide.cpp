@@ -22,11 +22,26 @@ class Wide : public QueryMethod {
     {
         map_ = by_map_ ? query.map : 0;
         found_ = find_nearest(trees_[map_], {query.position, k_}, scratch_);
+        summed_ = false;
     }
     void sum(const RoomPoint& query) override
     {
         map_ = by_map_ ? query.map : 0;
         sum_ = sum_nearest(trees_[map_], powers_[map_], {query.position, k_}, scratch_);
+        summed_ = true;
+    }
+    std::optional<Traffic> traffic() const override
+    {
+        constexpr double kOfBox = 17, kOfPhoton = 8; // operations for a square distance
+        Traffic out;
+        out.nodes = static_cast<double>(scratch_.kept);
+        out.blocks = static_cast<double>(scratch_.filled);
+        out.whole = summed_ ? static_cast<double>(scratch_.wholes) : 0;
+        const double added = summed_ ? out.blocks + out.whole : 0;
+        out.bytes = out.nodes * sizeof(BoxNode) + out.blocks * sizeof(PhotonBlock) +
+                    added * sizeof(PowerBlock);
+        out.operations = kTreeWidth * (kOfBox * out.nodes + kOfPhoton * out.blocks);
+        return out;
     }
     bool sum_is_right(const RoomPoint& query) override
     {
@@ -66,6 +81,7 @@ class Wide : public QueryMethod {
     TreeScratch scratch_;
     FoundSlots found_;
     NearestSum sum_;
+    bool summed_ = false;
 };
 
 } // namespace
