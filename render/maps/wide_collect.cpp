@@ -139,18 +139,6 @@ std::size_t CollectShell(const WideTree& tree, const TreeQuery& query, const Bou
     return scratch.in_wholes + measure(tree, point, bounds, count, scratch);
 }
 
-/// A child of a node.
-struct Child {
-    float distance2, corner2;
-    std::size_t number; ///< on its level
-
-    /// Nearer first; of several boxes round a point, the one whose farthest corner is nearest.
-    bool operator<(const Child& other) const
-    {
-        return distance2 < other.distance2 ||
-               (distance2 == other.distance2 && corner2 < other.corner2);
-    }
-};
 using Children = std::array<Child, kTreeWidth>;
 
 HWY_INLINE Children children_of(const WideTree& tree, std::uint32_t level, std::size_t node,

@@ -5,6 +5,18 @@
 
 namespace hipmap::tree_search {
 
+/// A child of a node.  Not among the kernels, so that std::sort can inline its order.
+struct Child {
+    float distance2, corner2;
+    std::size_t number; ///< on its level
+
+    /// Nearer first; of several boxes round a point, the one whose farthest corner is nearest.
+    bool operator<(const Child& other) const
+    {
+        return distance2 < other.distance2 ||
+               (distance2 == other.distance2 && corner2 < other.corner2);
+    }
+};
 /// Fills blocks and rows with at least k photons near the point, of which the k-th nearest bounds
 /// the k-th of all, and returns their number.  query.from has more than k photons.
 std::size_t collect_near(const WideTree& tree, const TreeQuery& query, TreeScratch& scratch);
