@@ -121,7 +121,10 @@ HWY_INLINE Albedos glossy_albedos(const GlossyAlbedoRows& rows, Vec cosine)
     const hn::RebindToSigned<Floats> numbers;
     const Vec place = hn::Min(hn::Sqrt(hn::Max(all(0), cosine)), all(1));
     const Vec scaled = hn::Mul(place, all(static_cast<float>(rows.columns - 1)));
-    const auto column = hn::Min(hn::ConvertTo(numbers, scaled), hn::Set(numbers, rows.columns - 2));
+    // Clamped below too: lanes that are not in use may hold what is no number.
+    const auto column =
+        hn::Max(hn::Min(hn::ConvertTo(numbers, scaled), hn::Set(numbers, rows.columns - 2)),
+                hn::Zero(numbers));
     const Vec part = hn::Sub(scaled, hn::ConvertTo(d, column));
     const auto pair = hn::Add(column, column); // of the two numbers of a column
     const auto read = [&](const GlossyAlbedo* row, std::size_t number) HWY_ATTR {

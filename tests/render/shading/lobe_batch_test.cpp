@@ -5,6 +5,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <limits>
 #include <vector>
 
 using namespace hipmap;
@@ -68,10 +69,13 @@ std::vector<Interaction> surfaces()
     return out;
 }
 
-DirectionBatch random_directions(std::uint64_t seed)
+/// Lanes that are not in use hold no numbers.
+DirectionBatch random_directions(std::uint64_t seed, std::size_t count)
 {
     DirectionBatch out;
-    for (std::size_t lane = 0; lane < kBatch; ++lane) {
+    for (auto* axis : {&out.x, &out.y, &out.z})
+        axis->fill(std::numeric_limits<float>::quiet_NaN());
+    for (std::size_t lane = 0; lane < count; ++lane) {
         RandomSequence random(seed, RandomStream::pictures, 0, lane);
         const glm::vec3 direction = sample_sphere(random.next2());
         out.x[lane] = direction.x, out.y[lane] = direction.y, out.z[lane] = direction.z;
@@ -97,8 +101,8 @@ TEST_CASE("lobe batch: photons weighed together have the bits of those weighed o
                 const SeenLobes seen{
                     at.bsdf(), handled, view_of(at, Depth::diffuse), at.normal, {}};
                 known += can_weigh_batch(seen) ? 1 : 0;
-                const DirectionBatch in = random_directions(i);
                 const std::size_t count = 1 + i % kBatch;
+                const DirectionBatch in = random_directions(i, count);
                 RgbBatch out;
                 lobes.weigh(in, count, out);
                 for (std::size_t lane = 0; lane < count; ++lane)
