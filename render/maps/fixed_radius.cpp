@@ -44,7 +44,6 @@ RadiusEstimates estimate_in_map(const PhotonMap& map, const RadiusQuery& wanted,
     const std::array<float, 3>& radii = wanted.radii;
     query.radius = radii[0];
     const bool folds = wanted.surfaces.may_fold(query.face);
-    const bool whole = query.lobes == nullptr && !folds;
     // No boundary needs to be looked at where there is no photon.  Beside a boundary a list will be
     // needed anyhow.
     const bool sums_first = query.lobes == nullptr && !std::exchange(scratch.near_boundary, false);
@@ -62,7 +61,7 @@ RadiusEstimates estimate_in_map(const PhotonMap& map, const RadiusQuery& wanted,
     const float seen = look_around(wanted.surfaces, query, radii[0], scratch);
     if (!(seen > 0))
         return {};
-    if (sums_first && seen == radii[0] && whole && scratch.segments.empty())
+    if (sums_first && !folds && seen == radii[0] && scratch.segments.empty())
         return from_sums;
     query.radius = seen;
     if (sums_first || seen < radii[0])
