@@ -21,8 +21,8 @@ Run on {about["date"]}; {about["machine"]}; measured in {about["minutes"]:.0f} m
 wide, one sample a pixel; angle threshold {ANGLE_DEG} degrees; M = 10 k; the dissertation's estimate
 (`--estimate thesis`). Photons emitted and k are the dissertation's divided by {about["divide"]}.
 {missing(about)}
-Seconds are of the processor. The program `map_costs` traces the photons of a scene and test once. In every round it builds the maps
-of every mode and tree anew, and renders the same image by each of them, eight rows at a time in turn and in an order that
+Seconds are of the processor. The program `map_costs` traces the photons of a scene and test once. In every round it builds new maps
+for every mode and tree, and renders the same image by each of them. They take turns, eight rows each, in an order that
 changes, so that what else the machine does falls on all alike. Rounds end when every ratio on trees of one kind has an interval
 within {percent(PRECISE)}: {min(LEAST_ROUNDS, about["most_rounds"])} rounds at least, {about["most_rounds"]} at most; {min(ROUNDS_OF_MANY, about["most_rounds"])} with {MANY_PATHS:,} light paths or more. Where k is large not all
 bands of eight rows are rendered: {every}; seconds are those of a whole image.

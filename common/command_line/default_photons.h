@@ -16,7 +16,7 @@ inline constexpr std::uint64_t kFewestDefaultPhotons = 200'000;
 inline constexpr std::uint64_t kMostDefaultPhotons = 2'000'000;
 
 /// Returns as many light paths as a pass has samples, within bounds: photons then cost a small part
-/// of a pass and are about as dense as the rays that read them.  Fewer would hardly save
+/// of a pass and are about as dense as the rays that read them.  Fewer photons save little
 /// time, and maps of more would fill the memory.  size: complete.
 inline std::uint64_t default_photons(const PictureSize& size, int samples)
 {
