@@ -7,6 +7,7 @@
 #include "common/scene/store_copies.h"
 
 #include <flatbuffers/flatbuffers.h>
+#include <tbb/parallel_pipeline.h>
 #include <xxhash.h>
 
 #include <algorithm>
@@ -33,6 +34,17 @@ constexpr std::size_t kBytesPerFace = 3 * (sizeof(EdgeClass) + sizeof(std::uint3
 
 /// What a chunk has beside its arrays, at most.
 constexpr std::size_t kChunkOverhead = 1024;
+
+/// Chunks that are packed while others are written.
+constexpr std::size_t kChunksAtOnce = 3;
+
+std::size_t bytes_of_arrays(const Partition& p)
+{
+    constexpr std::size_t kBytesPerContact = sizeof(MapId) + 6 * sizeof(float);
+    return p.face_count() * kBytesPerFace +
+           (p.contacts.size() + p.own_contacts.size()) * kBytesPerContact +
+           (p.apart.size() + p.copies.size() + p.bridged_edges.size()) * sizeof(std::uint32_t);
+}
 
 struct FreeState {
     void operator()(XXH3_state_t* state) const { XXH3_freeState(state); }
@@ -194,12 +206,13 @@ InputError unreadable(const std::filesystem::path& path, const std::string& what
     return InputError(path.string() + ": " + what + "; run preprocess again");
 }
 
-/// Reads and verifies the next chunk of a file.
-std::vector<std::byte> read_chunk(InputFile& file, const std::filesystem::path& path)
+/// Reads and verifies the next chunk of a file, into `bytes`, and returns it.
+const file::Partition& read_chunk(InputFile& file, const std::filesystem::path& path,
+                                  std::vector<std::byte>& bytes)
 {
     constexpr std::size_t kPrefix = sizeof(flatbuffers::uoffset_t);
     constexpr std::size_t kHeader = 2 * kPrefix + 4; // the length, the root and the identifier
-    std::vector<std::byte> bytes;
+    bytes.clear();
     file.append(bytes, std::min(file.left(), kHeader));
     const auto says_hpm = [&](std::size_t at) {
         return bytes.size() >= at + 4 && std::memcmp(bytes.data() + at, "HPM", 3) == 0;
@@ -221,11 +234,12 @@ std::vector<std::byte> read_chunk(InputFile& file, const std::filesystem::path& 
     flatbuffers::Verifier verifier(data, bytes.size());
     if (!file::VerifySizePrefixedPartitionBuffer(verifier))
         throw unreadable(path, damaged);
-    if (const auto version = file::GetSizePrefixedPartition(data)->version(); version != kVersion)
-        throw unreadable(path, "written in version " + std::to_string(version) +
+    const file::Partition& stored = *file::GetSizePrefixedPartition(data);
+    if (stored.version() != kVersion)
+        throw unreadable(path, "written in version " + std::to_string(stored.version()) +
                                    " of the format, this program reads " +
                                    std::to_string(kVersion));
-    return bytes;
+    return stored;
 }
 
 } // namespace
@@ -269,19 +283,36 @@ std::uint64_t partition_checksum(const Partition& p)
 
 void write_partition(const std::filesystem::path& path, const Partition& p, std::size_t chunk_bytes)
 {
-    constexpr std::size_t kBytesPerContact = sizeof(MapId) + 6 * sizeof(float);
-    const std::size_t bytes = p.face_count() * kBytesPerFace +
-                              (p.contacts.size() + p.own_contacts.size()) * kBytesPerContact +
-                              (p.apart.size() + p.copies.size()) * sizeof(std::uint32_t) +
-                              p.bridged_edges.size() * sizeof(std::uint32_t);
+    const std::size_t bytes = bytes_of_arrays(p);
+    const std::size_t count = bytes / chunk_bytes + 1;
     const std::uint64_t checksum = partition_checksum(p);
-    ChunkPlace place{0, bytes / chunk_bytes + 1};
+    std::vector<flatbuffers::FlatBufferBuilder> builders;
+    for (std::size_t i = 0; i < std::min(count, kChunksAtOnce); ++i)
+        builders.emplace_back(bytes / count + kChunkOverhead);
+    // Chunks leave in order, so the one that had a builder before has left.
+    const auto pack_chunk = [&](std::size_t i) {
+        flatbuffers::FlatBufferBuilder& builder = builders[i % kChunksAtOnce];
+        builder.Clear();
+        file::FinishSizePrefixedPartitionBuffer(builder, pack(builder, p, checksum, {i, count}));
+        return i;
+    };
     WholeFile file(path);
-    for (; place.index < place.count; ++place.index) {
-        flatbuffers::FlatBufferBuilder builder(bytes / place.count + kChunkOverhead);
-        file::FinishSizePrefixedPartitionBuffer(builder, pack(builder, p, checksum, place));
+    const auto write_chunk = [&](std::size_t i) {
+        const flatbuffers::FlatBufferBuilder& builder = builders[i % kChunksAtOnce];
         file.write(std::as_bytes(std::span(builder.GetBufferPointer(), builder.GetSize())));
-    }
+    };
+    std::size_t next = 0;
+    const auto next_chunk = [&](tbb::flow_control& flow) {
+        if (next == count)
+            flow.stop();
+        return next++;
+    };
+    constexpr auto kInOrder = tbb::filter_mode::serial_in_order;
+    tbb::parallel_pipeline(
+        kChunksAtOnce,
+        tbb::make_filter<void, std::size_t>(kInOrder, next_chunk) &
+            tbb::make_filter<std::size_t, std::size_t>(tbb::filter_mode::parallel, pack_chunk) &
+            tbb::make_filter<std::size_t, void>(kInOrder, write_chunk));
     file.commit();
 }
 
@@ -292,10 +323,9 @@ Partition read_partition(const std::filesystem::path& path)
     reserve(partition, file.left() / kBytesPerFace);
     std::uint64_t checksum = 0;
     std::uint32_t chunks = 0, read = 0;
+    std::vector<std::byte> bytes;
     do {
-        const std::vector<std::byte> bytes = read_chunk(file, path);
-        const auto* data = reinterpret_cast<const std::uint8_t*>(bytes.data());
-        const file::Partition& stored = *file::GetSizePrefixedPartition(data);
+        const file::Partition& stored = read_chunk(file, path, bytes);
         append_chunk(partition, stored);
         if (read++ == 0) {
             checksum = stored.checksum();

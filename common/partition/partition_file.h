@@ -8,11 +8,12 @@
 namespace hipmap {
 
 /// The length to which a chunk of a file grows.
-inline constexpr std::size_t kChunkBytes = std::size_t{1} << 28;
+inline constexpr std::size_t kChunkBytes = std::size_t{1} << 25;
 
 /// Writes `partition` as a .hpm file (docs/partition_file.md): to a temporary name, synced,
 /// renamed. Throws InputError if the file cannot be written; then no file is left behind.
-/// chunk_bytes: from 1 to kChunkBytes.  Memory: twice a chunk.
+/// chunk_bytes: from 1 to kChunkBytes.  Memory: a few chunks.  Chunks are packed by all threads
+/// while others are written.
 void write_partition(const std::filesystem::path& path, const Partition& partition,
                      std::size_t chunk_bytes = kChunkBytes);
 
