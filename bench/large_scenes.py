@@ -19,7 +19,7 @@ import time
 
 STAGES = ("load scene", "weld vertices", "find half-edges", "build tree", "join seams",
           "build trees of maps", "find self-distances", "find group candidates", "find contacts",
-          "predict photons")
+          "summarise", "predict photons", "write partition")
 
 
 class Measured:

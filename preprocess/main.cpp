@@ -164,7 +164,9 @@ int preprocess(const PreprocessArguments& arguments, SceneSource& source, Frames
     for (const std::string& sentence : describe_open_glass(scene, result.partition))
         if (is_news(sentence, frames.told, report))
             report.line("assumed: " + sentence);
+    const Stopwatch writing;
     write_partition(arguments.output, result.partition);
+    result.summary.passes.push_back({"write partition", writing.seconds()});
     report.wrote(arguments.output);
     const std::vector<LegendedPicture> pictures =
         show_partition(arguments, scene, photons, result, report);

@@ -293,7 +293,10 @@ bool PartitionBuilder::add_copies()
 
 PartitionResult PartitionBuilder::finish()
 {
-    summarise(mesh_, result_);
+    timed("summarise", [&] {
+        summarise(mesh_, result_);
+        return true;
+    });
     return std::move(result_);
 }
 
