@@ -21,19 +21,23 @@ SUMMED = ("pilots", "photons", "maps", "image", "film", "write")
 @dataclasses.dataclass(frozen=True)
 class Study:
     """points: pixels across the images from which stages follow, and photons of a pass; 0: as many as
-    render chooses.  checked: pixels across those by two processes, at no point.  repeats: of which
-    the least counts."""
+    render chooses.  checked: pixels across those by two processes, at no point.  passes: of which the
+    average counts, for later passes cost less.  checked_passes: over a minute of them.  error_passes: to
+    which the law of the error is fitted.  repeats: of which the least counts; of those over a minute, one."""
 
-    points: tuple = ((96, 0), (160, 0), (288, 0), (288, 2_000_000))
+    points: tuple = ((96, 0), (160, 0), (224, 0), (224, 1_000_000))
     checked: int = 192
-    passes: int = 3
-    checked_passes: int = 10
-    repeats: int = 3
+    passes: int = 10
+    checked_passes: int = 48
+    error_passes: int = 40
+    repeats: int = 2
+    checked_repeats: int = 1
     seed: int = 0
 
 
 FULL = Study()
-QUICK = Study(points=((16, 1000), (32, 1000), (32, 8000)), checked=24, passes=2, checked_passes=4, repeats=1)
+QUICK = Study(points=((16, 1000), (32, 1000), (32, 8000)), checked=24, passes=2, checked_passes=4, error_passes=16,
+              repeats=1)
 
 
 def busy_seconds():
@@ -201,7 +205,8 @@ def measure_run(lab, name, ranks, options, size=None):
 
 def measure_runs(lab, name, ranks, *options, size=None):
     """The repeats.  The start of MPI is in them."""
-    return [measure_run(lab, name, ranks, options, size) for _ in range(lab.study.repeats)]
+    repeats = lab.study.repeats if size else lab.study.checked_repeats
+    return [measure_run(lab, name, ranks, options, size) for _ in range(repeats)]
 
 
 def launch(lab, name, ranks):
@@ -236,7 +241,7 @@ def tasks_and_merge(lab, name, folder):
 
 def measure_tasks(lab, name):
     rows = []
-    for _ in range(lab.study.repeats):
+    for _ in range(lab.study.checked_repeats):
         rows += twice(lambda folder: tasks_and_merge(lab, name, folder))
     return rows
 
@@ -245,7 +250,7 @@ def passes_to_error(lab, name):
     """The law of the image's error (docs/error.md (12)), and what a pass has."""
     with tempfile.TemporaryDirectory() as folder:
         stats = lab.render(name, lab.study.checked, pathlib.Path(folder), "--passes",
-                           4 * lab.study.checked_passes)
+                           lab.study.error_passes)
     image, options = stats["image"], stats["options"]
     return {"law": stats["error"]["law"], "samples": options["samples"],
             "aspect": image["height"] / image["width"]}

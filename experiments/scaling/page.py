@@ -57,11 +57,13 @@ def check_rows(measured):
         model, runs = Model(measured, scene), measured["runs"]
         size, passes = measured["about"]["study"]["checked"], measured["about"]["study"]["checked_passes"]
         stages = model.stages(size * round(size * runs[f"error/{scene}"]["aspect"]))
+        alone = min(run["wall"] for run in runs[f"runs/{scene}/1"])
         for ranks in (1, 2):
             found = simulate_ranks(stages, passes, Cluster(machines=ranks), keeps_states=False).seconds
             found += runs[f"launch/{scene}/{ranks}"]["wall"]
             took = min(run["wall"] for run in runs[f"runs/{scene}/{ranks}"])
-            rows.append((scene, ranks, f"{took:.1f}", f"{found:.1f}", f"{100 * (found / took - 1):+.0f} %"))
+            rows.append((scene, ranks, f"{took:.1f}", f"{found:.1f}", f"{100 * (found / took - 1):+.0f} %",
+                         f"{100 * alone / (ranks * took):.0f} %"))
     return rows
 
 
@@ -154,7 +156,8 @@ def section(measured, image, counts):
         table(("machines", "MPI: s", "tasks: s", "MPI: passes", "tasks: passes"), purchases(stages, image)), "",
         f"The same simulation beside renders of {measured['about']['study']['checked']} pixels across on the machine "
         "that was measured, a thread for each process:", "",
-        table(("scene", "processes", "measured: s", "simulated: s", "difference"), check_rows(measured))]
+        table(("scene", "processes", "measured: s", "simulated: s", "difference", "efficiency, measured"),
+              check_rows(measured))]
     return "\n".join(text), found
 
 
