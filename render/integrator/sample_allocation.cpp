@@ -22,6 +22,11 @@ constexpr double kLightSamplesForOne = 3;
 /// A pixel's deviation is taken from those up to so many pixels away: two samples alone say little.
 constexpr int kReach = 2;
 
+/// All 25 pairs of samples within that reach may miss what is rare, which pixels farther away meet.
+/// So this share of the variance comes from a wider window.
+constexpr int kWideReach = 12;
+constexpr double kWideShare = 0.1;
+
 Rgb finite_or_black(const Rgb& value)
 {
     return is_finite(value) ? value : Rgb(0);
@@ -70,19 +75,37 @@ std::vector<double> square_deviations(const PilotNoise& pilot, const Brightness&
     return out;
 }
 
-/// Mean over the pixels around along one axis; `step`: between neighbours, `length`: pixels of it.
-void blur(std::vector<double>& values, std::size_t first, std::size_t step, int length)
+/// Pixels of a row or a column: the first one, how far apart they are, and how many they are.
+struct Line {
+    std::size_t first, step;
+    int length;
+};
+
+/// Takes means over the pixels of a line up to `reach` away.
+void blur(std::vector<double>& values, const Line& line, int reach)
 {
+    const auto [first, step, length] = line;
     std::vector<double> sums(static_cast<std::size_t>(length) + 1, 0.0);
     for (int i = 0; i < length; ++i)
         sums[static_cast<std::size_t>(i) + 1] =
             sums[static_cast<std::size_t>(i)] + values[first + static_cast<std::size_t>(i) * step];
     for (int i = 0; i < length; ++i) {
-        const int begin = std::max(0, i - kReach), end = std::min(length, i + kReach + 1);
+        const int begin = std::max(0, i - reach), end = std::min(length, i + reach + 1);
         values[first + static_cast<std::size_t>(i) * step] =
             (sums[static_cast<std::size_t>(end)] - sums[static_cast<std::size_t>(begin)]) /
             (end - begin);
     }
+}
+
+/// Returns means over the pixels of an image up to `reach` away along each axis.
+std::vector<double> blurred(std::vector<double> values, const Image& image, int reach)
+{
+    const auto width = static_cast<std::size_t>(image.width);
+    for (int y = 0; y < image.height; ++y)
+        blur(values, {static_cast<std::size_t>(y) * width, 1, image.width}, reach);
+    for (int x = 0; x < image.width; ++x)
+        blur(values, {static_cast<std::size_t>(x), width, image.height}, reach);
+    return values;
 }
 
 /// docs/error.md (14), by pixel of the pilot's images: the variance of a sample, over the square of
@@ -92,14 +115,10 @@ std::vector<double> variances_around(const PilotNoise& pilot, const Brightness& 
     // A difference of two has twice the variance, and there are three channels.
     constexpr double kShare = 1.0 / 6;
     std::vector<double> out = square_deviations(pilot, brightness);
-    const Image& image = pilot.first;
-    const auto width = static_cast<std::size_t>(image.width);
-    for (int y = 0; y < image.height; ++y)
-        blur(out, static_cast<std::size_t>(y) * width, 1, image.width);
-    for (int x = 0; x < image.width; ++x)
-        blur(out, static_cast<std::size_t>(x), width, image.height);
-    for (double& variance : out)
-        variance = kShare * std::max(variance, 0.0);
+    const std::vector<double> wide = blurred(out, pilot.first, kWideReach);
+    out = blurred(std::move(out), pilot.first, kReach);
+    for (std::size_t i = 0; i < out.size(); ++i)
+        out[i] = kShare * std::max((1 - kWideShare) * out[i] + kWideShare * wide[i], 0.0);
     return out;
 }
 

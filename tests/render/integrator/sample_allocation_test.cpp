@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -41,10 +42,28 @@ TEST_CASE("sample allocation: in proportion to the deviation, the mean kept", "[
 {
     const SampleAllocation allocation =
         allocate_samples({noisy_image(0), noisy_image(1), {}}, 128, 128, 16);
-    const double calm = mean_samples(allocation, 128, 0, 56);
-    const double noisy = mean_samples(allocation, 128, 72, 128);
+    const double calm = mean_samples(allocation, 128, 0, 36);
+    const double noisy = mean_samples(allocation, 128, 92, 128);
     CHECK(noisy / calm == Approx(3).epsilon(0.1));
     CHECK(mean_samples(allocation, 128, 0, 128) == Approx(16).epsilon(0.01));
+}
+
+TEST_CASE("sample allocation: what is rare around a pixel counts, though its own samples missed it",
+          "[integrator]")
+{
+    Image first(96, 96);
+    for (std::size_t i = 0; i < first.pixels.size(); ++i)
+        first.pixels[i] = Rgb(1);
+    Image second = first;
+    RandomSequence random(1, RandomStream::pictures, 0, 0);
+    for (Rgb& pixel : second.pixels)
+        if (random.next() < 0.01f) // 25 pixels without one are common, 625 are not
+            pixel = Rgb(2);
+    const auto samples = allocate_samples({first, second, {}}, 96, 96, 100).samples;
+    // A quarter is the least that there can be.  Corners see fewer pixels around them.
+    const auto few = std::ranges::count_if(samples, [](std::uint16_t n) { return n < 27; });
+    CHECK(static_cast<double>(few) < 0.03 * static_cast<double>(samples.size()));
+    CHECK(*std::ranges::max_element(samples) > 150);
 }
 
 TEST_CASE("sample allocation: every pixel has a sample, none very many", "[integrator]")
