@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cassert>
 #include <cmath>
 #include <new>
 #include <span>
@@ -35,11 +36,16 @@ FaceId face_at(const FaceId* first_face, unsigned instance, unsigned primitive)
     return instance == RTC_INVALID_GEOMETRY_ID ? primitive : first_face[instance - 1] + primitive;
 }
 
-/// The face that a filter is asked about.
-FaceId face_of(const Query& query, const RTCFilterFunctionNArguments* args)
+/// The hit that a filter is asked about.  All queries are of one ray.
+const RTCHit& hit_of(const RTCFilterFunctionNArguments* args)
 {
-    return face_at(query.first_face, RTCHitN_instID(args->hit, args->N, 0, 0),
-                   RTCHitN_primID(args->hit, args->N, 0));
+    assert(args->N == 1);
+    return *reinterpret_cast<const RTCHit*>(args->hit);
+}
+
+FaceId face_of(const Query& query, const RTCHit& hit)
+{
+    return face_at(query.first_face, hit.instID[0], hit.primID);
 }
 
 /// What the filter of one `nearest` query remembers besides: the best hit so far.
@@ -67,9 +73,9 @@ float uniform_of(const Ray& ray, FaceId face)
 bool stops(const RTCFilterFunctionNArguments* args)
 {
     const auto* query = reinterpret_cast<const Query*>(args->context);
-    const FaceId face = face_of(*query, args);
-    const float share = (*query->opacity)(
-        face, {RTCHitN_u(args->hit, args->N, 0), RTCHitN_v(args->hit, args->N, 0)});
+    const RTCHit& hit = hit_of(args);
+    const FaceId face = face_of(*query, hit);
+    const float share = (*query->opacity)(face, {hit.u, hit.v});
     return share >= 1 || uniform_of(*query->ray, face) < share;
 }
 
@@ -84,8 +90,8 @@ void keep_what_stops(const RTCFilterFunctionNArguments* args)
 void keep_lowest_face(const RTCFilterFunctionNArguments* args)
 {
     auto* query = static_cast<NearestQuery*>(reinterpret_cast<Query*>(args->context));
-    const float distance = RTCRayN_tfar(args->ray, args->N, 0);
-    const FaceId face = face_of(*query, args);
+    const float distance = reinterpret_cast<const RTCRay*>(args->ray)->tfar;
+    const FaceId face = face_of(*query, hit_of(args));
     if (distance > query->distance || (distance == query->distance && face > query->face)) {
         args->valid[0] = 0;
         return;

@@ -1,6 +1,10 @@
 #include "common/rays/surface_point.h"
 
+#include "common/rays/flat_point.h"
+
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace hipmap {
@@ -20,14 +24,27 @@ constexpr float kJustShort = 1 - 1e-4f;
 /// Roundings of a matrix's inverse and of a point's transform in Embree.
 constexpr int kPlacing = 12;
 
-glm::vec3 interpolated_normal(const TriangleMesh& mesh, FaceId face, const glm::vec3& weights,
-                              const glm::vec3& geometric_normal)
+/// A face as it is stored, and the copy that it belongs to; null: it stands where it is stored.
+struct StoredFace {
+    const glm::uvec3& corners;
+    const Similarity* place;
+};
+
+StoredFace stored(const TriangleMesh& mesh, FaceId face)
 {
-    const glm::uvec3& c = mesh.vertices_of(face);
+    if (mesh.is_copied(face)) [[unlikely]]
+        return {mesh.vertices_of(face), &mesh.copy_of(face).place};
+    return {mesh.corners[face], nullptr};
+}
+
+glm::vec3 interpolated_normal(const TriangleMesh& mesh, const StoredFace& face,
+                              const glm::vec3& weights, const glm::vec3& geometric_normal)
+{
+    const glm::uvec3& c = face.corners;
     glm::vec3 sum = weights.x * mesh.normals[c.x] + weights.y * mesh.normals[c.y] +
                     weights.z * mesh.normals[c.z];
-    if (mesh.is_copied(face)) [[unlikely]]
-        sum = glm::vec3(mesh.copy_of(face).place.direction(glm::dvec3(sum)));
+    if (face.place != nullptr) [[unlikely]]
+        sum = glm::vec3(face.place->direction(glm::dvec3(sum)));
     const float length2 = glm::dot(sum, sum);
     if (!(length2 > 0) || !std::isfinite(length2))
         return geometric_normal;
@@ -52,26 +69,61 @@ void place(const Similarity& copy, SurfacePoint& point)
         static_cast<float>(rounding_bound(kPlacing) * largest + 2 * copy.scale * carried));
 }
 
+glm::vec3 weights_of(const glm::vec2& barycentric)
+{
+    return {1 - barycentric.x - barycentric.y, barycentric.x, barycentric.y};
+}
+
+/// Without the shading normal, and before the point is moved to a copy.
+SurfacePoint point_of(const TriangleMesh& mesh, const StoredFace& face, const glm::vec3& weights)
+{
+    const glm::vec3& first = mesh.positions[face.corners.x];
+    const glm::vec3& second = mesh.positions[face.corners.y];
+    const glm::vec3& third = mesh.positions[face.corners.z];
+    const glm::vec3 a = weights.x * first, b = weights.y * second, d = weights.z * third;
+    SurfacePoint point;
+    point.position = a + b + d;
+    point.position_error = rounding_bound(7) * (glm::abs(a) + glm::abs(b) + glm::abs(d));
+    const glm::dvec3 from(first);
+    glm::dvec3 normal = glm::cross(glm::dvec3(second) - from, glm::dvec3(third) - from);
+    if (face.place != nullptr) [[unlikely]]
+        normal = face.place->scale * face.place->scale * face.place->direction(normal);
+    const double length = glm::length(normal);
+    point.geometric_normal = length > 0 ? glm::vec3(normal / length) : glm::vec3(0, 0, 1);
+    return point;
+}
+
+/// Returns the next float from `value` on in the direction of `towards`.
+float next_towards(float value, float towards)
+{
+    if (value == 0 || !std::isfinite(value)) [[unlikely]]
+        return std::nextafter(value, std::copysign(HUGE_VALF, towards));
+    const auto bits = std::bit_cast<std::int32_t>(value);
+    return std::bit_cast<float>((value < 0) == (towards < 0) ? bits + 1 : bits - 1);
+}
+
 } // namespace
 
 SurfacePoint surface_point(const TriangleMesh& mesh, FaceId face, const glm::vec2& barycentric)
 {
-    const glm::uvec3 c = mesh.vertices_of(face);
-    const glm::vec3 weights(1 - barycentric.x - barycentric.y, barycentric.x, barycentric.y);
-    const glm::vec3 a = weights.x * mesh.positions[c.x];
-    const glm::vec3 b = weights.y * mesh.positions[c.y];
-    const glm::vec3 d = weights.z * mesh.positions[c.z];
-
-    SurfacePoint point;
+    const StoredFace in = stored(mesh, face);
+    const glm::vec3 weights = weights_of(barycentric);
+    SurfacePoint point = point_of(mesh, in, weights);
     point.face = face;
-    point.position = a + b + d;
-    point.position_error = rounding_bound(7) * (glm::abs(a) + glm::abs(b) + glm::abs(d));
-    const glm::dvec3 normal = scaled_normal(mesh, face);
-    const double length = glm::length(normal);
-    point.geometric_normal = length > 0 ? glm::vec3(normal / length) : glm::vec3(0, 0, 1);
-    point.shading_normal = interpolated_normal(mesh, face, weights, point.geometric_normal);
-    if (mesh.is_copied(face)) [[unlikely]]
-        place(mesh.copy_of(face).place, point);
+    point.shading_normal = interpolated_normal(mesh, in, weights, point.geometric_normal);
+    if (in.place != nullptr) [[unlikely]]
+        place(*in.place, point);
+    return point;
+}
+
+SurfacePoint flat_point(const TriangleMesh& mesh, FaceId face, const glm::vec2& barycentric)
+{
+    const StoredFace in = stored(mesh, face);
+    SurfacePoint point = point_of(mesh, in, weights_of(barycentric));
+    point.face = face;
+    point.shading_normal = point.geometric_normal;
+    if (in.place != nullptr) [[unlikely]]
+        place(*in.place, point);
     return point;
 }
 
@@ -84,7 +136,7 @@ glm::vec3 offset_origin(const SurfacePoint& point, const glm::vec3& direction)
     // The addition may round back towards the face; go on to the next float.
     for (int i = 0; i < 3; ++i)
         if (offset[i] != 0)
-            origin[i] = std::nextafter(origin[i], std::copysign(HUGE_VALF, offset[i]));
+            origin[i] = next_towards(origin[i], offset[i]);
     return origin;
 }
 

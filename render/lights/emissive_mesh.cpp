@@ -2,6 +2,7 @@
 
 #include "common/math/frame.h"
 #include "common/math/sampling.h"
+#include "common/rays/flat_point.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,7 +38,7 @@ EmissivePoint point_on(const EmissiveMesh& light, std::size_t i, const glm::vec2
 {
     const FaceId face = light.faces[i];
     const glm::vec2 barycentric = sample_triangle(u);
-    return {surface_point(*light.emission->mesh, face, barycentric), barycentric,
+    return {flat_point(*light.emission->mesh, face, barycentric), barycentric,
             light.area_pdf[face - light.faces.front()]};
 }
 

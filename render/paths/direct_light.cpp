@@ -1,5 +1,6 @@
 #include "render/paths/direct_light.h"
 
+#include "common/rays/flat_point.h"
 #include "render/shading/scatter.h"
 
 #include <algorithm>
@@ -237,7 +238,7 @@ Rgb bsdf_sampled_light(const RenderScene& scene, const Interaction& at, RandomSe
     const Bsdf& bsdf = scene.bsdfs[scene.mesh().material_of(hit->face)];
     if (is_black(bsdf.emission))
         return on_way;
-    const SurfacePoint light = surface_point(scene.mesh(), hit->face, hit->barycentric);
+    const SurfacePoint light = flat_point(scene.mesh(), hit->face, hit->barycentric);
     if (!emits_towards(bsdf, light, -ray.direction))
         return on_way;
     return on_way + throughput * emission_at(scene, hit->face, hit->barycentric) *
