@@ -51,6 +51,54 @@ Scattered scattered_by(const Interaction& at, const PlacedLobe& lobe, const glm:
     return out;
 }
 
+/// Calls a function with the diffuse lobe of a surface that has no other lobe and no layers, if it
+/// is of a common kind: such a surface needs less than the formulas of all lobes.  False: it has
+/// others.
+template <typename Function>
+bool with_diffuse_alone(const Interaction& at, const PlacedLobe& lobe, const Function& function)
+{
+    if (!at.is_diffuse())
+        return false;
+    if (const Burley* burley = std::get_if<Burley>(&lobe.lobe))
+        function(*burley);
+    else if (const Lambert* lambert = std::get_if<Lambert>(&lobe.lobe))
+        function(*lambert);
+    else
+        return false;
+    return true;
+}
+
+/// `scattered_by` for a diffuse lobe alone.
+template <typename Diffuse>
+Scattered scattered_by_diffuse(const Interaction& at, const Diffuse& lobe, const glm::vec3& in)
+{
+    const float cosine = glm::dot(in, at.shading_normal);
+    if (glm::dot(in, at.normal) < 0 || !(cosine > 0))
+        return {};
+    const LobeView view = view_of(at, Depth::diffuse);
+    return {lobe.eval(view, in) * cosine, lobe.pdf(view, in)};
+}
+
+/// `sample_below` for a diffuse lobe alone.
+template <typename Diffuse>
+LobeSample sample_diffuse(const Interaction& at, const Diffuse& lobe, RandomSequence& random)
+{
+    LobeSample out = lobe.sample(view_of(at, Depth::diffuse), random);
+    if (!(glm::dot(out.direction, at.normal) > 0))
+        out.weight = Rgb(0);
+    return out;
+}
+
+template <typename Diffuse>
+ScatterSample sample_scatter_by_diffuse(const Interaction& at, const Diffuse& lobe,
+                                        RandomSequence& random)
+{
+    ScatterSample out{sample_diffuse(at, lobe, random)};
+    if (!is_black(out.weight) && glm::dot(out.direction, at.shading_normal) > 0)
+        out.pdf = lobe.pdf(view_of(at, Depth::diffuse), out.direction);
+    return out;
+}
+
 /// By which each lobe of a set is drawn; zero for the others.
 struct LobeProbabilities {
     std::array<float, Bsdf::kMostLobes> of{};
@@ -150,14 +198,24 @@ Scattered scattered(const Interaction& at, const glm::vec3& in, Lobes lobes)
 {
     if (at.phase != nullptr)
         return scattered_in_medium(at, in, lobes);
-    if (const PlacedLobe* lobe = at.bsdf().single(lobes))
-        return scattered_by(at, *lobe, in);
+    if (const PlacedLobe* lobe = at.bsdf().single(lobes)) {
+        Scattered out;
+        if (!with_diffuse_alone(at, *lobe, [&](const auto& diffuse) {
+                out = scattered_by_diffuse(at, diffuse, in);
+            }))
+            out = scattered_by(at, *lobe, in);
+        return out;
+    }
     return scattered_by_set(at, in, {at, lobes});
 }
 
 LobeSample sample_lobe(const Interaction& at, const PlacedLobe& lobe, RandomSequence& random)
 {
-    LobeSample out = sample_below(at, lobe, random);
+    LobeSample out;
+    if (with_diffuse_alone(at, lobe,
+                           [&](const auto& diffuse) { out = sample_diffuse(at, diffuse, random); }))
+        return out;
+    out = sample_below(at, lobe, random);
     if (lobe.depth == Depth::clearcoat && at.has_coat_normal())
         out.weight *= coat_correction(at, out.direction);
     return out;
@@ -168,7 +226,12 @@ ScatterSample sample_scatter(const Interaction& at, Lobes lobes, RandomSequence&
     if (at.phase != nullptr)
         return sample_in_medium(at, lobes, random);
     if (const PlacedLobe* lobe = at.bsdf().single(lobes)) {
-        ScatterSample out{sample_below(at, *lobe, random)};
+        ScatterSample out;
+        if (with_diffuse_alone(at, *lobe, [&](const auto& diffuse) {
+                out = sample_scatter_by_diffuse(at, diffuse, random);
+            }))
+            return out;
+        out = {sample_below(at, *lobe, random)};
         if (!is_black(out.weight))
             out.pdf = pdf_of(at, *lobe, out.direction);
         return out;

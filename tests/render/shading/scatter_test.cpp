@@ -232,3 +232,38 @@ TEST_CASE("scatter: photons from below a tilted face, as faces beside have them,
         CHECK(max_channel(lobes(in)) <= 1.001f * max_channel(alone));
     }
 }
+
+TEST_CASE("scatter: a diffuse surface scatters the same bits as by the formulas of all lobes",
+          "[shading]")
+{
+    std::vector<Interaction> surfaces;
+    for (const DiffuseModel model :
+         {DiffuseModel::lambert, DiffuseModel::burley, DiffuseModel::oren_nayar}) {
+        Material material = tiny::diffuse({0.8f, 0.5f, 0.2f});
+        material.diffuse_model = model;
+        material.roughness = 0.6f;
+        surfaces.push_back(tiny::lit_surface(material, {0.1f, 0, 1}));
+        surfaces.push_back(tiny::lit_surface(material, {-1, 0.2f, 0.15f}));
+        surfaces.push_back(tiny::tilted_surface(material, {0.8f, 0, 0.6f}));
+    }
+    for (const Interaction& at : surfaces) {
+        REQUIRE(at.is_diffuse());
+        Interaction general = at;
+        general.own->is_diffuse = false;
+        for (std::uint64_t i = 0; i < 500; ++i) {
+            RandomSequence random(2, RandomStream::pictures, 0, i);
+            RandomSequence same = random, again = random;
+            const ScatterSample a = sample_scatter(at, Lobes::gathered, random);
+            const ScatterSample b = sample_scatter(general, Lobes::gathered, same);
+            CHECK(a.direction == b.direction);
+            CHECK(a.weight == b.weight);
+            CHECK(a.pdf == b.pdf);
+            CHECK(sample_lobe(at, at.bsdf().all[0], again).weight == b.weight);
+            const glm::vec3 in = sample_sphere(random.next2());
+            const Scattered one = scattered(at, in, Lobes::gathered);
+            const Scattered other = scattered(general, in, Lobes::gathered);
+            CHECK(one.value == other.value);
+            CHECK(one.pdf == other.pdf);
+        }
+    }
+}
