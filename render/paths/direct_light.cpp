@@ -43,7 +43,11 @@ InLobes in_lobes(const Interaction& at, const glm::vec3& direction, const LobeRa
 /// What the lobes send of the light found with `pdf` in a direction.
 Rgb weighed(const InLobes& lobes, const LobeRays& rays, float pdf)
 {
-    return lobes.gathered.value * power_heuristic(pdf, rays.gathered * lobes.gathered.pdf) +
+    const Rgb gathered =
+        lobes.gathered.value * power_heuristic(pdf, rays.gathered * lobes.gathered.pdf);
+    if (!(rays.followed > 0))
+        return gathered;
+    return gathered +
            lobes.followed.value * power_heuristic(pdf, rays.followed * lobes.followed.pdf);
 }
 

@@ -83,6 +83,8 @@ inline Rgb met_emission(const RenderScene& scene, const Interaction& at, float d
                         const PathState& path)
 {
     const Rgb emitted = emitted_radiance(at.bsdf(), at.point, at.back);
+    if (is_black(emitted)) [[likely]]
+        return Rgb(0);
     return path.throughput * emitted * weight_against_photons(emitted, path.source) *
            hit_weight(scene, at.point, path.ray.direction, distance, path.source);
 }

@@ -83,8 +83,9 @@ Interaction interact(const RenderScene& scene, const Ray& ray, const RayHit& hit
     if (!scene.is_plain(material)) [[unlikely]]
         add_details(scene, hit, material, sign, out);
     out.ior = out.bsdf().ior;
-    out.solid = scene.partition.is_closed(hit.face);
-    const bool flipped = scene.partition.is_flipped(hit.face);
+    const FaceId stored = scene.partition.stored_face(hit.face);
+    out.solid = scene.partition.closed[stored] != 0;
+    const bool flipped = scene.partition.flipped[stored] != 0;
     out.side = out.front == flipped ? 1 : 0;
     return out;
 }
