@@ -1,5 +1,6 @@
 #include "render/film/batch_products.h"
 
+#include "common/math/sort_eight.h"
 #include "render/film/batch_statistics.h"
 
 #include <algorithm>
@@ -97,7 +98,7 @@ double median_around(const Image& image, int x, int y, int channel)
                 values[size++] = image.at(u, v)[channel];
     if (size == 0)
         return image.at(x, y)[channel];
-    std::ranges::sort(values);
+    sort_eight(values);
     return (double{values[(size - 1) / 2]} + values[size / 2]) / 2;
 }
 
@@ -144,13 +145,21 @@ double ChannelReader::sum(const std::vector<std::int64_t>& sums, std::uint64_t b
     return unit_ * static_cast<double>(sums[(batch * film_.pixel_count() + pixel) * 3 + channel]);
 }
 
+/// Returns the passes of a filled batch that kept a sample of the pixel.
+double ChannelReader::kept_of(std::size_t pixel, std::size_t i) const
+{
+    if (film_.parts.empty() && film_.lost.empty()) [[likely]]
+        return wide_.passes[i];
+    return static_cast<double>(kept_.of_batch(pixel, wide_.batch[i]));
+}
+
 ChannelStatistics ChannelReader::read(std::size_t pixel, std::size_t channel) const
 {
     std::array<double, kBatches> sums{}, kept{};
     ChannelStatistics out;
     double total = 0;
     for (std::size_t i = 0; i < wide_.batch.size(); ++i) {
-        kept[i] = static_cast<double>(kept_.of_batch(pixel, wide_.batch[i]));
+        kept[i] = kept_of(pixel, i);
         sums[i] = sum(film_.radiance, wide_.batch[i], pixel, channel);
         total += sums[i];
         out.passes += kept[i];
@@ -181,7 +190,8 @@ ChannelStatistics ChannelReader::read(std::size_t pixel, std::size_t channel) co
         if (kept[i] > 0)
             out.most_noise += weight_without(out, squares, i, sums[i], kept[i]) * out.deviation[i] *
                               out.deviation[i];
-    scale_deviations(out, scale_of_deviations(out, wide_));
+    if (const double scale = scale_of_deviations(out, wide_); scale != 1)
+        scale_deviations(out, scale);
     return out;
 }
 
@@ -280,6 +290,8 @@ void add_channel(BatchProducts& out, const ChannelStatistics& found, bool clampe
     out.noise += found.noise;
     out.most_noise += found.most_noise;
     add_products(out.deviations, found.weight, found.deviation, found.deviation);
+    if (out.narrow.batch.empty())
+        return;
     const std::array<double, kNarrowBatches> scales = scales_of_differences(found, out.narrow);
     std::array<double, kNarrowBatches> first = found.first, second = found.second, cut = found.cut;
     for (std::size_t i = 0; i < kNarrowBatches; ++i) {
@@ -309,8 +321,9 @@ BatchProducts batch_products(const Film& film)
         for (std::size_t channel = 0; channel < 3; ++channel) {
             const ChannelStatistics found = reader.read(pixel, channel);
             out.channels += film.parts.empty() || found.batches > 1 ? 1 : 0;
-            for (std::size_t i = 0; i < kBatches; ++i)
-                of_pixel[i] += std::sqrt(found.steady / 3) * found.deviation[i];
+            const double root = std::sqrt(found.steady / 3);
+            for (std::size_t i = 0; i < out.wide.batch.size(); ++i)
+                of_pixel[i] += root * found.deviation[i];
             add_channel(out, found, !film.cut.empty());
         }
         out.fourth += fourth_cumulant(of_pixel, static_cast<double>(out.wide.batch.size()));

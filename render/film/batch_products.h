@@ -78,6 +78,7 @@ class ChannelReader {
   private:
     double sum(const std::vector<std::int64_t>& sums, std::uint64_t batch, std::size_t pixel,
                std::size_t channel) const;
+    double kept_of(std::size_t pixel, std::size_t i) const;
     double without_bias(const ChannelStatistics& biased) const;
     double weight_by_neighbours(const ChannelStatistics& own, std::size_t pixel,
                                 std::size_t channel) const;

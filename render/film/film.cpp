@@ -221,7 +221,10 @@ Image film_image(const Film& film)
         std::uint64_t kept = 0;
         std::array<std::int64_t, 3> sum{};
         for (std::uint64_t batch = 0; batch < kBatches; ++batch) {
-            kept += kept_passes.of_batch(i, batch);
+            const std::uint64_t of_batch = kept_passes.of_batch(i, batch);
+            if (of_batch == 0)
+                continue; // its sums are zero
+            kept += of_batch;
             for (std::size_t c = 0; c < 3; ++c)
                 sum[c] += film.radiance[(batch * out.pixels.size() + i) * 3 + c];
         }
