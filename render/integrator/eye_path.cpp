@@ -84,21 +84,15 @@ void send_on(const RenderScene& scene, const Interaction& at, const GatherBranch
     send(out, from.depth >= kSplitDepth, random, stack);
 }
 
-GatherBranchStack begin(const RenderScene& scene, const Ray& ray)
-{
-    GatherBranchStack stack;
-    stack.push({path_from_eye(scene, ray)});
-    return stack;
-}
-
 } // namespace
 
 Rgb trace_eye_path(const PassMaps& maps, const Ray& ray, SeenLights seen, RandomSequence& random,
                    EyeScratch& scratch)
 {
     Rgb radiance(0.0f);
-    GatherBranchStack stack = begin(maps.scene, ray);
-    while (stack.size > 0) {
+    GatherBranchStack stack;
+    stack.push({path_from_eye(maps.scene, ray)});
+    while (!stack.empty()) {
         GatherBranch branch = stack.pop();
         const bool sees = adds_met_light(seen, branch.behind);
         const MediaFlight reached = reach_by_beams(maps.scene, maps.volume, sees, branch, radiance);
@@ -117,8 +111,9 @@ Rgb trace_eye_path(const PassMaps& maps, const Ray& ray, SeenLights seen, Random
 Rgb trace_seen_lights(const RenderScene& scene, const Ray& ray, RandomSequence& random)
 {
     Rgb radiance(0.0f);
-    GatherBranchStack stack = begin(scene, ray);
-    while (stack.size > 0) {
+    GatherBranchStack stack;
+    stack.push({path_from_eye(scene, ray)});
+    while (!stack.empty()) {
         GatherBranch branch = stack.pop();
         const MediaFlight reached = reach_by_beams(scene, nullptr, true, branch, radiance);
         if (!reached.hit)

@@ -8,15 +8,15 @@ namespace {
 void pick_one(Departures& out, RandomSequence& random)
 {
     float sum = 0;
-    for (std::size_t i = 0; i < out.size; ++i)
+    for (std::size_t i = 0; i < out.branches.size(); ++i)
         sum += importance(out.branches[i]);
     float drawn = random.next() * sum;
     std::size_t picked = 0;
-    while (picked + 1 < out.size && !(drawn < importance(out.branches[picked])))
+    while (picked + 1 < out.branches.size() && !(drawn < importance(out.branches[picked])))
         drawn -= importance(out.branches[picked++]);
     out.branches[0] = out.branches[picked];
     out.branches[0].throughput *= sum / importance(out.branches[0]);
-    out.size = 1;
+    out.branches.keep_first();
 }
 
 } // namespace
@@ -55,9 +55,9 @@ void add_mirror_and_glass(const RenderScene& scene, const GatherBranch& from, co
 
 void send(Departures& out, bool only_one, RandomSequence& random, GatherBranchStack& stack)
 {
-    if (out.size > 1 && only_one)
+    if (out.branches.size() > 1 && only_one)
         pick_one(out, random);
-    for (std::size_t i = 0; i < out.size; ++i)
+    for (std::size_t i = 0; i < out.branches.size(); ++i)
         if (survives(out.branches[i], random))
             stack.push(out.branches[i]);
 }

@@ -1,9 +1,8 @@
 #pragma once
 
+#include "common/fixed_list.h"
 #include "render/integrator/gather_record.h"
 #include "render/paths/path_state.h"
-
-#include <array>
 
 namespace hipmap {
 
@@ -25,25 +24,18 @@ struct GatherBranch : PathState {
 
 /// The branches that leave a surface.
 struct Departures {
-    std::array<GatherBranch, kMostRays> branches;
-    std::size_t size = 0;
+    FixedList<GatherBranch, kMostRays> branches;
 
     void add(const GatherBranch& branch)
     {
         if (importance(branch) > 0)
-            branches[size++] = branch;
+            branches.push(branch);
     }
 };
 
 /// A stack of waiting branches: a surface before kSplitDepth takes one off and adds at most
 /// kMostRays.
-struct GatherBranchStack {
-    std::array<GatherBranch, kMostRays*(kSplitDepth + 1)> branches;
-    std::size_t size = 0;
-
-    void push(const GatherBranch& branch) { branches[size++] = branch; }
-    GatherBranch pop() { return branches[--size]; }
-};
+using GatherBranchStack = FixedList<GatherBranch, kMostRays*(kSplitDepth + 1)>;
 
 /// Returns one ray in a direction drawn from the lobes.
 GatherBranch scatter(const RenderScene& scene, const GatherBranch& from, const Interaction& at,

@@ -24,7 +24,7 @@ class GatherTracer {
     RadianceByRadius trace(const Ray& ray)
     {
         stack_.push({path_from_eye(maps_.scene, ray)});
-        while (stack_.size > 0)
+        while (!stack_.empty())
             follow_kept(stack_.pop());
         return radiance_;
     }
