@@ -43,7 +43,7 @@ struct OutputFiles {
     ViewChoice view_choice;                        ///< of 8-bit images
     DisplayView view;                              ///< what it names
 
-    /// Returns the names of all files but the images.
+    /// Returns the paths of all output files but the images, so that they can be changed.
     std::array<std::filesystem::path*, 4> single_files()
     {
         return {&error_image, &layers, &statistics, &state};

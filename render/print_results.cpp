@@ -37,8 +37,8 @@ void print_guides(const RenderStatistics& statistics, Report& report)
 {
     const auto say = [&](const char* paths, double variance) {
         if (variance < 1)
-            report.detail(std::string(paths) + ": guided; what they are worth varies " +
-                          percent(variance) + " as much as by power");
+            report.detail(std::string(paths) + ": guided; the variance of their contribution is " +
+                          percent(variance) + " of that by power");
     };
     say("light paths", statistics.guided_variance);
     say("light paths aimed at specular surfaces", statistics.guided_variance_aimed);

@@ -56,7 +56,7 @@ std::vector<std::string> describe(const Quote& quote)
         left += (left.empty() ? "" : ", ") + option;
     if (!left.empty())
         out.push_back("not compared, for lack of time: " + left +
-                      "; a smaller --error, which takes longer, leaves more of it");
+                      "; a smaller --error gives the comparison more time");
     return out;
 }
 

@@ -90,8 +90,7 @@ glm::dvec3 read_intensity(const tinygltf::Light& light, const RawScene& scene,
                                   ? glm::dvec3(light.color[0], light.color[1], light.color[2])
                                   : glm::dvec3(1.0);
     if (!(light.intensity >= 0) || !(colour.x >= 0 && colour.y >= 0 && colour.z >= 0))
-        throw scene_error(scene.path, place,
-                          "its power and colour must not be negative; correct them");
+        throw scene_error(scene.path, place, "power or colour is negative; correct it");
     return colour * light.intensity;
 }
 

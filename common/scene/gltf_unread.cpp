@@ -110,8 +110,8 @@ class UnreadThings {
                                     "shapes");
         if (!colours_.empty())
             audit.assumed.push_back("vertex colours (COLOR_0) of meshes (" + list_names(colours_) +
-                                    ") multiply the base colour, as in glTF; Blender exports "
-                                    "all colour layers (render --effects -vertex-colours)");
+                                    ") multiply the base colour, as in glTF; to ignore them, "
+                                    "render with --effects -vertex-colours");
         for (const auto& [kind, names] : names_)
             audit.warnings.push_back(kind +
                                      (names[0].empty() ? "" : " (" + list_names(names) + ")"));

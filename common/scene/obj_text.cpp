@@ -160,7 +160,7 @@ class ObjCheck {
             ++out_.short_faces;
     }
 
-    /// "v", "v/vt", "v//vn" or "v/vt/vn".
+    /// Checks a corner of a face: "v", "v/vt", "v//vn" or "v/vt/vn".
     void check_corner(string_view word)
     {
         const string_view whole = word;

@@ -157,8 +157,8 @@ std::string describe_plan(const LevelPlan& plan)
     std::ostringstream out;
     out << (plan.used ? "used" : "not used");
     if (!plan.counted)
-        out << " (a search would save at most " << plan.most << " tree nodes; the lookup costs "
-            << plan.asking << ")";
+        out << " (a search would save at most " << plan.most
+            << " tree nodes; the lookup of its map costs as much as " << plan.asking << ")";
     else
         out << " (" << std::lround(100 * plan.answered) << " % of searches would end there, "
             << (plan.saving > 0 ? "saving " : "losing ") << std::fixed << std::setprecision(2)

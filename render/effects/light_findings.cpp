@@ -47,7 +47,7 @@ Finding find_soft_shadows(const SceneFacts& facts)
     if (!with_size.empty())
         add("the lights " + list_names(with_size));
     if (!is_black(facts.scene.environment) || !facts.scene.environment_map_file.empty())
-        add("the sky");
+        add("the environment");
     if (lights.empty())
         return {false, facts.has_light ? "all lights are points or suns without size" : kDark, ""};
     return {true, "light comes from the area of " + lights,
@@ -92,8 +92,9 @@ Finding find_environment(const SceneFacts& facts)
             true, "the scene has an environment map",
             "light paths from it, a shadow ray towards it, a lookup for rays that leave the scene"};
     if (is_black(facts.scene.environment))
-        return {false, "the sky is dark", ""};
-    return {true, "the sky emits uniform light", "light paths from it, rays that leave the scene"};
+        return {false, "no light comes from the environment", ""};
+    return {true, "the environment emits uniform light",
+            "light paths from it, its light on rays that leave the scene"};
 }
 
 Finding find_depth_of_field(const SceneFacts& facts)

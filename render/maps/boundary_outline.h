@@ -16,7 +16,7 @@ struct OutlineQuery {
     float radius;     ///< > 0, finite
 };
 
-/// Scratch memory of one thread.
+/// Scratch memory of one thread that looks for the boundaries of maps around points.
 struct OutlineScratch {
     /// A part of the tree that is still to be looked at, or one segment of it.
     struct Part {

@@ -36,7 +36,8 @@ FoundPhotons list_within(const PhotonMap& map, const PhotonQuery& query, TreeScr
     return {&map, found.slots, found.farthest2};
 }
 
-/// For a query with a map, and a first radius above zero.
+/// Estimates from the photons of the map that the query lies in.  wanted: its first radius is above
+/// zero.
 RadiusEstimates estimate_in_map(const PhotonMap& map, const RadiusQuery& wanted,
                                 EstimateScratch& scratch)
 {

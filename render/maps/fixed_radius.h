@@ -33,12 +33,14 @@ struct alignas(32) SumsByRadius {
 };
 
 /// Adds 1 to kBatch photons of a map, in their order, to the sums of the radii that they lie
-/// within.  tilted: by the cosine between their faces and the query's, docs/photon_maps.md (4).
+/// within.  tilted: each is weighted by the cosine between its face and the query's,
+/// docs/photon_maps.md (4).
 void add_photons(const PhotonMap& map, std::span<const std::uint32_t> slots,
                  const RadiusQuery& wanted, bool tilted, SumsByRadius& sums);
 
-/// Adds up the photons of a list that count: those that scratch.disc, pointed by look_around, sees.
-/// found: all photons within the first radius.  wanted.radii: as look_around allows them.
+/// Estimates irradiance from those photons of a list that lie in the visible disc of the query.
+/// found: all photons within the first radius.  scratch.disc: as look_around has set it.
+/// wanted.radii: narrowed to what look_around has found visible.
 RadiusEstimates estimate_from_list(const FoundPhotons& found, const RadiusQuery& wanted,
                                    const EstimateScratch& scratch);
 
