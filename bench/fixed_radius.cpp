@@ -1,7 +1,7 @@
 #include "bench/fixed_radius.h"
 
 #include "bench/hash_grid.h"
-#include "render/maps/wide_sums.h"
+#include "render/maps/wide_batch.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -69,10 +69,45 @@ bool agree(const HashGrid::Sum& grid, const RadiusSum& tree, const PowerScale& s
            glm::all(glm::lessThanEqual(glm::abs(power - grid.power), 1e-4 * grid.power));
 }
 
+/// Prints what batches of some sizes cost, beside `single` ns of a search alone, sorting included;
+/// returns how many sums differ from those of searches alone.
+std::size_t measure_batches(const Maps& maps, const std::vector<RoomPoint>& picture, double single)
+{
+    std::vector<glm::vec3> points;
+    for (const RoomPoint& query : picture)
+        points.push_back(query.position);
+    const float r2 = maps.radius * maps.radius;
+    std::vector<RadiusSum> sums(points.size());
+    BatchScratch scratch;
+    std::size_t wrong = 0;
+    for (const std::size_t size : {points.size(), points.size() / 12, points.size() / 96}) {
+        double best = std::numeric_limits<double>::infinity();
+        for (int i = 0; i < kRepeats; ++i) {
+            const std::clock_t start = std::clock();
+            for (std::size_t begin = 0; begin < points.size(); begin += size) {
+                const std::size_t count = std::min(size, points.size() - begin);
+                sum_within({maps.tree, maps.powers}, std::span(points).subspan(begin, count), r2,
+                           std::span(sums).subspan(begin, count), scratch);
+            }
+            best = std::min(best, double(std::clock() - start) / CLOCKS_PER_SEC);
+        }
+        const double ns = 1e9 * best / double(points.size());
+        std::printf("in batches of %zu searches %.0f ns (%.2f times faster than one by one)\n",
+                    size, ns, single / ns);
+        for (std::size_t i = 0; i < points.size(); i += 97) {
+            const RadiusSum alone = sum_within(maps.tree, maps.powers, points[i],
+                                               std::array<float, 1>{r2}, scratch.single)[0];
+            wrong += sums[i].power == alone.power && sums[i].photons == alone.photons ? 0 : 1;
+        }
+    }
+    return wrong;
+}
+
 } // namespace
 
 bool measure_fixed_radius(const std::vector<RoomPoint>& photons,
-                          const std::vector<RoomPoint>& queries)
+                          const std::vector<RoomPoint>& queries,
+                          const std::vector<RoomPoint>& picture)
 {
     const Maps maps = build(photons, queries);
     const float r2 = maps.radius * maps.radius;
@@ -99,7 +134,7 @@ bool measure_fixed_radius(const std::vector<RoomPoint>& photons,
         "ns, wide %.0f (%.1f times faster), wide at three radii %.0f (%.1f); %zu differ%s\n",
         photons.size(), double(found) / double(queries.size()), grid, tree, grid / tree, three,
         grid / three, std::size_t(wrong), sum == 0 ? "!" : "");
-    return wrong == 0;
+    return measure_batches(maps, picture, tree) + wrong == 0;
 }
 
 } // namespace hipmap

@@ -34,8 +34,9 @@ constexpr std::size_t kChecked = 32;
 /// Queries of a whole picture in an order, and what ordering them cost for each.
 struct QueryOrder {
     const char* name;
-    Points queries;
+    Points queries; ///< some of them
     double seconds_each = 0;
+    Points all = {}; ///< in random order alone
 };
 
 /// Returns the processor time since `start`, in seconds.
@@ -69,7 +70,7 @@ std::vector<QueryOrder> make_orders()
     sort_by_morton_code(sorted);
     const double each = seconds_since(start) / double(sorted.size());
     return {{"scanline", sample_runs(rows), 0},
-            {"random", sample_runs(shuffled), 0},
+            {"random", sample_runs(shuffled), 0, shuffled},
             {"sorted", sample_runs(sorted), each}};
 }
 
@@ -248,7 +249,7 @@ int measure_queries(const std::vector<std::size_t>& sizes, const std::vector<std
                         1e9 * built.build_seconds / double(size),
                         methods[0].build_seconds / built.build_seconds,
                         double(built.method->bytes()) / double(size));
-        right = measure_fixed_radius(photons, orders[1].queries) && right;
+        right = measure_fixed_radius(photons, orders[1].queries, orders[1].all) && right;
         for (const std::size_t k : wanted)
             right = measure(photons, methods, orders, limits, k) && right;
     }

@@ -1,4 +1,4 @@
-#include "render/maps/wide_sums.h"
+#include "render/maps/wide_batch.h"
 #include "tests/render/maps/point_sets.h"
 #include "tests/support/instruction_sets.h"
 
@@ -9,12 +9,12 @@ using namespace hipmap::point_sets;
 
 namespace {
 
-struct PoweredTree {
+struct TestTree {
     WideTree tree;
     PhotonPowers powers;
     std::vector<std::uint32_t> order; ///< photons' numbers by slot
 
-    explicit PoweredTree(const Points& positions)
+    explicit TestTree(const Points& positions)
     {
         std::vector<Photon> photons;
         std::vector<TreePoint> points;
@@ -32,7 +32,7 @@ struct PoweredTree {
 };
 
 /// As NearestSum says, from the list.
-NearestSum sum_of_list(const PoweredTree& of, const TreeQuery& query)
+NearestSum sum_of_list(const TestTree& of, const TreeQuery& query)
 {
     TreeScratch scratch;
     const FoundSlots found = find_nearest(of.tree, query, scratch);
@@ -45,7 +45,7 @@ NearestSum sum_of_list(const PoweredTree& of, const TreeQuery& query)
 }
 
 template <std::size_t n>
-RadiusSums<n> sum_by_hand(const PoweredTree& of, const glm::vec3& point,
+RadiusSums<n> sum_by_hand(const TestTree& of, const glm::vec3& point,
                           const std::array<float, n>& radii2)
 {
     RadiusSums<n> sums;
@@ -86,7 +86,7 @@ Points make_walk(const Points& points, std::uint64_t seed)
 /// Number of sums compared; all must be equal to the bit.
 int compare(const Points& points, std::uint64_t seed)
 {
-    const PoweredTree of(points);
+    const TestTree of(points);
     TreeScratch near[5], within;
     int compared = 0;
     for (const glm::vec3& at : make_walk(points, seed)) {
@@ -132,9 +132,38 @@ TEST_CASE("wide sums: every kernel adds what a list holds, to the bit", "[maps]"
     });
 }
 
+TEST_CASE("wide sums: a batch has the sums of searches one by one, to the bit", "[maps]")
+{
+    with_each_instruction_set([&] {
+        for (const auto& [name, place] : kPlaces)
+            for (const std::size_t count : {0, 1, 16, 257, 5000}) {
+                INFO(name << ", " << count << " photons");
+                const TestTree of(make_points(place, count, count));
+                BatchScratch scratch;
+                for (const std::size_t asked : {0, 1, 7, 100, 3000}) {
+                    Points points = make_points(place, count + 1, asked);
+                    if (asked == 7)
+                        points[3].y = std::numeric_limits<float>::quiet_NaN();
+                    for (const float radius : {0.0f, 0.05f, 0.3f, 4.0f}) {
+                        std::vector<RadiusSum> sums(asked, RadiusSum{PowerSum(1), 1});
+                        sum_within({of.tree, of.powers}, points, radius * radius, sums, scratch);
+                        std::size_t different = 0;
+                        for (std::size_t i = 0; i < asked; ++i) {
+                            const auto alone =
+                                sum_within(of.tree, of.powers, points[i],
+                                           std::array<float, 1>{radius * radius}, scratch.single);
+                            different += same<1>({sums[i]}, alone) ? 0 : 1;
+                        }
+                        CHECK(different == 0);
+                    }
+                }
+            }
+    });
+}
+
 TEST_CASE("wide sums: a place that is not a number has none", "[maps]")
 {
-    const PoweredTree of(make_points(anywhere, 3, 1000));
+    const TestTree of(make_points(anywhere, 3, 1000));
     TreeScratch scratch;
     const glm::vec3 nowhere(std::numeric_limits<float>::quiet_NaN());
     CHECK(sum_nearest(of.tree, of.powers, {nowhere, 10}, scratch).photons == 0);
