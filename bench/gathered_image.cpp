@@ -93,7 +93,7 @@ GatheredImage build_maps(const PhotonStudy& study, const MapSetting& setting)
 {
     const MappedScene mapped{study.scene, study.surfaces};
     const auto of = [&](const std::vector<Photon>& photons, KindStatistics& kind) {
-        return build_maps(mapped, photons, study.options.maps, setting.options, kind);
+        return build_maps(mapped, photons, {study.options.maps, setting.options}, kind);
     };
     static const std::vector<Photon> kNoPhotons;
     GatheredImage out;

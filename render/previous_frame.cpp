@@ -52,13 +52,13 @@ PhotonCache& cache_for(PreviousFrame& previous, const Scene& scene, const Partit
                        const EnvironmentMap& sky, double most_mib)
 {
     std::string world = world_of(scene, partition, sky);
-    const bool first = previous.world.empty(), same = previous.world == world;
-    if (!same)
-        previous.photons = {};
+    PhotonCache& cache = previous.photons;
+    if (previous.world != world)
+        change_scene(cache);
     previous.world = std::move(world);
-    previous.photons.most = first || same ? static_cast<std::size_t>(most_mib * 0x1p20) : 0;
-    previous.photons.served = 0;
-    return previous.photons;
+    cache.most = static_cast<std::size_t>(most_mib * 0x1p20);
+    cache.served = cache.taken_over = cache.built = 0;
+    return cache;
 }
 
 } // namespace hipmap

@@ -64,9 +64,8 @@ struct PreviousFrame {
 /// Returns the place of a frame among others; null: it is the only one of the run.
 FramePlace* place_of(PreviousFrame* previous);
 
-/// Returns the cache of photons for a frame of this scene; empties it if anything except the camera
-/// has changed.  The cache fills in the first frame, and in a frame where only the camera has moved
-/// since the previous one; while other things move, it uses no memory.
+/// Returns the cache of photons for a frame of this scene.  If anything except the camera has
+/// changed, the frame makes its own photons, and takes over the maps whose photons are the same.
 PhotonCache& cache_for(PreviousFrame& previous, const Scene& scene, const Partition& partition,
                        const EnvironmentMap& sky, double most_mib);
 

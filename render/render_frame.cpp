@@ -205,6 +205,10 @@ void end_report(const FramePlace* place, const PhotonCache* cache, Report& repor
     if (cache != nullptr && cache->served > 0)
         report.detail("only the camera moved: reused the photon maps of " +
                       std::to_string(cache->served) + " passes");
+    if (cache != nullptr && cache->taken_over > 0)
+        report.detail("kept " + std::to_string(cache->taken_over) + " of " +
+                      std::to_string(cache->taken_over + cache->built) +
+                      " photon maps, whose photons are those of the previous frame");
 }
 
 RenderedFrame render_passes(PreparedFrame& frame, SceneSource& source, PreviousFrame* previous,

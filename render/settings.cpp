@@ -337,7 +337,7 @@ std::vector<OptionRow> speed_rows(RenderArguments& arguments)
             {.name = "photon-cache",
              .section = kRunSection,
              .field = number_field(arguments.photon_cache_mib, {0, kMostMib}, "MIB"),
-             .help = "MiB for photon maps that further frames reuse while only the camera moves"},
+             .help = "MiB for photon maps that further frames may reuse"},
             texture_cache_row(arguments.scene_options.texture_cache_mib),
             {.name = "mpi",
              .section = kRunSection,

@@ -167,10 +167,12 @@ std::string describe_plan(const LevelPlan& plan)
 }
 
 ChosenMaps build_chosen_maps(const std::vector<Photon>& photons, const MapSurfaces& surfaces,
-                             const MapOptions& options, const DissertationOptions& asked)
+                             const MapOptions& options, const DissertationOptions& asked,
+                             ChosenMaps* previous)
 {
     if (asks_for_shared(asked))
-        return build_photon_maps(photons, surfaces.partition, options);
+        return build_photon_maps(photons, surfaces.partition, options,
+                                 std::get_if<PhotonMaps>(previous));
     return std::make_shared<const DissertationMaps>(
         build_dissertation_maps(photons, surfaces, options, asked));
 }

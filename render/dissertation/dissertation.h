@@ -112,9 +112,11 @@ struct ChosenScratch {
 };
 
 /// Splits photons into maps as build_photon_maps does.  Builds shared maps alone unless the options
-/// ask for more.
+/// ask for more.  previous: maps of other photons, from which shared maps that are built alone are
+/// taken over as build_photon_maps does; null: there are none.
 ChosenMaps build_chosen_maps(const std::vector<Photon>& photons, const MapSurfaces& surfaces,
-                             const MapOptions& options, const DissertationOptions& asked);
+                             const MapOptions& options, const DissertationOptions& asked,
+                             ChosenMaps* previous = nullptr);
 
 /// Returns whether the options ask for no more than shared maps.
 bool asks_for_shared(const DissertationOptions& asked);

@@ -18,10 +18,10 @@ PassMapSet make_maps(const MappedScene& mapped, const RenderOptions& options, st
     const Stopwatch watch;
     PassMapSet maps;
     maps.volume = build_volume(scene, traced, volume_radii(scene, traced, options), 1);
-    maps.caustic = build_maps(mapped, std::exchange(traced.caustic, {}), options.maps,
-                              options.dissertation, statistics.caustic); // which frees them
-    maps.global =
-        build_maps(mapped, traced.global, options.maps, options.dissertation, statistics.global);
+    const MapRequest request{options.maps, options.dissertation};
+    maps.caustic = build_maps(mapped, std::exchange(traced.caustic, {}), request,
+                              statistics.caustic); // which frees them
+    maps.global = build_maps(mapped, traced.global, request, statistics.global);
     count_maps(maps.volume, watch, statistics);
     return maps;
 }

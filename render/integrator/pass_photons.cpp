@@ -55,12 +55,12 @@ TracedPhotons trace_pass(const RenderScene& scene, const PhotonOptions& options,
 }
 
 ChosenMaps build_maps(const MappedScene& mapped, const std::vector<Photon>& photons,
-                      const MapOptions& options, const DissertationOptions& asked,
-                      KindStatistics& kind)
+                      const MapRequest& request, KindStatistics& kind)
 {
-    MapOptions of_maps = options;
+    MapOptions of_maps = request.options;
     of_maps.directions = of_maps.directions || mapped.scene.directional;
-    ChosenMaps maps = build_chosen_maps(photons, mapped.surfaces, of_maps, asked);
+    ChosenMaps maps =
+        build_chosen_maps(photons, mapped.surfaces, of_maps, request.asked, request.previous);
     const PhotonMaps& shared = shared_maps(maps);
     kind.stored += shared.size;
     kind.shared_maps = shared.maps.size();

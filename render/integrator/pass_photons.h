@@ -34,10 +34,16 @@ std::optional<VolumeMap> build_volume(const RenderScene& scene, const TracedPhot
 TracedPhotons trace_pass(const RenderScene& scene, const PhotonOptions& options,
                          RenderStatistics& statistics);
 
+/// What is asked of the maps of one kind of photon.
+struct MapRequest {
+    const MapOptions& options;
+    const DissertationOptions& asked;
+    ChosenMaps* previous = nullptr; ///< as build_chosen_maps has it
+};
+
 /// Builds maps and counts them.  Maps of several kinds may be built at the same time.
 ChosenMaps build_maps(const MappedScene& mapped, const std::vector<Photon>& photons,
-                      const MapOptions& options, const DissertationOptions& asked,
-                      KindStatistics& kind);
+                      const MapRequest& request, KindStatistics& kind);
 
 /// Counts all maps of a pass together.  watch: started when the first map was begun.
 void count_maps(const std::optional<VolumeMap>& volume, const Stopwatch& watch,

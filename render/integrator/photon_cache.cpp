@@ -39,6 +39,27 @@ void add_seconds(const RenderStatistics& made, RenderStatistics& sum)
     sum.processor_maps += made.processor_maps;
 }
 
+/// Takes the maps of a pass of the previous scene out of the cache; empty ones if there are none.
+ProgressiveMaps take_previous(PhotonCache& cache, std::uint64_t pass)
+{
+    const auto found = cache.previous.find(pass);
+    if (found == cache.previous.end())
+        return {};
+    ProgressiveMaps out = std::move(*found->second.maps);
+    cache.bytes -= out.bytes();
+    cache.previous.erase(found);
+    return out;
+}
+
+void count_taken_over(const ProgressiveMaps& maps, PhotonCache& cache)
+{
+    for (const ChosenMaps* kind : {&maps.caustic, &maps.global, &maps.indirect, &maps.glossy}) {
+        const PhotonMaps& shared = shared_maps(*kind);
+        cache.taken_over += shared.taken_over;
+        cache.built += shared.maps.size() - shared.taken_over;
+    }
+}
+
 } // namespace
 
 std::size_t ProgressiveMaps::bytes() const
@@ -50,9 +71,19 @@ std::size_t ProgressiveMaps::bytes() const
     return out;
 }
 
+void change_scene(PhotonCache& cache)
+{
+    cache.previous = std::move(cache.passes);
+    cache.passes.clear();
+    cache.radii = nullptr;
+    cache.bytes = 0;
+    for (const auto& [number, pass] : cache.previous)
+        cache.bytes += pass.maps->bytes();
+}
+
 std::shared_ptr<const ProgressiveMaps>
 maps_of_pass(PhotonCache* cache, std::uint64_t pass, RenderStatistics& statistics,
-             const std::function<ProgressiveMaps(RenderStatistics&)>& make)
+             const std::function<ProgressiveMaps(ProgressiveMaps*, RenderStatistics&)>& make)
 {
     if (cache != nullptr)
         if (const auto found = cache->passes.find(pass); found != cache->passes.end()) {
@@ -61,10 +92,16 @@ maps_of_pass(PhotonCache* cache, std::uint64_t pass, RenderStatistics& statistic
             return found->second.maps;
         }
     PhotonCache::Pass made;
-    made.maps = std::make_shared<const ProgressiveMaps>(make(made.made));
+    {
+        const bool keeps = cache != nullptr && cache->most > 0;
+        ProgressiveMaps previous = keeps ? take_previous(*cache, pass) : ProgressiveMaps();
+        made.maps = std::make_shared<ProgressiveMaps>(make(keeps ? &previous : nullptr, made.made));
+    }
     add_photons(made.made, statistics);
     add_seconds(made.made, statistics);
     merge(statistics.seen, std::exchange(made.made.seen, {})); // of this image alone
+    if (cache != nullptr)
+        count_taken_over(*made.maps, *cache);
     const std::size_t bytes = made.maps->bytes();
     if (cache != nullptr && cache->bytes + bytes <= cache->most) {
         cache->bytes += bytes;

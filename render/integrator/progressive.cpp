@@ -162,8 +162,9 @@ void in_parallel_unless_many(const TracedPhotons& traced, const Build&... build)
         (build(), ...);
 }
 
+/// previous: of the same pass of the previous frame, which maps may be taken over from; null: none.
 ProgressiveMaps make_maps(const ProgressivePass& pass, const ProgressiveRadii& first,
-                          RenderStatistics& statistics)
+                          ProgressiveMaps* previous, RenderStatistics& statistics)
 {
     const MappedScene& mapped = pass.mapped;
     const RenderScene& scene = mapped.scene;
@@ -172,26 +173,30 @@ ProgressiveMaps make_maps(const ProgressivePass& pass, const ProgressiveRadii& f
     const Stopwatch watch;
     ProgressiveMaps maps;
     // Each kind gives its photons back as soon as its map has them.
-    const auto build = [&](ChosenMaps& to, std::vector<Photon>& photons,
-                           const DissertationOptions& asked, KindStatistics& kind) {
-        to = build_maps(mapped, photons, options.maps, asked, kind);
+    const auto build = [&](ChosenMaps ProgressiveMaps::*to, std::vector<Photon>& photons,
+                           MapRequest request, KindStatistics& kind) {
+        request.previous = previous == nullptr ? nullptr : &(previous->*to);
+        maps.*to = build_maps(mapped, photons, request, kind);
         free_array(photons);
     };
-    std::vector<Photon> indirect =
-        weigh_bounces(traced, first.surfaces, mapped.surfaces, pass.scale());
+    auto indirect = weigh_bounces(traced, first.surfaces, mapped.surfaces, pass.scale());
     free_array(traced.bounces);
-    const DissertationOptions read = estimated(options);
+    const DissertationOptions read = estimated(options), ends = gathered(scene, options);
+    const MapRequest plain{options.maps, read};
+    MapOptions directed = options.maps;
+    directed.directions = true;
+    using Maps = ProgressiveMaps;
     in_parallel_unless_many(
         traced,
-        [&] { build(maps.global, traced.global, gathered(scene, options), statistics.global); },
-        [&] { build(maps.indirect, indirect, read, statistics.indirect); },
-        [&] { build(maps.caustic, traced.caustic, read, statistics.caustic); },
         [&] {
-            MapOptions directed = options.maps;
-            directed.directions = true;
-            maps.glossy = build_maps(
-                mapped, weigh_glossy(traced, first.surfaces, mapped.surfaces, pass.scale()),
-                directed, read, statistics.glossy);
+            build(&Maps::global, traced.global, {options.maps, ends}, statistics.global);
+        },
+        [&] { build(&Maps::indirect, indirect, plain, statistics.indirect); },
+        [&] { build(&Maps::caustic, traced.caustic, plain, statistics.caustic); },
+        [&] {
+            std::vector<Photon> glossy =
+                weigh_glossy(traced, first.surfaces, mapped.surfaces, pass.scale());
+            build(&Maps::glossy, glossy, {directed, read}, statistics.glossy);
         },
         [&] {
             maps.volume =
@@ -224,7 +229,7 @@ auto with_few_photons(const ProgressivePass& pilot, const ProgressiveRadii& firs
     RenderStatistics ignored;
     const RenderOptions small = pilot_options(pilot.options);
     const ProgressivePass few{pilot.mapped, small, pilot.number, pilot.guides};
-    const ProgressiveMaps photons = make_maps(few, first, ignored);
+    const ProgressiveMaps photons = make_maps(few, first, nullptr, ignored);
     return use(gathered_maps(few, first, photons));
 }
 
@@ -313,9 +318,10 @@ RenderedPass gather_pass(const ProgressivePass& pass, const Progressive& shared,
 RenderedPass render_pass(const ProgressivePass& pass, const Progressive& shared,
                          const PassControl& control, RenderStatistics& statistics)
 {
-    const auto photons =
-        maps_of_pass(shared.cache, pass.number, statistics,
-                     [&](RenderStatistics& made) { return make_maps(pass, *shared.first, made); });
+    const auto photons = maps_of_pass(shared.cache, pass.number, statistics,
+                                      [&](ProgressiveMaps* previous, RenderStatistics& made) {
+                                          return make_maps(pass, *shared.first, previous, made);
+                                      });
     return gather_pass(pass, shared, *photons, control, statistics);
 }
 
@@ -337,9 +343,9 @@ double render_pilot(const MappedScene& mapped, const RenderOptions& options,
                                .guides = shared.guides.get(),
                                .seen = SeenLights::left_out};
     };
-    const auto photons =
-        maps_of_pass(shared.cache, kPilotPass, ignored, [&](RenderStatistics& made) {
-            return make_maps(pilot(kPilotPass), *shared.first, made);
+    const auto photons = maps_of_pass(
+        shared.cache, kPilotPass, ignored, [&](ProgressiveMaps* previous, RenderStatistics& made) {
+            return make_maps(pilot(kPilotPass), *shared.first, previous, made);
         });
     Progressive evenly;
     evenly.first = shared.first;

@@ -5,6 +5,7 @@
 #include "render/maps/photon_powers.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -33,6 +34,10 @@ struct PhotonMap {
     }
 };
 
+/// A hash of all that a map is built from: its photons in order, the unit of their powers and what
+/// is kept of them.
+using MapContent = std::array<std::uint64_t, 2>;
+
 /// The shared maps of one kind of photon (caustic or global), one for each shared map of the
 /// partition and side that holds photons (Larsen and Christensen 2003).  Read-only once built: any
 /// number of threads may search.
@@ -45,6 +50,8 @@ struct PhotonMaps {
                                        ///< Empty without photons
     std::vector<std::uint64_t> held;   ///< ascending; the map_index of each of `maps` instead of
                                        ///< map_of, where few of very many maps hold photons
+    std::vector<MapContent> contents;  ///< [maps] if other photons may take maps over; else empty
+    std::uint64_t taken_over = 0;      ///< maps that were built for other photons
 
     /// Returns the index into map_of.
     static std::size_t map_index(MapId map, std::uint8_t side)
@@ -94,7 +101,10 @@ void check_photon_count(const std::vector<Photon>& photons);
 /// parallel.  O(n log n).  Same photons, same maps, at any thread count.  About 23.7 bytes a photon
 /// are kept, 27.7 with directions.  No photons: no maps, nothing is found.  Throws InputError for
 /// 2^32 photons or more.
+/// previous: maps of other photons, or empty ones.  Maps that would be built from the same content
+/// are moved from there, which gives the same bits and costs a hash of the photons (an XXH3 of 44
+/// bytes each).  Null: all are built, and none has a hash.
 PhotonMaps build_photon_maps(const std::vector<Photon>& photons, const Partition& partition,
-                             const MapOptions& options);
+                             const MapOptions& options, PhotonMaps* previous = nullptr);
 
 } // namespace hipmap

@@ -7,6 +7,7 @@
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace hipmap {
@@ -84,6 +85,14 @@ std::array<std::uint16_t, 3> round_power(const Rgb& power, const PowerScale& sca
     return out;
 }
 
+std::uint64_t rounding_number(const glm::vec3& position)
+{
+    const auto bits = [](float value) {
+        return std::uint64_t{std::bit_cast<std::uint32_t>(value)};
+    };
+    return mix_bits(bits(position.x) << 32 | bits(position.y)) ^ bits(position.z);
+}
+
 PhotonPowers build_powers(const WideTree& tree, std::span<const TreePoint> points,
                           std::span<const Photon> photons, const PowerScale& scale)
 {
@@ -96,8 +105,9 @@ PhotonPowers build_powers(const WideTree& tree, std::span<const TreePoint> point
         for (std::size_t i = ahead; i < std::min(points.size(), ahead + kTreeWidth); ++i)
             __builtin_prefetch(&photons[points[i].photon].power);
         for (std::size_t lane = 0; lane < lanes; ++lane) {
-            const std::uint32_t number = points[begin + lane].photon;
-            const auto rounded = round_power(photons[number].power, scale, number);
+            const TreePoint& point = points[begin + lane];
+            const auto rounded =
+                round_power(photons[point.photon].power, scale, rounding_number(point.position));
             for (int channel = 0; channel < 3; ++channel)
                 powers.blocks[b].power[channel][lane] = rounded[channel];
         }

@@ -30,10 +30,14 @@ PowerScale power_scale(std::span<const Photon> photons);
 
 /// Rounds a power to units of the scale, docs/photon_maps.md (9): up or down at random so that its
 /// mean is the power itself.  Many photons of one pass have the very same power, and plain rounding
-/// would be off for all of them alike.  number: of the photon in the order of (path, bounce), which
-/// alone decides. NaN and negative values become zero.
+/// would be off for all of them alike.  number: of the photon, which alone decides. NaN and
+/// negative values become zero.
 std::array<std::uint16_t, 3> round_power(const Rgb& power, const PowerScale& scale,
                                          std::uint64_t number);
+
+/// Returns the number by which the power of a photon at a position is rounded.  No other photon
+/// affects it.
+std::uint64_t rounding_number(const glm::vec3& position);
 
 /// Powers of the photons of a tree.
 struct PhotonPowers {

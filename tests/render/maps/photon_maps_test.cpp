@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 
 using namespace hipmap;
 
@@ -31,6 +32,20 @@ std::vector<Photon> scatter_photons(const TriangleMesh& mesh, std::size_t count)
 
 /// All that tells one photon from another, in an order.
 using Record = std::array<float, 5>;
+
+template <typename T>
+bool same_bytes(const std::vector<T>& a, const std::vector<T>& b)
+{
+    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
+}
+
+bool same_bits(const PhotonMap& a, const PhotonMap& b)
+{
+    return a.tree.size == b.tree.size && a.tree.levels == b.tree.levels && a.side == b.side &&
+           same_bytes(a.tree.blocks, b.tree.blocks) && same_bytes(a.tree.nodes, b.tree.nodes) &&
+           same_bytes(a.powers.blocks, b.powers.blocks) && a.powers.nodes == b.powers.nodes &&
+           a.faces == b.faces && a.directions.size() == b.directions.size();
+}
 
 } // namespace
 
@@ -83,6 +98,39 @@ TEST_CASE("photon maps: the same powers at any thread count", "[maps]")
     }
     const auto half = sums.begin() + static_cast<std::ptrdiff_t>(sums.size() / 2);
     CHECK(std::equal(sums.begin(), half, half, sums.end()));
+}
+
+TEST_CASE("photon maps: those whose photons did not change are taken over, with the same bits",
+          "[maps]")
+{
+    const auto ready = tiny::ready(tiny::make_scene(tiny::cube()));
+    const Partition& partition = ready->partition;
+    const std::vector<Photon> before = scatter_photons(ready->scene.mesh, 6000);
+    // One more photon, in front of all, changes its own map alone.
+    std::vector<Photon> after = before;
+    after.insert(after.begin(), before.back());
+    after.front().power *= 0.5f;
+    PhotonMaps first;
+    const PhotonMaps old = build_photon_maps(before, partition, {50}, &first);
+    CHECK(old.taken_over == 0);
+    CHECK(old.contents.size() == old.maps.size());
+    for (const bool more : {false, true}) {
+        const std::vector<Photon>& photons = more ? after : before;
+        PhotonMaps previous = old;
+        const PhotonMaps taken = build_photon_maps(photons, partition, {50}, &previous);
+        const PhotonMaps built = build_photon_maps(photons, partition, {50});
+        CHECK(built.contents.empty());
+        CHECK(taken.taken_over == built.maps.size() - (more ? 1 : 0));
+        REQUIRE(taken.maps.size() == built.maps.size());
+        for (std::size_t m = 0; m < built.maps.size(); ++m)
+            CHECK(same_bits(taken.maps[m], built.maps[m]));
+    }
+    // Another unit of power, and other things that are kept of a photon.
+    after = before;
+    after.front().power *= 2.0f;
+    PhotonMaps previous = old;
+    CHECK(build_photon_maps(after, partition, {50}, &previous).taken_over == 0);
+    CHECK(build_photon_maps(before, partition, {50, true}, &previous).taken_over == 0);
 }
 
 TEST_CASE("photon powers: each node has the sum of its photons", "[maps]")
