@@ -44,15 +44,10 @@ struct BoxDistances2 {
     FloatVec nearest, farthest;
 };
 
-/// A box of points.
-struct BoxVec {
-    PointVec low, high;
-};
-
-/// Computes the least and the greatest distance of any of some points to the boxes of a node's
-/// children.  Rounding is monotonic, so no photon of a box is nearer or farther.  For a missing
-/// child both are infinite.
-HWY_INLINE BoxDistances2 box_distances2(const BoxNode& node, std::size_t lane, const BoxVec& points)
+/// Computes the distances to the boxes of a node's children.  Rounding is monotonic, so no photon
+/// of a box is nearer or farther.  For a missing child both are infinite.
+HWY_INLINE BoxDistances2 box_distances2(const BoxNode& node, std::size_t lane,
+                                        const PointVec& point)
 {
     const Floats d;
     const FloatVec zero = hn::Zero(d);
@@ -60,19 +55,13 @@ HWY_INLINE BoxDistances2 box_distances2(const BoxNode& node, std::size_t lane, c
                            HWY_ATTR { return hn::Sub(hn::Load(d, node.low[axis] + lane), p); };
     const auto above = [&](int axis, FloatVec p)
                            HWY_ATTR { return hn::Sub(p, hn::Load(d, node.high[axis] + lane)); };
-    const FloatVec x0 = below(0, points.high.x), x1 = above(0, points.low.x);
-    const FloatVec y0 = below(1, points.high.y), y1 = above(1, points.low.y);
-    const FloatVec z0 = below(2, points.high.z), z1 = above(2, points.low.z);
+    const FloatVec x0 = below(0, point.x), x1 = above(0, point.x);
+    const FloatVec y0 = below(1, point.y), y1 = above(1, point.y);
+    const FloatVec z0 = below(2, point.z), z1 = above(2, point.z);
     const auto outside = [&](FloatVec a, FloatVec b)
                              HWY_ATTR { return hn::Max(hn::Max(a, b), zero); };
     return {length2(outside(x0, x1), outside(y0, y1), outside(z0, z1)),
             length2(hn::Min(x0, x1), hn::Min(y0, y1), hn::Min(z0, z1))};
-}
-
-HWY_INLINE BoxDistances2 box_distances2(const BoxNode& node, std::size_t lane,
-                                        const PointVec& point)
-{
-    return box_distances2(node, lane, BoxVec{point, point});
 }
 
 /// Writes the distances of the photons of the first `count` blocks into rows, and those between the
