@@ -13,6 +13,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <new>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -52,6 +53,8 @@ MapContent content_of(std::span<const TreePoint> points, const std::vector<Photo
         void operator()(XXH3_state_t* state) const { XXH3_freeState(state); }
     };
     const std::unique_ptr<XXH3_state_t, Free> state(XXH3_createState());
+    if (!state)
+        throw std::bad_alloc();
     const auto add = [&](const void* data, std::size_t bytes) {
         XXH3_128bits_update(state.get(), data, bytes);
     };
