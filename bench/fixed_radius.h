@@ -7,9 +7,9 @@
 namespace hipmap {
 
 /// Prints what a search for all photons within a radius costs by a hash grid, by the wide tree and
-/// by a batch of all searches of a picture in the wide tree, for a radius that holds some hundred
-/// of them, on one thread.  queries: in the order of final gathering, where no point is near the
-/// last one; picture: all of them.  Returns whether all found the same photons.
+/// by a batch of all searches of an image in the wide tree, for a radius that holds some hundred
+/// of them, on one thread.  queries: in the order of final-gather rays, which end far from the
+/// previous one; picture: those of all pixels.  Returns whether all methods found the same photons.
 bool measure_fixed_radius(const std::vector<RoomPoint>& photons,
                           const std::vector<RoomPoint>& queries,
                           const std::vector<RoomPoint>& picture);

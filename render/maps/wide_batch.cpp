@@ -31,26 +31,6 @@ struct BoxVec {
     PointVec low, high;
 };
 
-/// As box_distances2, but the least and the greatest distance of any point of a box.  A function of
-/// its own, so that searches for one point keep theirs.
-HWY_INLINE BoxDistances2 distances2_from_box(const BoxNode& node, std::size_t lane,
-                                             const BoxVec& points)
-{
-    const Floats d;
-    const FloatVec zero = hn::Zero(d);
-    const auto below = [&](int axis, FloatVec p)
-                           HWY_ATTR { return hn::Sub(hn::Load(d, node.low[axis] + lane), p); };
-    const auto above = [&](int axis, FloatVec p)
-                           HWY_ATTR { return hn::Sub(p, hn::Load(d, node.high[axis] + lane)); };
-    const FloatVec x0 = below(0, points.high.x), x1 = above(0, points.low.x);
-    const FloatVec y0 = below(1, points.high.y), y1 = above(1, points.low.y);
-    const FloatVec z0 = below(2, points.high.z), z1 = above(2, points.low.z);
-    const auto outside = [&](FloatVec a, FloatVec b)
-                             HWY_ATTR { return hn::Max(hn::Max(a, b), zero); };
-    return {length2(outside(x0, x1), outside(y0, y1), outside(z0, z1)),
-            length2(hn::Min(x0, x1), hn::Min(y0, y1), hn::Min(z0, z1))};
-}
-
 /// Queries near each other, one in each lane; unused lanes repeat the first.
 struct LaneQueries {
     PointVec point;
@@ -115,7 +95,7 @@ HWY_INLINE SortedChildren sort_children(const WideTree& tree, const Level& of, c
     SortedChildren out;
     for (const std::uint32_t node : of.parents)
         for (std::uint32_t lane = 0; lane < kTreeWidth; lane += hn::Lanes(d)) {
-            const BoxDistances2 box = distances2_from_box(nodes[node], lane, points);
+            const BoxDistances2 box = box_distances2(nodes[node], lane, points.low, points.high);
             const Mask inside = hn::Le(box.farthest, radius2);
             const Mask touched = hn::AndNot(inside, hn::Le(box.nearest, radius2));
             const std::uint32_t first = kTreeWidth * node + lane;

@@ -26,9 +26,8 @@ struct BatchScratch {
 /// together, a point in each lane of a vector, so that photons are read once for all of them;
 /// points that lie farther apart than blocks of photons are wide are answered one by one.
 /// radius2: a square, >= 0, finite.  Fewer than 2^32 points; one with a NaN finds nothing.  Exact,
-/// the same on every processor; thread-safe with a scratch for each thread.  Cost: half of that of
-/// searches one by one where points are as dense as photons; more by the sort where they are
-/// sparse.
+/// the same on every processor; thread-safe with a scratch for each thread.  Cost: where points are
+/// as dense as photons, half as much as searches one by one; where they are sparse, the sort more.
 void sum_within(const PoweredTree& of, std::span<const glm::vec3> points, float radius2,
                 std::span<RadiusSum> out, BatchScratch& scratch);
 

@@ -44,10 +44,11 @@ struct BoxDistances2 {
     FloatVec nearest, farthest;
 };
 
-/// Computes the distances to the boxes of a node's children.  Rounding is monotonic, so no photon
-/// of a box is nearer or farther.  For a missing child both are infinite.
-HWY_INLINE BoxDistances2 box_distances2(const BoxNode& node, std::size_t lane,
-                                        const PointVec& point)
+/// Computes the least and the greatest distance of any point between two corners to the boxes of a
+/// node's children.  Rounding is monotonic, so no photon of a box is nearer or farther.  For a
+/// missing child both are infinite.
+HWY_INLINE BoxDistances2 box_distances2(const BoxNode& node, std::size_t lane, const PointVec& low,
+                                        const PointVec& high)
 {
     const Floats d;
     const FloatVec zero = hn::Zero(d);
@@ -55,13 +56,20 @@ HWY_INLINE BoxDistances2 box_distances2(const BoxNode& node, std::size_t lane,
                            HWY_ATTR { return hn::Sub(hn::Load(d, node.low[axis] + lane), p); };
     const auto above = [&](int axis, FloatVec p)
                            HWY_ATTR { return hn::Sub(p, hn::Load(d, node.high[axis] + lane)); };
-    const FloatVec x0 = below(0, point.x), x1 = above(0, point.x);
-    const FloatVec y0 = below(1, point.y), y1 = above(1, point.y);
-    const FloatVec z0 = below(2, point.z), z1 = above(2, point.z);
+    const FloatVec x0 = below(0, high.x), x1 = above(0, low.x);
+    const FloatVec y0 = below(1, high.y), y1 = above(1, low.y);
+    const FloatVec z0 = below(2, high.z), z1 = above(2, low.z);
     const auto outside = [&](FloatVec a, FloatVec b)
                              HWY_ATTR { return hn::Max(hn::Max(a, b), zero); };
     return {length2(outside(x0, x1), outside(y0, y1), outside(z0, z1)),
             length2(hn::Min(x0, x1), hn::Min(y0, y1), hn::Min(z0, z1))};
+}
+
+/// Computes the distances of one point to the boxes of a node's children.
+HWY_INLINE BoxDistances2 box_distances2(const BoxNode& node, std::size_t lane,
+                                        const PointVec& point)
+{
+    return box_distances2(node, lane, point, point);
 }
 
 /// Writes the distances of the photons of the first `count` blocks into rows, and those between the
