@@ -25,6 +25,10 @@ constexpr double kPhotonShare = 0.3;
 /// Estimates of more photons cost more, and no gain is known so well.
 constexpr double kMostGain = 64;
 
+/// The part of k by which the radii of the caustic map are found: its light has sharper edges than
+/// any other, and nothing averages their blur.
+constexpr double kCausticPart = 0.4;
+
 /// Samples of a pixel of a pilot whose gather rays are learnt from, round by round.
 constexpr SampleRange kGatherRounds[] = {{0, 2}, {2, 8}};
 
@@ -96,15 +100,17 @@ DissertationOptions gathered(const RenderScene& scene, const RenderOptions& opti
     return precomputes(scene, options) ? without_levels(options.dissertation) : estimated(options);
 }
 
-/// Returns the options of the maps by which the first radii of guided photons are found: denser
-/// photons are shared out between less noise and less bias, docs/light_transport.md (41).
-MapOptions guided_options(const ProgressivePass& pilot, EmissionGuide PhotonGuides::*kind)
+/// Returns the options of the maps by which first radii are found.  part: of k, docs/photon_maps.md
+/// (10).  Guided photons are denser: that is shared out between less noise and less bias,
+/// docs/light_transport.md (41).
+MapOptions radius_options(const ProgressivePass& pilot, EmissionGuide PhotonGuides::*kind,
+                          double part = 1)
 {
     MapOptions out = pilot.options.maps;
-    if (pilot.guides == nullptr)
-        return out;
-    const double gain = std::min(kMostGain, 1 / (pilot.guides->*kind).variance);
-    out.neighbours = static_cast<std::uint32_t>(std::lround(out.neighbours * std::cbrt(gain)));
+    double neighbours = part * out.neighbours;
+    if (pilot.guides != nullptr)
+        neighbours *= std::cbrt(std::min(kMostGain, 1 / (pilot.guides->*kind).variance));
+    out.neighbours = std::max(2u, static_cast<std::uint32_t>(std::lround(neighbours)));
     return out;
 }
 
@@ -127,15 +133,16 @@ ProgressiveRadii find_first_radii(const ProgressivePass& pilot)
         free_array(photons);
         return build_radius_field(built, mapped.surfaces, sparse);
     };
-    const MapOptions aimed = guided_options(pilot, &PhotonGuides::aimed);
-    const MapOptions others = guided_options(pilot, &PhotonGuides::without_aim);
+    const MapOptions caustic = radius_options(pilot, &PhotonGuides::aimed, kCausticPart);
+    const MapOptions aimed = radius_options(pilot, &PhotonGuides::aimed);
+    const MapOptions others = radius_options(pilot, &PhotonGuides::without_aim);
     std::vector<Photon> glossy;
     double power = 0;
     for (const GlossyPhoton& one : traced.glossy) {
         glossy.push_back(one.photon);
         power += max_channel(one.photon.power) / static_cast<double>(traced.glossy.size());
     }
-    return {FirstRadii{field(traced.caustic, aimed), field(traced.global, others),
+    return {FirstRadii{field(traced.caustic, caustic), field(traced.global, others),
                        field(indirect, others, Sparse::infinite),
                        field(glossy, aimed, Sparse::infinite), static_cast<float>(power)},
             volume_radii(mapped.scene, traced, options)};

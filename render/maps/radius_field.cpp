@@ -15,6 +15,16 @@ namespace {
 /// One photon of so many gets a radius: those between share most of their k neighbours with it.
 constexpr std::uint32_t kPhotonsEach = 4;
 
+/// Returns the part of the square of the way to the nearest photon that counts in the square of a
+/// radius, docs/photon_maps.md (10): beside dense photons, as those of a caustic, a radius that
+/// reaches them would light the dark around them.
+float part_of_way(float radius, float even_radius)
+{
+    constexpr float kLeast = 0.25f, kDense = 0.5f;
+    const float part = radius / (kDense * even_radius);
+    return std::clamp(part * part, kLeast, 1.0f);
+}
+
 } // namespace
 
 RadiusField::Map build_radius_map(const PhotonMap& photons, std::uint32_t neighbours, float area,
@@ -74,7 +84,8 @@ float radius_at(const RadiusField& field, const MapSurfaces& surfaces, const Pho
     const NearPhoton near = near_photon(map.tree, query.position);
     // Away from all photons it grows with the way to them.
     const float radius = map.radius[near.slot];
-    return std::min(map.even_radius, std::sqrt(radius * radius + near.distance2));
+    const float way2 = part_of_way(radius, map.even_radius) * near.distance2;
+    return std::min(map.even_radius, std::sqrt(radius * radius + way2));
 }
 
 } // namespace hipmap

@@ -208,7 +208,7 @@ TEST_CASE("glossy light: what a plastic floor reflects onto the ceiling is count
     options.width = options.height = 16;
     options.photons = 500000;
     options.integrator = Integrator::path;
-    const RunningMean paths = means_of(*ready, options, 512);
+    const RunningMean paths = means_of(*ready, options, 640);
     options.integrator = Integrator::progressive;
     const RunningMean maps = means_of(*ready, options, 16);
     const double noise = std::hypot(maps.standard_error(), paths.standard_error());
