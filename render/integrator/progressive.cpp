@@ -25,9 +25,12 @@ constexpr double kPhotonShare = 0.3;
 /// Estimates of more photons cost more, and no gain is known so well.
 constexpr double kMostGain = 64;
 
-/// The part of k by which the radii of the caustic map are found: its light has sharper edges than
-/// any other, and nothing averages their blur.
-constexpr double kCausticPart = 0.4;
+/// Returns the part of k by which the radii of the caustic map are found, docs/photon_maps.md (11).
+double caustic_part(std::size_t photons)
+{
+    constexpr double kLeast = 0.4, kMany = 20'000;
+    return std::clamp(std::cbrt(static_cast<double>(photons) / kMany), kLeast, 1.0);
+}
 
 /// Samples of a pixel of a pilot whose gather rays are learnt from, round by round.
 constexpr SampleRange kGatherRounds[] = {{0, 2}, {2, 8}};
@@ -101,7 +104,7 @@ DissertationOptions gathered(const RenderScene& scene, const RenderOptions& opti
 }
 
 /// Returns the options of the maps by which first radii are found.  part: of k, docs/photon_maps.md
-/// (10).  Guided photons are denser: that is shared out between less noise and less bias,
+/// (11).  Guided photons are denser: that is shared out between less noise and less bias,
 /// docs/light_transport.md (41).
 MapOptions radius_options(const ProgressivePass& pilot, EmissionGuide PhotonGuides::*kind,
                           double part = 1)
@@ -133,7 +136,8 @@ ProgressiveRadii find_first_radii(const ProgressivePass& pilot)
         free_array(photons);
         return build_radius_field(built, mapped.surfaces, sparse);
     };
-    const MapOptions caustic = radius_options(pilot, &PhotonGuides::aimed, kCausticPart);
+    const MapOptions caustic =
+        radius_options(pilot, &PhotonGuides::aimed, caustic_part(traced.caustic.size()));
     const MapOptions aimed = radius_options(pilot, &PhotonGuides::aimed);
     const MapOptions others = radius_options(pilot, &PhotonGuides::without_aim);
     std::vector<Photon> glossy;
@@ -142,7 +146,9 @@ ProgressiveRadii find_first_radii(const ProgressivePass& pilot)
         glossy.push_back(one.photon);
         power += max_channel(one.photon.power) / static_cast<double>(traced.glossy.size());
     }
-    return {FirstRadii{field(traced.caustic, caustic), field(traced.global, others),
+    RadiusField of_caustics = field(traced.caustic, caustic);
+    narrow_where_dense(of_caustics);
+    return {FirstRadii{std::move(of_caustics), field(traced.global, others),
                        field(indirect, others, Sparse::infinite),
                        field(glossy, aimed, Sparse::infinite), static_cast<float>(power)},
             volume_radii(mapped.scene, traced, options)};

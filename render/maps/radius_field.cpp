@@ -67,6 +67,14 @@ RadiusField build_radius_field(const PhotonMaps& photons, const MapSurfaces& sur
     return out;
 }
 
+void narrow_where_dense(RadiusField& field)
+{
+    constexpr float kLeast = 0.25f; // of the square
+    for (RadiusField::Map& map : field.maps)
+        for (float& radius : map.radius)
+            radius *= std::sqrt(std::clamp(radius / map.even_radius, kLeast, 1.0f));
+}
+
 float radius_at(const RadiusField& field, const MapSurfaces& surfaces, const PhotonQuery& query)
 {
     const MapId id = surfaces.partition.map_of(query.face);

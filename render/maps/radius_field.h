@@ -42,6 +42,9 @@ RadiusField::Map build_radius_map(const PhotonMap& photons, std::uint32_t neighb
 RadiusField build_radius_field(const PhotonMaps& photons, const MapSurfaces& surfaces,
                                RadiusField::Sparse sparse = RadiusField::Sparse::even);
 
+/// Narrows the radii where photons are dense, docs/photon_maps.md (11).
+void narrow_where_dense(RadiusField& field);
+
 /// Returns the radius at a point, scene units: at most the radius within which k photons would lie
 /// if the map's photons were spread evenly over it; where the map has no photon, that of one
 /// photon.  Infinite where the map has fewer than k photons, if the field says so, and for a face

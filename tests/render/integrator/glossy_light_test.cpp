@@ -210,7 +210,7 @@ TEST_CASE("glossy light: what a plastic floor reflects onto the ceiling is count
     options.integrator = Integrator::path;
     const RunningMean paths = means_of(*ready, options, 640);
     options.integrator = Integrator::progressive;
-    const RunningMean maps = means_of(*ready, options, 16);
+    const RunningMean maps = means_of(*ready, options, 32);
     const double noise = std::hypot(maps.standard_error(), paths.standard_error());
     INFO("maps " << maps.mean() << ", paths " << paths.mean() << ", noise " << noise);
     CHECK(std::abs(maps.mean() - paths.mean()) < 0.02 * paths.mean() + kMostZ * noise);
