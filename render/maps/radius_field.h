@@ -42,7 +42,8 @@ RadiusField::Map build_radius_map(const PhotonMap& photons, std::uint32_t neighb
 RadiusField build_radius_field(const PhotonMaps& photons, const MapSurfaces& surfaces,
                                RadiusField::Sparse sparse = RadiusField::Sparse::even);
 
-/// Narrows the radii where photons are dense, docs/photon_maps.md (11).
+/// Narrows the radii where photons are dense, to half at least, docs/photon_maps.md (11).  A field
+/// without maps stays as it is.  Cost: linear in the radii.
 void narrow_where_dense(RadiusField& field);
 
 /// Returns the radius at a point, scene units: at most the radius within which k photons would lie

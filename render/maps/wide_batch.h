@@ -25,9 +25,10 @@ struct BatchScratch {
 /// points[i], to the bit.  Points are sorted along a curve.  Those near each other are answered
 /// together, a point in each lane of a vector, so that photons are read once for all of them;
 /// points that lie farther apart than blocks of photons are wide are answered one by one.
-/// radius2: a square, >= 0, finite.  Fewer than 2^32 points; one with a NaN finds nothing.  Exact,
-/// the same on every processor; thread-safe with a scratch for each thread.  Cost: where points are
-/// as dense as photons, half as much as searches one by one; where they are sparse, the sort more.
+/// radius2: a square, >= 0, finite.  Fewer than 2^32 points; one with a NaN finds nothing.  The
+/// sums are exact and have the same bits on every processor.  Thread-safe if each thread has its
+/// own scratch.  Cost: half the time of single searches where points are as dense as photons; the
+/// time of single searches and of sorting the points where they are sparse.
 void sum_within(const PoweredTree& of, std::span<const glm::vec3> points, float radius2,
                 std::span<RadiusSum> out, BatchScratch& scratch);
 
