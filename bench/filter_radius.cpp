@@ -2,6 +2,7 @@
 // cost by each rule: which begin in vain, which could have ended there but were not begun.
 
 #include "common/command_line/command_line.h"
+#include "common/command_line/picture_size.h"
 #include "common/file/output_file.h"
 #include "common/rays/camera_ray.h"
 #include "common/scene/load_scene.h"

@@ -1,6 +1,7 @@
 #include "bench/gathered_image.h"
 
 #include "common/command_line/command_line.h"
+#include "common/command_line/picture_size.h"
 #include "common/rays/camera_ray.h"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+#include "common/command_line/command_line.h"
 #include "common/file/output_file.h"
 #include "common/partition/expand_copies.h"
 #include "common/partition/partition_file.h"

@@ -5,6 +5,8 @@
 #include "common/file/output_file.h"
 #include "common/input_error.h"
 
+#include <CLI/CLI.hpp>
+
 #include <vector>
 
 namespace hipmap {

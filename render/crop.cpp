@@ -2,6 +2,8 @@
 
 #include "common/input_error.h"
 
+#include <CLI/CLI.hpp>
+
 #include <cmath>
 
 namespace hipmap {

@@ -1,3 +1,4 @@
+#include "common/command_line/command_line.h"
 #include "common/input_error.h"
 #include "common/report.h"
 #include "render/merge.h"

@@ -1,5 +1,6 @@
 #include "render/merge.h"
 
+#include "common/command_line/run_tool.h"
 #include "common/input_error.h"
 #include "common/scene/scene_names.h"
 #include "render/describe_error.h"

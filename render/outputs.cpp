@@ -1,5 +1,6 @@
 #include "render/outputs.h"
 
+#include "common/command_line/command_line.h"
 #include "common/file/output_file.h"
 #include "common/image/exposure.h"
 #include "common/input_error.h"
@@ -7,6 +8,8 @@
 #include "common/stopwatch.h"
 #include "render/image_files.h"
 #include "render/settings.h"
+
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <iomanip>

@@ -1,5 +1,6 @@
 #include "render/run_frames.h"
 
+#include "common/command_line/run_tool.h"
 #include "common/scene/print_audit.h"
 #include "common/scene/scene_names.h"
 #include "render/describe_error.h"

@@ -1,5 +1,6 @@
 #include "render/serve.h"
 
+#include "common/command_line/run_tool.h"
 #include "common/file/output_file.h"
 #include "common/input_error.h"
 #include "common/report.h"

@@ -1,7 +1,5 @@
 #pragma once
 
-#include "common/command_line/command_line.h"
-
 #include <functional>
 #include <iosfwd>
 #include <optional>

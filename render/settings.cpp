@@ -8,6 +8,8 @@
 #include "render/integrator/integrators.h"
 #include "render/outputs.h"
 
+#include <CLI/CLI.hpp>
+
 #include <cstdio>
 
 namespace hipmap {
@@ -94,12 +96,12 @@ void choose_quality(Quality quality, RenderArguments& arguments)
 OptionRow quality_row(RenderArguments& arguments)
 {
     OptionField field = choice_field<Quality>(arguments.quality, kQualities);
-    field.add = [&arguments, names = field.names](CLI::App& app, const std::string& flags) {
-        const auto set = [&arguments](const std::string& name) {
+    field = name_field(
+        field.names,
+        [&arguments](const std::string& name) {
             choose_quality(value_of<Quality>(kQualities, name), arguments);
-        };
-        return app.add_option_function<std::string>(flags, set)->check(CLI::IsMember(names));
-    };
+        },
+        field.value);
     return {.name = "quality",
             .section = kImageSection,
             .field = std::move(field),

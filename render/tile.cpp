@@ -3,6 +3,8 @@
 #include "common/input_error.h"
 #include "render/film/film.h"
 
+#include <CLI/CLI.hpp>
+
 namespace hipmap {
 
 namespace {

@@ -29,20 +29,4 @@ std::string plain_number(double number);
 /// Accepts a finite number within [low, high].  CLI11's own range check lets NaN through.
 CLI::Validator finite_in(double low, double high);
 
-/// Image width and height in pixels; a height of 0 follows from the camera's aspect.
-struct PictureSize {
-    int width = 0;
-    int height = 0;
-};
-
-/// The longest side of an image.
-inline constexpr int kMostPixelsAcross = 65536;
-
-/// Parses an image size: "WxH" or "W", each 1 to 65,536, or "50%", a share of both sides of
-/// `whole`.
-PictureSize parse_picture_size(const std::string& text, const PictureSize& whole);
-
-/// Returns `size` with a missing height filled in.  aspect: width over height.
-PictureSize complete_size(PictureSize size, float aspect);
-
 } // namespace hipmap

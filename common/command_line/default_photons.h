@@ -1,6 +1,6 @@
 #pragma once
 
-#include "common/command_line/command_line.h"
+#include "common/command_line/picture_size.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,5 +1,9 @@
 #include "common/command_line/frames.h"
 
+#include "common/command_line/run_tool.h"
+
+#include <CLI/CLI.hpp>
+
 #include <cstdio>
 
 namespace hipmap {

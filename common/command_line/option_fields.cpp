@@ -1,5 +1,7 @@
 #include "common/command_line/option_fields.h"
 
+#include "common/command_line/command_line.h"
+
 namespace hipmap {
 
 namespace {
@@ -34,6 +36,39 @@ std::string joined(const std::vector<std::string>& names)
     std::string out;
     for (const std::string& name : names)
         out += (out.empty() ? "" : ", ") + name;
+    return out;
+}
+
+template <typename Number>
+OptionField number_field(Number& into, NumberRange range, std::string placeholder)
+{
+    return {.add =
+                [&into, range](CLI::App& app, const std::string& flags) {
+                    return app.add_option(flags, into)->check(finite_in(range.low, range.high));
+                },
+            .value = [&into] { return number_value(into); },
+            .placeholder = std::move(placeholder),
+            .values = text_of(range)};
+}
+
+template OptionField number_field(int&, NumberRange, std::string);
+template OptionField number_field(unsigned&, NumberRange, std::string);
+template OptionField number_field(std::uint64_t&, NumberRange, std::string);
+template OptionField number_field(float&, NumberRange, std::string);
+template OptionField number_field(double&, NumberRange, std::string);
+template OptionField number_field(std::optional<std::uint64_t>&, NumberRange, std::string);
+template OptionField number_field(std::optional<float>&, NumberRange, std::string);
+template OptionField number_field(std::optional<double>&, NumberRange, std::string);
+
+OptionField name_field(std::vector<std::string> names, std::function<void(const std::string&)> set,
+                       std::function<SettingValue()> value, std::string placeholder)
+{
+    OptionField out = parsed_field(std::move(set), std::move(value), std::move(placeholder));
+    out.add = [add = out.add, names](CLI::App& app, const std::string& flags) {
+        return add(app, flags)->check(CLI::IsMember(names));
+    };
+    out.values = joined(names);
+    out.names = std::move(names);
     return out;
 }
 

@@ -1,10 +1,20 @@
 #pragma once
 
 #include "common/command_line/choice.h"
-#include "common/command_line/command_line.h"
+#include "common/command_line/picture_size.h"
 #include "common/setting.h"
 
 #include <filesystem>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace CLI { // CLI11 takes long to compile, so only sources include it
+class App;
+class Option;
+} // namespace CLI
 
 namespace hipmap {
 
@@ -47,18 +57,10 @@ SettingValue number_value(const std::optional<Number>& number)
     return number ? number_value(*number) : SettingValue();
 }
 
-/// Makes an option field for a number, which may be a std::optional.
+/// Makes an option field for a number: an int, unsigned, std::uint64_t, float or double, or a
+/// std::optional of one of the last three.
 template <typename Number>
-OptionField number_field(Number& into, NumberRange range, std::string placeholder = "N")
-{
-    return {.add =
-                [&into, range](CLI::App& app, const std::string& flags) {
-                    return app.add_option(flags, into)->check(finite_in(range.low, range.high));
-                },
-            .value = [&into] { return number_value(into); },
-            .placeholder = std::move(placeholder),
-            .values = text_of(range)};
-}
+OptionField number_field(Number& into, NumberRange range, std::string placeholder = "N");
 
 /// Makes an option field for a number that equals `none` until the option is given.
 template <typename Number>
@@ -73,6 +75,10 @@ OptionField number_or_none_field(Number& into, Number none, NumberRange range,
 /// Makes an option field for any number that the seed can hold.
 OptionField seed_field(std::uint64_t& into);
 
+/// Makes an option field for one of some names.  set: gets the name that is given.
+OptionField name_field(std::vector<std::string> names, std::function<void(const std::string&)> set,
+                       std::function<SettingValue()> value, std::string placeholder = "NAME");
+
 /// Makes an option field for one of `choices`, which must outlive the field.
 template <typename Value>
 OptionField choice_field(Value& into, std::span<const Choice<Value>> choices,
@@ -81,17 +87,11 @@ OptionField choice_field(Value& into, std::span<const Choice<Value>> choices,
     std::vector<std::string> names;
     for (const Choice<Value>& choice : choices)
         names.emplace_back(choice.name);
-    OptionField out = {.add = {}, .value = {}, .placeholder = std::move(placeholder)};
-    out.add = [&into, choices, names](CLI::App& app, const std::string& flags) {
-        const auto set = [&into, choices](const std::string& name) {
-            into = value_of(choices, name);
-        };
-        return app.add_option_function<std::string>(flags, set)->check(CLI::IsMember(names));
-    };
-    out.value = [&into, choices] { return SettingValue(std::string(name_of(choices, into))); };
-    out.values = joined(names);
-    out.names = std::move(names);
-    return out;
+    return name_field(
+        std::move(names),
+        [&into, choices](const std::string& name) { into = value_of(choices, name); },
+        [&into, choices] { return SettingValue(std::string(name_of(choices, into))); },
+        std::move(placeholder));
 }
 
 /// Makes an option field for a flag, which is true once the option is given.

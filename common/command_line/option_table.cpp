@@ -2,6 +2,7 @@
 
 #include "common/input_error.h"
 
+#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>

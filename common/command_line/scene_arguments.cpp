@@ -1,5 +1,7 @@
 #include "common/command_line/scene_arguments.h"
 
+#include <CLI/CLI.hpp>
+
 namespace hipmap {
 
 namespace {

@@ -1,6 +1,7 @@
 // Renders a scene by a method that hipmap does not have, to be compared with its own.
 
 #include "common/command_line/command_line.h"
+#include "common/command_line/picture_size.h"
 #include "common/image/exposure.h"
 #include "common/image/write_image.h"
 #include "common/scene/load_scene.h"

@@ -4,6 +4,7 @@
 #include "preprocess/summary.h"
 #include "tests/support/tiny_meshes.h"
 
+#include <CLI/CLI.hpp>
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 #include <unistd.h>

@@ -1,6 +1,7 @@
 #include "common/input_error.h"
 #include "render/settings.h"
 
+#include <CLI/CLI.hpp>
 #include <catch2/catch.hpp>
 
 #include <algorithm>
