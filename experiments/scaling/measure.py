@@ -23,7 +23,7 @@ class Study:
     """points: pixels across the images from which stages follow, and photons of a pass; 0: as many as
     render chooses.  checked: pixels across those by two processes, at no point.  passes: of which the
     average counts, for later passes cost less.  checked_passes: over a minute of them.  error_passes: to
-    which the law of the error is fitted.  repeats: of which the least counts; of those over a minute, one."""
+    which the law of the error is fitted.  repeats: of which the least counts; checked_repeats: of those over a minute."""
 
     points: tuple = ((96, 0), (160, 0), (224, 0), (224, 1_000_000))
     checked: int = 192
@@ -31,7 +31,7 @@ class Study:
     checked_passes: int = 48
     error_passes: int = 40
     repeats: int = 2
-    checked_repeats: int = 1
+    checked_repeats: int = 2
     seed: int = 0
 
 
