@@ -3,6 +3,9 @@
 #include "common/math/sort_eight.h"
 #include "render/film/batch_statistics.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
 #include <algorithm>
 #include <limits>
 
@@ -306,29 +309,54 @@ void add_channel(BatchProducts& out, const ChannelStatistics& found, bool clampe
         add_products(out.cut, found.bias_weight, cut, cut);
 }
 
+void add_pixel(BatchProducts& out, const Film& film, const ChannelReader& reader, std::size_t pixel)
+{
+    std::array<double, kBatches> of_pixel{};
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+        const ChannelStatistics found = reader.read(pixel, channel);
+        out.channels += film.parts.empty() || found.batches > 1 ? 1 : 0;
+        const double root = std::sqrt(found.steady / 3);
+        for (std::size_t i = 0; i < out.wide.batch.size(); ++i)
+            of_pixel[i] += root * found.deviation[i];
+        add_channel(out, found, !film.cut.empty());
+    }
+    out.fourth += fourth_cumulant(of_pixel, static_cast<double>(out.wide.batch.size()));
+}
+
+/// The sums of some pixels and those of others; of the same batches.
+BatchProducts sum_of(BatchProducts a, const BatchProducts& b)
+{
+    a.channels += b.channels;
+    a.noise += b.noise;
+    a.most_noise += b.most_noise;
+    a.fourth += b.fourth;
+    a.deviations += b.deviations;
+    a.first += b.first;
+    a.both += b.both;
+    a.second += b.second;
+    a.cut += b.cut;
+    return a;
+}
+
 } // namespace
 
 BatchProducts batch_products(const Film& film)
 {
     const ChannelReader reader(film);
-    BatchProducts out;
-    out.wide = reader.wide();
-    out.narrow = reader.narrow();
-    out.deviations = Products(out.wide.batch.size());
-    out.first = out.both = out.second = out.cut = Products(out.narrow.batch.size());
-    for (std::size_t pixel = 0; pixel < film.pixel_count(); ++pixel) {
-        std::array<double, kBatches> of_pixel{};
-        for (std::size_t channel = 0; channel < 3; ++channel) {
-            const ChannelStatistics found = reader.read(pixel, channel);
-            out.channels += film.parts.empty() || found.batches > 1 ? 1 : 0;
-            const double root = std::sqrt(found.steady / 3);
-            for (std::size_t i = 0; i < out.wide.batch.size(); ++i)
-                of_pixel[i] += root * found.deviation[i];
-            add_channel(out, found, !film.cut.empty());
-        }
-        out.fourth += fourth_cumulant(of_pixel, static_cast<double>(out.wide.batch.size()));
-    }
-    return out;
+    BatchProducts none;
+    none.wide = reader.wide();
+    none.narrow = reader.narrow();
+    none.deviations = Products(none.wide.batch.size());
+    none.first = none.both = none.second = none.cut = Products(none.narrow.batch.size());
+    // Deterministic: sums of doubles depend on their order.
+    return tbb::parallel_deterministic_reduce(
+        tbb::blocked_range<std::size_t>(0, film.pixel_count(), kPixelsOfTask), none,
+        [&](const tbb::blocked_range<std::size_t>& pixels, BatchProducts sums) {
+            for (std::size_t pixel = pixels.begin(); pixel < pixels.end(); ++pixel)
+                add_pixel(sums, film, reader, pixel);
+            return sums;
+        },
+        sum_of);
 }
 
 } // namespace hipmap

@@ -18,6 +18,13 @@ class Products {
     std::size_t size() const { return size_; }
     double& at(std::size_t i, std::size_t j) { return values_[i * size_ + j]; }
     double at(std::size_t i, std::size_t j) const { return values_[i * size_ + j]; }
+    /// other: of the same size.
+    Products& operator+=(const Products& other)
+    {
+        for (std::size_t i = 0; i < values_.size(); ++i)
+            values_[i] += other.values_[i];
+        return *this;
+    }
 
   private:
     std::size_t size_;

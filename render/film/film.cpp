@@ -1,7 +1,12 @@
 #include "render/film/film.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
+
 #include <algorithm>
 #include <cassert>
+#include <functional>
 
 namespace hipmap {
 
@@ -25,17 +30,24 @@ std::int64_t to_units(float value, double units, std::uint64_t& saturated)
     return std::llrint(scaled);
 }
 
-void add_image(const Image& image, const std::vector<std::uint8_t>& kept, double units,
-               std::int64_t* sums, std::uint64_t& saturated)
+/// Returns how many values were beyond the largest.
+std::uint64_t add_image(const Image& image, const std::vector<std::uint8_t>& kept, double units,
+                        std::int64_t* sums)
 {
-    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
-        if (kept[i] == 0)
-            continue;
-        assert(is_finite(image.pixels[i]));
-        for (int c = 0; c < 3; ++c)
-            sums[3 * i + static_cast<std::size_t>(c)] +=
-                to_units(image.pixels[i][c], units, saturated);
-    }
+    const auto add = [&](const tbb::blocked_range<std::size_t>& pixels, std::uint64_t saturated) {
+        for (std::size_t i = pixels.begin(); i < pixels.end(); ++i) {
+            if (kept[i] == 0)
+                continue;
+            assert(is_finite(image.pixels[i]));
+            for (int c = 0; c < 3; ++c)
+                sums[3 * i + static_cast<std::size_t>(c)] +=
+                    to_units(image.pixels[i][c], units, saturated);
+        }
+        return saturated;
+    };
+    return tbb::parallel_reduce(
+        tbb::blocked_range<std::size_t>(0, image.pixels.size(), kPixelsOfTask), std::uint64_t{0},
+        add, std::plus<>());
 }
 
 /// Adds the sums of `from`, whose first pixel is at x, y of `into`.  batches: of the sums.
@@ -45,17 +57,14 @@ void add_sums(const Film& into, std::vector<std::int64_t>& sums, const Film& fro
     const std::size_t batches = added.size() / (3 * from.pixel_count());
     assert(sums.size() == batches * 3 * into.pixel_count());
     const std::size_t row = 3 * static_cast<std::size_t>(from.width);
-    for (std::size_t batch = 0; batch < batches; ++batch)
-        for (int y = 0; y < from.height; ++y) {
-            const std::size_t first =
-                batch * into.pixel_count() + static_cast<std::size_t>(at.y + y) * into.width + at.x;
-            const auto line =
-                added.begin() + static_cast<std::ptrdiff_t>(
-                                    (batch * from.height + static_cast<std::size_t>(y)) * row);
-            std::transform(line, line + static_cast<std::ptrdiff_t>(row),
-                           sums.begin() + static_cast<std::ptrdiff_t>(3 * first),
-                           sums.begin() + static_cast<std::ptrdiff_t>(3 * first), std::plus<>());
-        }
+    tbb::parallel_for(std::size_t{0}, batches * from.height, [&](std::size_t i) {
+        const std::size_t batch = i / from.height, y = i % from.height;
+        const std::size_t first = batch * into.pixel_count() + (at.y + y) * into.width + at.x;
+        const auto line = added.begin() + static_cast<std::ptrdiff_t>(i * row);
+        std::transform(line, line + static_cast<std::ptrdiff_t>(row),
+                       sums.begin() + static_cast<std::ptrdiff_t>(3 * first),
+                       sums.begin() + static_cast<std::ptrdiff_t>(3 * first), std::plus<>());
+    });
 }
 
 void add_lost(Film& into, const Film& from, const ImagePlace& at)
@@ -123,18 +132,18 @@ void add_pass(Film& film, std::uint64_t pass, const PassImages& images)
     assert(film.parts.empty() && !common_pass(film.passes, {{{pass, pass + 1}}}));
     const double units = std::ldexp(1.0, film.scale);
     const std::uint64_t batch = pass % kBatches;
-    add_image(images.radiance, images.kept, units, &film.radiance[batch * 3 * pixels],
-              film.saturated);
+    film.saturated +=
+        add_image(images.radiance, images.kept, units, &film.radiance[batch * 3 * pixels]);
     if (film.bias == BiasKnowledge::from_radii) {
         assert(images.narrow.pixels.size() == pixels && images.narrower.pixels.size() == pixels);
         const std::size_t first = pass % kNarrowBatches * 3 * pixels;
-        add_image(images.narrow, images.kept, units, &film.narrow[first], film.saturated);
-        add_image(images.narrower, images.kept, units, &film.narrower[first], film.saturated);
+        film.saturated += add_image(images.narrow, images.kept, units, &film.narrow[first]);
+        film.saturated += add_image(images.narrower, images.kept, units, &film.narrower[first]);
     }
     if (!film.cut.empty()) {
         assert(images.cut.pixels.size() == pixels);
-        add_image(images.cut, images.kept, units, &film.cut[pass % kNarrowBatches * 3 * pixels],
-                  film.saturated);
+        film.saturated += add_image(images.cut, images.kept, units,
+                                    &film.cut[pass % kNarrowBatches * 3 * pixels]);
     }
     for (std::size_t i = 0; i < pixels; ++i)
         if (images.kept[i] == 0)
@@ -217,7 +226,7 @@ Image film_image(const Film& film)
     Image out(film.width, film.height);
     const double unit = std::ldexp(1.0, -film.scale);
     const KeptPasses kept_passes(film);
-    for (std::size_t i = 0; i < out.pixels.size(); ++i) {
+    tbb::parallel_for(std::size_t{0}, out.pixels.size(), [&](std::size_t i) {
         std::uint64_t kept = 0;
         std::array<std::int64_t, 3> sum{};
         for (std::uint64_t batch = 0; batch < kBatches; ++batch) {
@@ -231,7 +240,7 @@ Image film_image(const Film& film)
         for (std::size_t c = 0; kept > 0 && c < 3; ++c)
             out.pixels[i][static_cast<int>(c)] =
                 static_cast<float>(static_cast<double>(sum[c]) / static_cast<double>(kept) * unit);
-    }
+    });
     return out;
 }
 

@@ -19,6 +19,9 @@ inline constexpr std::uint64_t kNarrowBatches = 4;
 /// The most passes of a film: this many of the largest value do not overflow a sum.
 inline constexpr std::uint64_t kMostPasses = std::uint64_t{1} << 20;
 
+/// Pixels of a film that a thread takes at a time, at least.
+inline constexpr std::size_t kPixelsOfTask = 4096;
+
 /// What is known about the bias of the passes.
 enum class BiasKnowledge : std::uint8_t {
     unbiased,

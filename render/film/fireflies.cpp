@@ -2,6 +2,8 @@
 
 #include "render/film/batch_products.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -82,8 +84,9 @@ std::optional<Candidates> find_candidates(const Film& film, const ChannelReader&
         return std::nullopt;
     Candidates out;
     out.noise.resize(pixels);
-    for (std::size_t pixel = 0; pixel < pixels; ++pixel)
+    tbb::parallel_for(std::size_t{0}, pixels, [&](std::size_t pixel) {
         out.noise[pixel] = noise_of(read_pixel(reader, pixel));
+    });
     std::vector<std::uint32_t> order(pixels);
     std::iota(order.begin(), order.end(), 0u);
     const auto others = order.begin() + static_cast<std::ptrdiff_t>(most);

@@ -2,6 +2,8 @@
 
 #include "render/film/batch_statistics.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <limits>
 
@@ -102,7 +104,7 @@ ErrorLayers error_layers(const Film& film)
     const bool biased = film.bias == BiasKnowledge::from_radii;
     if (biased)
         out.bias = Image(film.width, film.height);
-    for (std::size_t i = 0; i < film.pixel_count(); ++i)
+    tbb::parallel_for(std::size_t{0}, film.pixel_count(), [&](std::size_t i) {
         for (std::size_t channel = 0; channel < 3; ++channel) {
             const ChannelStatistics found = reader.read(i, channel);
             const int c = static_cast<int>(channel);
@@ -123,6 +125,7 @@ ErrorLayers error_layers(const Film& film)
             out.error.pixels[i][c] =
                 static_cast<float>(std::sqrt(found.variance + std::max(bias2, 0.0)));
         }
+    });
     return out;
 }
 
