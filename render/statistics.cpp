@@ -93,6 +93,7 @@ Json seconds_json(const PreparedFrame& frame, const RenderedFrame& rendered,
                  {"maps", render.seconds_maps},
                  {"image", render.seconds_image},
                  {"film", costs.film.seconds},
+                 {"previews", costs.previews.seconds},
                  {"state", frame.reading_state.seconds + costs.state.seconds},
                  {"write", written.writing.seconds}};
     if (costs.rounds > 0) {
@@ -114,6 +115,7 @@ Json processor_seconds_json(const PreparedFrame& frame, const RenderedFrame& ren
                  {"maps", render.processor_maps},
                  {"image", render.processor_image},
                  {"film", costs.film.processor},
+                 {"previews", costs.previews.processor},
                  {"state", frame.reading_state.processor + costs.state.processor},
                  {"write", written.writing.processor},
                  {"process", Stopwatch::processor_seconds_of_process()}};

@@ -103,7 +103,7 @@ def without_start(seconds):
     found = {name: seconds[name] for name in SUMMED}
     found["load"] = seconds["scene"] + seconds["rays"]
     found["start"] = max(0, seconds["process"] - found["load"] - sum(seconds[name] for name in SUMMED) -
-                         seconds["state"])
+                         seconds["previews"] - seconds["state"])
     return found
 
 

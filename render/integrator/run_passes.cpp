@@ -225,8 +225,11 @@ RunResult run_passes(const PassSource& source, const StopRules& rules, const Run
             break;
         }
         run.add(pass, rendered.images, watch.seconds());
-        if (control.pass)
+        if (control.pass) {
+            const Stopwatch showing;
             control.pass(state);
+            out.costs.previews.add(showing);
+        }
         run.save_if_due();
     }
     out.reason = *reason;

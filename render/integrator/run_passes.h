@@ -52,6 +52,7 @@ struct RunControl {
 /// What a run took besides rendering passes.
 struct RunCosts {
     Spent film;               ///< adding passes to the film, and estimating the error
+    Spent previews;           ///< RunControl::pass: rewriting images during the run
     Spent state;              ///< writing states
     Spent wait;               ///< for the slowest process, at the ends of rounds
     Spent add;                ///< adding up the films of processes, at the ends of rounds

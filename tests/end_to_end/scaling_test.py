@@ -172,7 +172,8 @@ while [ "${1##*/}" != render ]; do shift; done
 exec "$@"
 """
 STATS = {"processor_seconds": {"process": 9, "scene": 0.2, "rays": 0.1, "pilots": 2, "photons": 1, "maps": 1, "image": 3,
-                               "film": 0.5, "write": 0.25, "state": 0, "add": 0.1},
+                               "film": 0.5, "previews": 0.5, "write": 0.25, "state": 0,
+                               "add": 0.1},
          "seconds": {"wait": 0}, "rounds": 2, "image": {"width": 24, "height": 16},
          "options": {"photons": 1000, "samples": 4}, "error": {"law": {}}}
 
