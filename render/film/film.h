@@ -65,7 +65,7 @@ int film_scale(double mean);
 Film make_film(int width, int height, double mean, BiasKnowledge bias, bool clamped = false);
 
 /// Adds a pass, which must not be in the film yet; images of the film's size.  The film has no
-/// parts.
+/// parts.  Parallel.
 void add_pass(Film& film, std::uint64_t pass, const PassImages& images);
 
 /// Returns the pixels of a film in the whole image.
@@ -78,7 +78,7 @@ std::vector<FilmPart> parts_of(const Film& film);
 std::vector<FilmPart> moved(std::vector<FilmPart> parts, int x, int y);
 
 /// Adds the passes of another film of the same whole image, scale, sample allocation and bias
-/// knowledge, whose pixels are among those of `into`; no pixel may have a pass in both.
+/// knowledge, whose pixels are among those of `into`; no pixel may have a pass in both.  Parallel.
 void merge_film(Film& into, const Film& from);
 
 /// Counts the passes that kept a sample of a pixel.  Borrows the film.  Thread-safe.

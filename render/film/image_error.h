@@ -23,7 +23,7 @@ struct ImageError {
 
 /// Estimates the error of `film_image(film)`, from the differences between its batches and between
 /// its radii. None if there are fewer than two passes.  With an unknown bias, it is the error of
-/// the noise alone. Black images have error 0.
+/// the noise alone. Black images have error 0.  Parallel; the same at any thread count.
 std::optional<ImageError> estimate_error(const Film& film);
 
 /// The standard deviation and the signed bias by pixel and channel, both noisy; W/(m2 sr).

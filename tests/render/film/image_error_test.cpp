@@ -5,6 +5,7 @@
 #include "tests/support/statistics.h"
 
 #include <catch2/catch.hpp>
+#include <tbb/global_control.h>
 
 using namespace hipmap;
 
@@ -80,6 +81,25 @@ struct Coverage {
 };
 
 } // namespace
+
+TEST_CASE("image error: the same at any number of threads", "[film]")
+{
+    SyntheticPasses passes = with_bias(4, 0.1, 2);
+    passes.side = 160;
+    REQUIRE(passes.side * passes.side > 4 * static_cast<int>(kPixelsOfTask));
+    std::vector<Film> films;
+    std::vector<ImageError> errors;
+    for (const std::size_t threads : {1, 2, 7}) {
+        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+        films.push_back(film_of(passes, 0, 5));
+        errors.push_back(estimate_error(films.back()).value());
+    }
+    for (std::size_t i = 1; i < films.size(); ++i) {
+        CHECK(films[i] == films[0]);
+        CHECK(film_image(films[i]).pixels == film_image(films[0]).pixels);
+        CHECK(errors[i] == errors[0]);
+    }
+}
 
 TEST_CASE("image error: 95 % intervals hold the true error of 95 % of the images", "[film]")
 {
