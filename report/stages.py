@@ -6,7 +6,8 @@ NAMES = {
     "preprocess": "Partition", "scene": "Read scene and partition", "rays": "Build ray tracing",
     "pilots": "Pilots",
     "photons": "Trace photons", "maps": "Build photon maps", "image": "Eye paths and gathering",
-    "film": "Add passes up", "wait": "Wait for other processes", "add": "Add films up",
+    "film": "Add passes up", "previews": "Rewrite images meanwhile",
+    "wait": "Wait for other processes", "add": "Add films up",
     "state": "Read and write states", "write": "Write images", "passes": "Passes",
 }
 
