@@ -136,7 +136,12 @@ RunResult run_and_save(const RenderArguments& arguments, const PassSource& sourc
                        RunControl control, RenderState& state, Ranks* ranks)
 {
     std::uint64_t saved = count(state.film.passes);
-    Spent writing;
+    Spent writing, showing;
+    control.pass = [&showing, show = std::move(control.pass)](const RenderState& now) {
+        const Stopwatch watch;
+        show(now);
+        showing.add(watch);
+    };
     control.save = [&](const RenderState& now) {
         // A state is written only for passes that it does not hold yet.
         if (arguments.files.state.empty() || count(now.film.passes) == saved)
@@ -150,6 +155,7 @@ RunResult run_and_save(const RenderArguments& arguments, const PassSource& sourc
                                      : run_passes(source, arguments.stops, control, state);
     together(ranks, [&] { control.save(state); });
     out.costs.state = writing;
+    out.costs.previews = showing;
     return out;
 }
 

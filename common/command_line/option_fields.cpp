@@ -51,14 +51,11 @@ OptionField number_field(Number& into, NumberRange range, std::string placeholde
             .values = text_of(range)};
 }
 
-template OptionField number_field(int&, NumberRange, std::string);
 template OptionField number_field(unsigned&, NumberRange, std::string);
 template OptionField number_field(std::uint64_t&, NumberRange, std::string);
 template OptionField number_field(float&, NumberRange, std::string);
 template OptionField number_field(double&, NumberRange, std::string);
 template OptionField number_field(std::optional<std::uint64_t>&, NumberRange, std::string);
-template OptionField number_field(std::optional<float>&, NumberRange, std::string);
-template OptionField number_field(std::optional<double>&, NumberRange, std::string);
 
 OptionField name_field(std::vector<std::string> names, std::function<void(const std::string&)> set,
                        std::function<SettingValue()> value, std::string placeholder)

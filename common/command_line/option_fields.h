@@ -57,8 +57,8 @@ SettingValue number_value(const std::optional<Number>& number)
     return number ? number_value(*number) : SettingValue();
 }
 
-/// Makes an option field for a number: an int, unsigned, std::uint64_t, float or double, or a
-/// std::optional of one of the last three.
+/// Makes an option field for a number: an unsigned, std::uint64_t, float or double, or a
+/// std::optional<std::uint64_t>.
 template <typename Number>
 OptionField number_field(Number& into, NumberRange range, std::string placeholder = "N");
 

@@ -225,11 +225,8 @@ RunResult run_passes(const PassSource& source, const StopRules& rules, const Run
             break;
         }
         run.add(pass, rendered.images, watch.seconds());
-        if (control.pass) {
-            const Stopwatch showing;
+        if (control.pass)
             control.pass(state);
-            out.costs.previews.add(showing);
-        }
         run.save_if_due();
     }
     out.reason = *reason;

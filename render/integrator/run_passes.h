@@ -64,7 +64,7 @@ struct RunResult {
     /// Mean of the whole passes, radiance, W/(m2 sr); stopped in the first, the pixels done.
     Image image;
     std::vector<std::uint8_t> kept; ///< [pixels] stopped in the first pass, those done; else empty
-    RunCosts costs;                 ///< without those of `save`
+    RunCosts costs;                 ///< without those of `save` and `pass`
 };
 
 /// Sets the image to the mean of the passes; without a pass to the pixels of the one that was

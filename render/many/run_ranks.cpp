@@ -131,11 +131,8 @@ class Lead {
         if (rules_.error > 0)
             look_at_error(state_);
         costs.film.add(looking);
-        if (control_.pass) {
-            const Stopwatch showing;
+        if (control_.pass)
             control_.pass(state_);
-            costs.previews.add(showing);
-        }
         if (control_.save && !reason_to_stop())
             control_.save(state_);
     }
