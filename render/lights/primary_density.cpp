@@ -153,7 +153,8 @@ class Learner {
         grow(lower + 1, half, above, second_in(above));
         const double sum = out_.node_share[lower] + out_.node_share[lower + 1];
         out_.node_share[node] = sum;
-        out_.density.nodes[node] = {lower, dimension, rounded_share(out_.node_share[lower] / sum)};
+        out_.density.nodes[node] = {lower, dimension, rounded_share(out_.node_share[lower] / sum),
+                                    middle};
     }
 
     /// The dimension along which bins differ most; kDimensions: by no more than noise in any.
@@ -217,12 +218,10 @@ double density_at(const PrimaryDensity& density, const PrimarySample& at)
     double out = 1;
     if (density.nodes.empty())
         return out;
-    Cell cell;
     const PrimaryDensity::Node* node = &density.nodes.front();
     while (node->lower != 0) {
-        const bool upper = !(coordinate(at, node->dimension) < cell.middle(node->dimension));
+        const bool upper = !(coordinate(at, node->dimension) < node->middle);
         out *= 2 * double{upper ? 1 - node->lower_share : node->lower_share};
-        cell.halve(node->dimension, upper);
         node = &density.nodes[node->lower + (upper ? 1 : 0)];
     }
     return out;

@@ -16,6 +16,7 @@ struct PrimaryDensity {
         std::uint32_t lower = 0; ///< node of the lower half, before that of the upper; 0: a leaf
         std::uint32_t dimension = 0;
         float lower_share = 0.5f; ///< probability of the lower half
+        float middle = 0;         ///< where the upper half begins, along the dimension
     };
     std::vector<Node> nodes; ///< the root first; none: even over the cube
 };

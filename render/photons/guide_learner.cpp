@@ -50,22 +50,28 @@ void GuideLearner::add(const EmissionPlan& plan, std::span<const double> worth,
 {
     if (plan.paths == 0)
         return;
-    for (std::uint64_t i = 0; i < plan.paths; ++i) {
-        if (!(worth[i] > 0))
-            continue;
-        const LightShare share = share_of(plan, i);
-        RandomSequence random = path_sequence(options, stream_, share);
-        const DrawnPrimary start = draw_start(guide(), share.light, random);
-        // Without the density and the number of paths, by which the power was divided.
-        const double whole = worth[i] * start.density * static_cast<double>(share.path.paths);
-        Point point{share.light, {start.at, whole, 0}};
-        for (std::size_t round = 0; round < plans_.size(); ++round)
-            point.worth.density += drawn_density(round, point);
-        points_.push_back(point);
-    }
+    const std::size_t known = points_.size();
+    std::vector<std::uint64_t> paths; // that are worth something
+    for (std::uint64_t i = 0; i < plan.paths; ++i)
+        if (worth[i] > 0)
+            paths.push_back(i);
+    points_.resize(known + paths.size());
     plans_.push_back(plan);
-    for (Point& point : points_)
-        point.worth.density += drawn_density(plans_.size() - 1, point);
+    tbb::parallel_for(std::size_t{0}, points_.size(), [&](std::size_t i) {
+        const bool is_new = i >= known;
+        if (is_new) {
+            const std::uint64_t path = paths[i - known];
+            const LightShare share = share_of(plan, path);
+            RandomSequence random = path_sequence(options, stream_, share);
+            const DrawnPrimary start = draw_start(guide(), share.light, random);
+            // Without the density and the number of paths, by which the power was divided.
+            const double whole =
+                worth[path] * start.density * static_cast<double>(share.path.paths);
+            points_[i] = {share.light, {start.at, whole, 0}};
+        }
+        for (std::size_t round = is_new ? 0 : plans_.size() - 1; round < plans_.size(); ++round)
+            points_[i].worth.density += drawn_density(round, points_[i]);
+    });
     learn();
 }
 
@@ -104,12 +110,17 @@ void GuideLearner::learn()
 /// The variance of the photons' worth by a guide over that by power, from all paths.
 double GuideLearner::variance(const EmissionGuide& guide) const
 {
-    double by_power = 0, by_guide = 0;
-    for (const Point& point : points_) {
+    std::vector<double> densities(points_.size());
+    tbb::parallel_for(std::size_t{0}, points_.size(), [&](std::size_t i) {
+        const EmissionGuide::OfLight& light = guide.lights[points_[i].light];
+        densities[i] = light.share * density_at(light.density, points_[i].worth.at);
+    });
+    double by_power = 0, by_guide = 0; // in the order of the points: the same at any thread count
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+        const Point& point = points_[i];
         const double second = point.worth.worth * point.worth.worth / point.worth.density;
-        const EmissionGuide::OfLight& light = guide.lights[point.light];
         by_power += second / by_power_.lights[point.light].share;
-        by_guide += second / (light.share * density_at(light.density, point.worth.at));
+        by_guide += second / densities[i];
     }
     return by_power > 0 ? by_guide / by_power : 1;
 }

@@ -28,7 +28,8 @@ class GuideLearner {
     const EmissionGuide& guide() const { return guides_.back(); }
 
     /// Takes the paths of a round by guide(), and learns the next guide from all rounds.  plan: of
-    /// the paths; worth: of each; options: by which they were traced.  No path: nothing.
+    /// the paths; worth: of each; options: by which they were traced.  No path: nothing.  In
+    /// parallel; the same at any thread count.
     void add(const EmissionPlan& plan, std::span<const double> worth, const PhotonOptions& options);
 
     /// Returns whether a further round promises little.
