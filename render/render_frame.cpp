@@ -93,11 +93,22 @@ std::string describe_progress(const RunProgress& progress, const FramePlace* pla
     return note;
 }
 
+/// ranks: null: one process.
+PilotTeam team_of(Ranks* ranks)
+{
+    if (ranks == nullptr)
+        return {};
+    return {static_cast<std::size_t>(ranks->rank()), static_cast<std::size_t>(ranks->count()),
+            [ranks](std::span<const std::byte> own, std::size_t element) {
+                return ranks->join(own, element);
+            }};
+}
+
 /// Shows the coarse image of a render that has no passes yet, and keeps it.
 PilotControl pilot_control(const FrameControl& control, bool begins, CoarseImage& kept,
                            LiveImages& images, Report& report)
 {
-    PilotControl out{&control.stop, {}};
+    PilotControl out{&control.stop, {}, team_of(control.ranks)};
     if (!begins || (control.ranks != nullptr && !control.ranks->leads()))
         return out;
     out.coarse = [&, lines = control.lines](const CoarseImage& coarse) {
@@ -239,6 +250,8 @@ RenderedFrame render_passes(PreparedFrame& frame, SceneSource& source, PreviousF
     const PassSource passes =
         make_frame_source(own, scene, out.statistics, cache,
                           pilot_control(control, !frame.found, coarse, images, report));
+    if (control.ranks != nullptr && control.ranks->any(control.stop))
+        control.stop = true; // the pilots ended early in all
     out.pilots.add(piloting);
     out.state = begin_or_resume(frame, passes, control.stop);
     out.resumed = count(out.state.film.passes);

@@ -10,7 +10,7 @@ namespace hipmap {
 
 /// What a frame under way listens to and talks to.
 struct FrameControl {
-    const std::atomic<bool>& stop;  ///< set from outside to end early
+    std::atomic<bool>& stop;        ///< set from outside, or for another process, to end early
     ProgressLines* lines = nullptr; ///< null: no program reads the progress
     Ranks* ranks = nullptr;         ///< null: one process renders
 };

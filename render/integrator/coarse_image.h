@@ -1,7 +1,9 @@
 #pragma once
 
 #include "common/image/image.h"
+#include "render/integrator/pilot_team.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cstdint>
 #include <functional>
@@ -23,9 +25,18 @@ struct CoarseImage {
 struct PilotControl {
     const std::atomic<bool>* stop = nullptr; ///< true: return soon; no pass may be rendered then
     std::function<void(const CoarseImage&)> coarse; ///< called once, or not at all; may be empty
+    PilotTeam team;
 
     bool stopped() const { return stop != nullptr && stop->load(); }
 };
+
+/// Returns whether a process of the team was told to stop.
+inline bool stopped_together(const PilotControl& pilots)
+{
+    const std::vector<std::uint8_t> stopped =
+        joined(pilots.team, std::vector{std::uint8_t{pilots.stopped()}});
+    return std::ranges::find(stopped, 1) != stopped.end();
+}
 
 /// Returns the pixels across a block, so that a coarse image costs little beside a pass and at most
 /// as much as a small image.

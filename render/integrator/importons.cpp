@@ -29,28 +29,36 @@ RenderOptions importon_options(RenderOptions options)
     return options;
 }
 
-/// Importons and radiance of the paths of some pixels.
+/// Radiance of the paths of all pixels, and importons of those of some rows.
 struct PilotPicture {
     Image radiance;
-    std::vector<Importons> importons; ///< [pixels]
+    TeamPart rows;
+    std::vector<Importons> importons; ///< [pixels of the rows]
 };
 
 PilotPicture trace_picture(const RenderScene& scene, const RenderOptions& options,
-                           const ImportonPath& trace)
+                           const ImportonPath& trace, const PilotTeam& team)
 {
-    PilotPicture out{Image(options.width, options.height), {}};
-    out.importons.resize(out.radiance.pixels.size());
+    const auto width = static_cast<std::size_t>(options.width);
+    PilotPicture out{Image(options.width, options.height),
+                     part_of(team, static_cast<std::size_t>(options.height)),
+                     {}};
+    out.importons.resize(width * out.rows.size());
+    std::vector<Rgb> radiance(out.importons.size());
     const SampleAllocation evenly;
     const PictureJob job{scene, options, kPilotPass, evenly};
-    tbb::parallel_for(0, options.height, [&](int y) {
+    tbb::parallel_for(out.rows.begin, out.rows.end, [&](std::size_t row) {
+        const auto y = static_cast<int>(row);
         for (int x = 0; x < options.width; ++x) {
             const std::uint64_t pixel = job.index_of(x, y);
             RandomSequence random = sample_sequence(job, RandomStream::eye_paths, pixel, 1, 0);
             const Ray ray = pixel_ray(job, x, y, random).ray;
-            const Rgb found = trace(ray, random, out.importons[pixel]);
-            out.radiance.at(x, y) = is_finite(found) ? found : Rgb(0);
+            const std::size_t at = pixel - width * out.rows.begin;
+            const Rgb found = trace(ray, random, out.importons[at]);
+            radiance[at] = is_finite(found) ? found : Rgb(0);
         }
     });
+    out.radiance.pixels = joined(team, std::move(radiance));
     return out;
 }
 
@@ -111,47 +119,56 @@ double worth_of(const MapSurfaces& surfaces, const LeftPhotons& left, SearchScra
 } // namespace
 
 Importons trace_importons(const RenderScene& scene, const RenderOptions& options,
-                          const ImportonPath& trace)
+                          const ImportonPath& trace, const PilotTeam& team)
 {
     const RenderOptions small = importon_options(options);
-    const PilotPicture picture = trace_picture(scene, small, trace);
+    const PilotPicture picture = trace_picture(scene, small, trace, team);
     const double dark = 0.1 * mean_of(picture.radiance);
+    const std::size_t begin = picture.rows.begin * static_cast<std::size_t>(small.width);
     Importons out;
-    for (int y = 0; y < small.height; ++y)
-        for (int x = 0; x < small.width; ++x) {
-            const double level = level_around(picture.radiance, x, y);
-            const auto weight =
-                dark > 0 ? static_cast<float>(1 / std::sqrt(level * level + dark * dark)) : 1.0f;
-            const Importons& from =
-                picture.importons[static_cast<std::size_t>(y) * small.width + x];
-            const Rgb& found = picture.radiance.at(x, y);
-            out.light += (double{found.x} + double{found.y} + double{found.z}) * double{weight};
-            append(out.caustic, from.caustic, weight);
-            append(out.global, from.global, weight);
-            append(out.indirect, from.indirect, weight);
-        }
+    for (std::size_t pixel = 0; pixel < picture.radiance.pixels.size(); ++pixel) {
+        const auto x = static_cast<int>(pixel) % small.width,
+                   y = static_cast<int>(pixel) / small.width;
+        const double level = level_around(picture.radiance, x, y);
+        const auto weight =
+            dark > 0 ? static_cast<float>(1 / std::sqrt(level * level + dark * dark)) : 1.0f;
+        const Rgb& found = picture.radiance.pixels[pixel];
+        out.light += (double{found.x} + double{found.y} + double{found.z}) * double{weight};
+        if (pixel < begin || pixel - begin >= picture.importons.size())
+            continue;
+        const Importons& from = picture.importons[pixel - begin];
+        append(out.caustic, from.caustic, weight);
+        append(out.global, from.global, weight);
+        append(out.indirect, from.indirect, weight);
+    }
+    for (std::vector<Photon> Importons::*kind :
+         {&Importons::caustic, &Importons::global, &Importons::indirect})
+        out.*kind = joined(team, std::move(out.*kind));
     return out;
 }
 
 std::vector<GatherRecord> trace_gather_rays(const RenderScene& scene, const RenderOptions& options,
-                                            const SampleRange& of_pixel, const GatherPath& trace)
+                                            const SampleRange& of_pixel, const GatherPath& trace,
+                                            const PilotTeam& team)
 {
     const RenderOptions small = importon_options(options);
     const SampleAllocation evenly;
     const PictureJob job{scene, small, kPilotPass - 1, evenly};
-    std::vector<std::vector<GatherRecord>> rows(static_cast<std::size_t>(small.height));
-    tbb::parallel_for(0, small.height, [&](int y) {
+    const TeamPart own = part_of(team, static_cast<std::size_t>(small.height));
+    std::vector<std::vector<GatherRecord>> rows(own.size());
+    tbb::parallel_for(own.begin, own.end, [&](std::size_t row) {
+        const auto y = static_cast<int>(row);
         for (int x = 0; x < small.width; ++x)
             for (std::uint32_t i = of_pixel.begin; i < of_pixel.end; ++i) {
                 RandomSequence random =
                     sample_sequence(job, RandomStream::eye_paths, job.index_of(x, y), 0, i);
-                trace(pixel_ray(job, x, y, random).ray, random, rows[static_cast<std::size_t>(y)]);
+                trace(pixel_ray(job, x, y, random).ray, random, rows[row - own.begin]);
             }
     });
     std::vector<GatherRecord> out;
     for (const std::vector<GatherRecord>& row : rows)
         out.insert(out.end(), row.begin(), row.end());
-    return out;
+    return joined(team, std::move(out));
 }
 
 PhotonWorth make_worth(const Importons& importons, const MapSurfaces& surfaces,

@@ -2,6 +2,7 @@
 
 #include "render/integrator/gather_record.h"
 #include "render/integrator/pass_photons.h"
+#include "render/integrator/pilot_team.h"
 #include "render/maps/find_photons.h"
 #include "render/photons/photon.h"
 
@@ -40,7 +41,7 @@ using ImportonPath =
 /// Returns the importons of eye paths all over the image, each weighed by what its pixel counts in
 /// the error of the image, docs/error.md (3).  In parallel; the same at any thread count.
 Importons trace_importons(const RenderScene& scene, const RenderOptions& options,
-                          const ImportonPath& trace);
+                          const ImportonPath& trace, const PilotTeam& team = {});
 
 /// Traces an eye path as a pass would and keeps what its gather rays found.  Thread-safe.
 using GatherPath =
@@ -54,7 +55,8 @@ struct SampleRange {
 /// Returns what gather rays of eye paths all over the image found.  In parallel; the same at any
 /// thread count.
 std::vector<GatherRecord> trace_gather_rays(const RenderScene& scene, const RenderOptions& options,
-                                            const SampleRange& of_pixel, const GatherPath& trace);
+                                            const SampleRange& of_pixel, const GatherPath& trace,
+                                            const PilotTeam& team = {});
 
 /// What photons are worth to an image: maps of its importons.
 struct PhotonWorth {

@@ -63,15 +63,18 @@ double mean_of(const LightNoise& noise)
     return noise.mean.empty() ? 0 : sum / static_cast<double>(noise.mean.size());
 }
 
-LightNoise measure_light_noise(const RenderScene& scene, const RenderOptions& options)
+LightNoise measure_light_noise(const RenderScene& scene, const RenderOptions& options,
+                               const PilotTeam& team)
 {
     const int width = options.width, height = options.height;
     const PictureJob job{scene, options, kPilotPass, {}};
-    std::vector<Moments> moments(static_cast<std::size_t>(width) * height);
-    tbb::parallel_for(0, height, [&](int y) {
+    const TeamPart rows = part_of(team, static_cast<std::size_t>(height));
+    std::vector<Moments> own(rows.size() * static_cast<std::size_t>(width));
+    tbb::parallel_for(rows.begin, rows.end, [&](std::size_t y) {
         for (int x = 0; x < width; ++x)
-            moments[static_cast<std::size_t>(y) * width + x] = moments_of(job, x, y);
+            own[(y - rows.begin) * width + x] = moments_of(job, x, static_cast<int>(y));
     });
+    const std::vector<Moments> moments = joined(team, std::move(own));
     if (std::ranges::all_of(moments, [](const Moments& at) { return at.mean == 0; }))
         return {};
     LightNoise out;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/integrator/pilot_team.h"
 #include "render/integrator/render_options.h"
 
 #include <cstdint>
@@ -19,7 +20,8 @@ double mean_of(const LightNoise& noise);
 
 /// Measures the lights that are seen (docs/error.md (16)).  Depends on scene, seed and size alone.
 /// On all threads; cost: 8 of these samples a pixel.
-LightNoise measure_light_noise(const RenderScene& scene, const RenderOptions& options);
+LightNoise measure_light_noise(const RenderScene& scene, const RenderOptions& options,
+                               const PilotTeam& team = {});
 
 /// Returns how many samples of the seen lights each pixel takes besides its own in a pass, where
 /// nothing else is known of the image: 16, or --samples if more, where they differ by more than a

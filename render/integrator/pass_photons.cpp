@@ -4,6 +4,22 @@
 
 namespace hipmap {
 
+namespace {
+
+/// Joins what the paths without aim left, then what the aimed ones left.  without_aim: so many of
+/// the first come before the others.
+template <typename T>
+void join_kinds(const PilotTeam& team, std::vector<T>& photons, std::uint64_t without_aim)
+{
+    const auto middle = photons.begin() + static_cast<std::ptrdiff_t>(without_aim);
+    std::vector<T> out = joined(team, std::vector(photons.begin(), middle));
+    const std::vector<T> aimed = joined(team, std::vector(middle, photons.end()));
+    out.insert(out.end(), aimed.begin(), aimed.end());
+    photons = std::move(out);
+}
+
+} // namespace
+
 PhotonOptions photon_options(const RenderScene& scene, const RenderOptions& options,
                              std::uint64_t pass)
 {
@@ -52,6 +68,25 @@ TracedPhotons trace_pass(const RenderScene& scene, const PhotonOptions& options,
     statistics.seconds_photons += watch.seconds();
     statistics.processor_photons += watch.processor_seconds();
     return traced;
+}
+
+TracedPhotons trace_together(const RenderScene& scene, const PhotonOptions& options,
+                             const PilotTeam& team)
+{
+    if (!team.join || options.media)
+        return trace_photons(scene, options);
+    PhotonOptions part = options;
+    part.part = {team.rank, team.count};
+    part.count_paths = true;
+    TracedPhotons out = trace_photons(scene, part);
+    const PhotonCounts without_aim =
+        out.emitted == 0 ? PhotonCounts{} : out.after_path[out.emitted - 1];
+    out.after_path.clear();
+    join_kinds(team, out.caustic, without_aim.caustic);
+    join_kinds(team, out.global, without_aim.global);
+    join_kinds(team, out.bounces, without_aim.bounces);
+    out.glossy = joined(team, std::move(out.glossy));
+    return out;
 }
 
 ChosenMaps build_maps(const MappedScene& mapped, const std::vector<Photon>& photons,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "common/stopwatch.h"
+#include "render/integrator/pilot_team.h"
 #include "render/integrator/render_options.h"
 
 namespace hipmap {
@@ -33,6 +34,12 @@ std::optional<VolumeMap> build_volume(const RenderScene& scene, const TracedPhot
 /// Traces photons and counts them.
 TracedPhotons trace_pass(const RenderScene& scene, const PhotonOptions& options,
                          RenderStatistics& statistics);
+
+/// Traces photons of a pilot, each process of a team a part of them.  The photons returned are
+/// those of all, the same as without a team; the numbers are of this process, and
+/// BouncedPhoton::from says nothing.
+TracedPhotons trace_together(const RenderScene& scene, const PhotonOptions& options,
+                             const PilotTeam& team);
 
 /// What is asked of the maps of one kind of photon.
 struct MapRequest {

@@ -33,6 +33,22 @@ PhotonOptions round_options(PhotonOptions photons, int round)
     return photons;
 }
 
+/// Of each path of a round.
+struct RoundWorth {
+    std::vector<double> without_aim, aimed;
+};
+
+RoundWorth worth_of_round(const MappedScene& mapped, const PhotonWorth& worth,
+                          PhotonOptions photons, const PilotTeam& team)
+{
+    photons.part = {team.rank, team.count};
+    const TracedPhotons traced = trace_photons(mapped.scene, photons);
+    const std::vector<double> own = worth_of_paths(mapped, worth, traced);
+    const auto first_aimed = own.begin() + static_cast<std::ptrdiff_t>(traced.emitted);
+    return {joined(team, std::vector(own.begin(), first_aimed)),
+            joined(team, std::vector(first_aimed, own.end()))};
+}
+
 /// Importons do not see photons in media.
 bool has_volume_photons(const RenderScene& scene)
 {
@@ -50,19 +66,16 @@ learn_guides(const MappedScene& mapped, const PhotonOptions& photons, const Phot
     const EmissionGuide by_power = even_guide(mapped.scene.lights, Emitters::all_but_media);
     GuideLearner without_aim(by_power, RandomStream::photons, seeds);
     GuideLearner aimed(by_power, RandomStream::caustics);
-    for (int round = 0; round < kRounds && !pilots.stopped(); ++round) {
+    for (int round = 0; round < kRounds && !stopped_together(pilots); ++round) {
         PhotonOptions pilot = round_options(photons, round);
         const PhotonGuides guides{without_aim.guide(), aimed.guide()};
         pilot.guides = &guides;
-        const TracedPhotons traced = trace_photons(mapped.scene, pilot);
-        const std::vector<double> worths = worth_of_paths(mapped, worth, traced);
-        const std::span<const double> all(worths);
-        if (traced.emitted > 0)
-            without_aim.add(plan_emission(guides.without_aim, pilot.paths),
-                            all.first(traced.emitted), pilot);
-        if (traced.aimed > 0)
-            aimed.add(plan_emission(guides.aimed, pilot.caustic_paths), all.last(traced.aimed),
-                      pilot);
+        const RoundWorth found = worth_of_round(mapped, worth, pilot, pilots.team);
+        if (!found.without_aim.empty())
+            without_aim.add(plan_emission(guides.without_aim, pilot.paths), found.without_aim,
+                            pilot);
+        if (!found.aimed.empty())
+            aimed.add(plan_emission(guides.aimed, pilot.caustic_paths), found.aimed, pilot);
         if (without_aim.settled() && aimed.settled())
             break;
     }

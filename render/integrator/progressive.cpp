@@ -118,11 +118,11 @@ MapOptions radius_options(const ProgressivePass& pilot, EmissionGuide PhotonGuid
 }
 
 /// By photons of their own, as many as a pass has.
-ProgressiveRadii find_first_radii(const ProgressivePass& pilot)
+ProgressiveRadii find_first_radii(const ProgressivePass& pilot, const PilotTeam& team)
 {
     const MappedScene& mapped = pilot.mapped;
     const RenderOptions& options = pilot.options;
-    TracedPhotons traced = trace_photons(mapped.scene, linked_options(pilot));
+    TracedPhotons traced = trace_together(mapped.scene, linked_options(pilot), team);
     std::vector<Photon> indirect;
     indirect.reserve(traced.bounces.size());
     for (const BouncedPhoton& bounced : traced.bounces)
@@ -262,11 +262,13 @@ Importons find_importons(const ProgressivePass& pilot, const ProgressiveRadii& f
                     return trace_gather_path(maps, ray, seen, random, scratch);
                 }));
         return trace_importons(
-            scene, pilot.options, [&](const Ray& ray, RandomSequence& random, Importons& kept) {
+            scene, pilot.options,
+            [&](const Ray& ray, RandomSequence& random, Importons& kept) {
                 GatherScratch scratch;
                 scratch.importons = &kept;
                 return trace_gather_path(maps, ray, SeenLights::left_out, random, scratch)[0];
-            });
+            },
+            pilots.team);
     });
 }
 
@@ -290,7 +292,8 @@ std::shared_ptr<const PhotonGuides> find_guides(const ProgressivePass& pilot,
 
 /// Learns where gather rays find light, from rays of pilots that read the maps of one; from few, if
 /// they show that lobes alone are as good.
-GatherGuide find_directions(const ProgressivePass& pilot, const ProgressiveRadii& first)
+GatherGuide find_directions(const ProgressivePass& pilot, const ProgressiveRadii& first,
+                            const PilotTeam& team)
 {
     const RenderScene& scene = pilot.mapped.scene;
     return with_few_photons(pilot, first, [&](const GatherMaps& maps) {
@@ -303,7 +306,8 @@ GatherGuide find_directions(const ProgressivePass& pilot, const ProgressiveRadii
                     GatherScratch scratch;
                     scratch.records = &kept;
                     trace_gather_path(maps, ray, SeenLights::left_out, random, scratch);
-                });
+                },
+                team);
             records.insert(records.end(), found.begin(), found.end());
             out = learn_directions(scene.partition, records);
             if (out.directions.empty())
@@ -342,13 +346,15 @@ RenderedPass render_pass(const ProgressivePass& pass, const Progressive& shared,
 double render_pilot(const MappedScene& mapped, const RenderOptions& options,
                     const PilotControl& pilots, Progressive& shared)
 {
-    if (pilots.stopped())
+    if (stopped_together(pilots))
         return 0;
     const RenderScene& scene = mapped.scene;
     RenderStatistics ignored;
     RenderOptions small = pilot_options(options);
     small.width = (options.width + 1) / 2;
     small.height = (options.height + 1) / 2;
+    const TeamPart rows = part_of(pilots.team, static_cast<std::size_t>(small.height));
+    small.crop = {0, static_cast<int>(rows.begin), small.width, static_cast<int>(rows.end)};
     const auto pilot = [&](std::uint64_t number) {
         return ProgressivePass{.mapped = mapped,
                                .options = small,
@@ -363,12 +369,17 @@ double render_pilot(const MappedScene& mapped, const RenderOptions& options,
     Progressive evenly;
     evenly.first = shared.first;
     const auto image_of = [&](std::uint64_t number) {
-        return gather_pass(pilot(number), evenly, *photons, {.progress = {}, .stop = pilots.stop},
-                           ignored)
-            .images.radiance;
+        Image out(small.width, small.height);
+        std::vector<Rgb> own;
+        if (rows.size() > 0)
+            own = gather_pass(pilot(number), evenly, *photons,
+                              {.progress = {}, .stop = pilots.stop}, ignored)
+                      .images.radiance.pixels;
+        out.pixels = joined(pilots.team, std::move(own));
+        return out;
     };
     const Image first = image_of(kPilotPass), second = image_of(kPilotPass - 1);
-    const LightNoise lights = measure_light_noise(scene, options);
+    const LightNoise lights = measure_light_noise(scene, options, pilots.team);
     shared.allocation =
         allocate_samples({first, second, lights}, options.width, options.height, options.samples);
     return (mean_of(first) + mean_of(second)) / 2 + mean_of(lights);
@@ -381,7 +392,7 @@ void prepare(const MappedScene& mapped, const RenderOptions& options, const Pilo
 {
     ProgressivePass pilot{mapped, options, kPilotPass};
     const bool known = shared.cache != nullptr && shared.cache->radii;
-    ProgressiveRadii first = known ? *shared.cache->radii : find_first_radii(pilot);
+    ProgressiveRadii first = known ? *shared.cache->radii : find_first_radii(pilot, pilots.team);
     if (shared.cache != nullptr)
         shared.cache->radii = std::make_shared<const ProgressiveRadii>(first);
     const Importons importons = find_importons(pilot, first, pilots);
@@ -390,13 +401,14 @@ void prepare(const MappedScene& mapped, const RenderOptions& options, const Pilo
     SeenSurfaces seen = find_seen_surfaces(mapped, importons, linked_options(pilot));
     if (seen.unit > 0)
         shared.seen = std::make_shared<const SeenSurfaces>(std::move(seen));
-    if (shared.guides && !pilots.stopped()) {
+    const bool stopped = stopped_together(pilots);
+    if (shared.guides && !stopped) {
         shared.cache = nullptr;
         pilot.guides = shared.guides.get();
-        first = find_first_radii(pilot);
+        first = find_first_radii(pilot, pilots.team);
     }
-    if (options.gather == GatherDirections::guided && options.light.indirect && !pilots.stopped())
-        first.guide = find_directions(pilot, first);
+    if (options.gather == GatherDirections::guided && options.light.indirect && !stopped)
+        first.guide = find_directions(pilot, first, pilots.team);
     shared.first = std::make_shared<const ProgressiveRadii>(std::move(first));
 }
 

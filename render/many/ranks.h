@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -46,6 +47,11 @@ class Ranks {
     void add_up(std::span<std::int64_t> sums);
     /// Sends the words of each process to the lead, and returns them there; nothing on workers.
     std::vector<std::vector<std::uint64_t>> gather(const std::vector<std::uint64_t>& words);
+    /// Returns the bytes of all processes, by rank, in each.  own: of some elements, each of so
+    /// many bytes.
+    std::vector<std::byte> join(std::span<const std::byte> own, std::size_t element);
+    /// Returns whether any process says yes.
+    bool any(bool yes);
 
     /// Ends all processes at once, for a failure of one that the others do not wait for.  why: one
     /// line for people.  Returns only if a failure has already ended all of them together.

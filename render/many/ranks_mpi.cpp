@@ -36,6 +36,25 @@ void finish(MPI_Request& request)
     }
 }
 
+/// How many elements each process has, and where those of each begin in what all have, with the
+/// end.
+struct Shares {
+    std::vector<int> sizes, first;
+};
+
+/// own: elements of this process.
+Shares shares_of_all(std::size_t own, int processes)
+{
+    const auto mine = static_cast<int>(own);
+    Shares out;
+    out.sizes.resize(static_cast<std::size_t>(processes));
+    out.first.resize(out.sizes.size() + 1);
+    MPI_Allgather(&mine, 1, MPI_INT, out.sizes.data(), 1, MPI_INT, MPI_COMM_WORLD);
+    for (std::size_t i = 0; i < out.sizes.size(); ++i)
+        out.first[i + 1] = out.first[i] + out.sizes[i];
+    return out;
+}
+
 /// Text of a failure as words, one character each; empty: none.
 std::vector<std::uint64_t> words_of(const std::string& text)
 {
@@ -167,18 +186,36 @@ void Ranks::add_up(std::span<std::int64_t> sums)
 
 std::vector<std::vector<std::uint64_t>> Ranks::gather(const std::vector<std::uint64_t>& words)
 {
-    const auto own = static_cast<int>(words.size());
-    std::vector<int> sizes(static_cast<std::size_t>(count_)), first(sizes.size() + 1);
-    MPI_Gather(&own, 1, MPI_INT, sizes.data(), 1, MPI_INT, kLead, MPI_COMM_WORLD);
-    for (std::size_t i = 0; i < sizes.size(); ++i)
-        first[i + 1] = first[i] + sizes[i];
-    std::vector<std::uint64_t> all(static_cast<std::size_t>(first.back()));
-    MPI_Gatherv(words.data(), own, MPI_UINT64_T, all.data(), sizes.data(), first.data(),
-                MPI_UINT64_T, kLead, MPI_COMM_WORLD);
+    const auto [sizes, first] = shares_of_all(words.size(), count_);
+    std::vector<std::uint64_t> all(leads() ? static_cast<std::size_t>(first.back()) : 0);
+    MPI_Gatherv(words.data(), sizes[static_cast<std::size_t>(rank_)], MPI_UINT64_T, all.data(),
+                sizes.data(), first.data(), MPI_UINT64_T, kLead, MPI_COMM_WORLD);
     std::vector<std::vector<std::uint64_t>> out;
     for (std::size_t i = 0; leads() && i < sizes.size(); ++i)
         out.emplace_back(all.begin() + first[i], all.begin() + first[i + 1]);
     return out;
+}
+
+std::vector<std::byte> Ranks::join(std::span<const std::byte> own, std::size_t element)
+{
+    wait();
+    MPI_Datatype type = MPI_DATATYPE_NULL;
+    MPI_Type_contiguous(static_cast<int>(element), MPI_BYTE, &type);
+    MPI_Type_commit(&type);
+    const auto [sizes, first] = shares_of_all(own.size() / element, count_);
+    std::vector<std::byte> all(static_cast<std::size_t>(first.back()) * element);
+    MPI_Allgatherv(own.data(), sizes[static_cast<std::size_t>(rank_)], type, all.data(),
+                   sizes.data(), first.data(), type, MPI_COMM_WORLD);
+    MPI_Type_free(&type);
+    return all;
+}
+
+bool Ranks::any(bool yes)
+{
+    wait();
+    int found = yes ? 1 : 0;
+    MPI_Allreduce(MPI_IN_PLACE, &found, 1, MPI_INT, MPI_LOR, MPI_COMM_WORLD);
+    return found != 0;
 }
 
 void Ranks::abort(const std::string& why)

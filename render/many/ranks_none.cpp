@@ -41,6 +41,16 @@ std::vector<std::vector<std::uint64_t>> Ranks::gather(const std::vector<std::uin
     return {words};
 }
 
+std::vector<std::byte> Ranks::join(std::span<const std::byte> own, std::size_t /*element*/)
+{
+    return {own.begin(), own.end()};
+}
+
+bool Ranks::any(bool yes)
+{
+    return yes;
+}
+
 void Ranks::abort(const std::string& /*why*/) {}
 
 } // namespace hipmap

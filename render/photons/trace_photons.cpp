@@ -85,6 +85,11 @@ struct PathKind {
     const EmissionPlan plan;
     RandomStream stream = RandomStream::photons;
     Wanted wanted;
+
+    /// The paths of the plan that are traced.
+    std::uint64_t begin() const { return plan.paths * options.part.place / options.part.parts; }
+    std::uint64_t end() const { return plan.paths * (options.part.place + 1) / options.part.parts; }
+    std::uint64_t traced() const { return end() - begin(); }
 };
 
 const EmissionGuide* guide_of(const PhotonOptions& options, EmissionGuide PhotonGuides::*kind)
@@ -124,20 +129,20 @@ class PathCounts {
     SeenClasses sum_;
 };
 
-/// Traces all paths, in chunks that are joined in order.  emit(share, random): their starts.
+/// Traces paths in chunks that are joined in order.  emit(share, random): their starts.
 template <typename Emit>
 TracedPhotons trace_paths(const RenderScene& scene, const PathKind& kind, const Emit& emit)
 {
-    const std::uint64_t count = kind.plan.paths;
-    std::vector<TracedPhotons> chunks((count + kPathsPerChunk - 1) / kPathsPerChunk);
+    std::vector<TracedPhotons> chunks((kind.traced() + kPathsPerChunk - 1) / kPathsPerChunk);
     PathCounts counts(kind.options.seen);
     tbb::parallel_for(std::size_t{0}, chunks.size(), [&](std::size_t c) {
         TracedPhotons& photons = chunks[c];
         std::optional<ClassCounter> counter = counts.begin();
         Wanted wanted = kind.wanted;
         wanted.counter = counter ? &*counter : nullptr;
-        const std::uint64_t end = std::min(count, (c + 1) * kPathsPerChunk);
-        for (std::uint64_t i = c * kPathsPerChunk; i < end; ++i) {
+        const std::uint64_t begin = kind.begin() + c * kPathsPerChunk;
+        const std::uint64_t end = std::min(kind.end(), begin + kPathsPerChunk);
+        for (std::uint64_t i = begin; i < end; ++i) {
             const LightShare share = share_of(kind.plan, i);
             RandomSequence random = path_sequence(kind.options, kind.stream, share);
             const EmittedPath start = kind.guide == nullptr
@@ -186,7 +191,7 @@ TracedPhotons trace_without_aim(const RenderScene& scene, const PhotonOptions& o
         trace_paths(scene, kind, [&](const LightShare& share, RandomSequence& random) {
             return emit_path(scene.lights, share, random);
         });
-    out.emitted = kind.plan.paths;
+    out.emitted = kind.traced();
     return out;
 }
 
@@ -209,7 +214,7 @@ TracedPhotons trace_aimed(const RenderScene& scene, const PhotonOptions& options
             return emit_aimed_path(scene.lights, share, targets, random);
         });
     out.power = {}; // of no light of its own
-    out.aimed = kind.plan.paths;
+    out.aimed = kind.traced();
     return out;
 }
 

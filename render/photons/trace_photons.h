@@ -12,6 +12,11 @@
 
 namespace hipmap {
 
+/// One of several parts of the paths of each kind.
+struct PathPart {
+    std::uint64_t place = 0, parts = 1;
+};
+
 /// Guides of the light paths of a pass.
 struct PhotonGuides {
     EmissionGuide without_aim;
@@ -31,6 +36,7 @@ struct PhotonOptions {
     LightClasses light{};            ///< photons of other light are neither traced nor kept
     bool media = false; ///< keep photons in media, and those that come from there to surfaces
     const PhotonGuides* guides = nullptr; ///< borrowed; null: paths start by power alone
+    PathPart part{};                      ///< the paths that are traced
     bool count_paths = false;             ///< fill TracedPhotons::after_path
     const SeenSurfaces* seen = nullptr;   ///< to fill TracedPhotons::seen; borrowed
 };
@@ -69,8 +75,8 @@ struct PowerBalance {
 
 /// The photons of one pass, in the order of (path, bounce).
 struct TracedPhotons {
-    std::uint64_t emitted = 0;          ///< light paths
-    std::uint64_t aimed = 0;            ///< light paths aimed at specular surfaces
+    std::uint64_t emitted = 0;          ///< light paths that were traced
+    std::uint64_t aimed = 0;            ///< those aimed at specular surfaces, which come last
     std::vector<Photon> caustic;        ///< light, specular or media, diffuse
     std::vector<Photon> global;         ///< indirect, and direct if asked for
     std::vector<BouncedPhoton> bounces; ///< indirect, if asked for; those from a caustic are of

@@ -96,7 +96,7 @@ TEST_CASE("coarse image: pilots that are stopped render no pass", "[integrator]"
     std::atomic<bool> stop = true;
     RenderStatistics ignored;
     const PassSource source =
-        make_pass_source(*ready->render, options, ignored, nullptr, {&stop, {}});
+        make_pass_source(*ready->render, options, ignored, nullptr, {&stop, {}, {}});
     RenderState state = begin_state(source, {});
     RunControl control;
     control.stop = &stop;
