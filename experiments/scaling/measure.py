@@ -3,7 +3,6 @@
 import concurrent.futures
 import dataclasses
 import json
-import os
 import pathlib
 import shutil
 import sys
@@ -13,6 +12,7 @@ import time
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 sys.path.append(str(ROOT / "experiments"))
 import programs
+from turns import in_turns
 
 SCENES = ("cornell", "hall_of_lamps", "window_room")
 SUMMED = ("pilots", "photons", "maps", "image", "film", "write")
@@ -21,9 +21,9 @@ SUMMED = ("pilots", "photons", "maps", "image", "film", "write")
 @dataclasses.dataclass(frozen=True)
 class Study:
     """points: pixels across the images from which stages follow, and photons of a pass; 0: as many as
-    render chooses.  checked: pixels across those by two processes, at no point.  passes: of which the
+    render chooses.  checked: pixels across those by one process and by two, at no point.  passes: of which the
     average counts, for later passes cost less.  checked_passes: over a minute of them.  error_passes: to
-    which the law of the error is fitted.  repeats: of which the least counts; checked_repeats: of those over a minute."""
+    which the law of the error is fitted.  repeats: of which the least counts, of what is not done in turns."""
 
     points: tuple = ((96, 0), (160, 0), (224, 0), (224, 1_000_000))
     checked: int = 192
@@ -31,21 +31,12 @@ class Study:
     checked_passes: int = 48
     error_passes: int = 40
     repeats: int = 2
-    checked_repeats: int = 2
     seed: int = 0
 
 
 FULL = Study()
 QUICK = Study(points=((16, 1000), (32, 1000), (32, 8000)), checked=24, passes=2, checked_passes=4, error_passes=16,
               repeats=1)
-
-
-def busy_seconds():
-    """Of all cores since the machine began, of all programs."""
-    with open("/proc/stat", encoding="ascii") as file:
-        words = file.readline().split()
-    user, nice, system, _, _, irq, softirq, steal = map(int, words[1:9])
-    return (user + nice + system + irq + softirq + steal) / os.sysconf("SC_CLK_TCK")
 
 
 @dataclasses.dataclass(frozen=True)
@@ -98,6 +89,11 @@ def least(rows):
     return {name: min(row[name] for row in rows) for name in rows[0]}
 
 
+def mean(rows):
+    """Of each stage by itself."""
+    return {name: sum(row[name] for row in rows) / len(rows) for name in rows[0]}
+
+
 def without_start(seconds):
     """Processor seconds of the stages, and of what is none."""
     found = {name: seconds[name] for name in SUMMED}
@@ -110,6 +106,10 @@ def without_start(seconds):
 def merge_all(lab, folder, states):
     return programs.run(lab.tools, "render", "merge", *states, "-o", folder / "m.exr", "-o",
                         folder / "m.png").seconds
+
+
+def point_key(size, photons):
+    return f"{size}/{photons}"
 
 
 def chosen(photons):
@@ -164,86 +164,70 @@ def of_states(lab, name, size):
             "merge_begin": max(0, found["two"] - 2 * merge), "state_bytes": size}
 
 
-def add_of(lab, name, size):
-    """Processor seconds of the lead for adding up two films, and of waiting for it."""
-    with tempfile.TemporaryDirectory() as folder:
-        _, stats = lab.run_ranks(2, name, size, pathlib.Path(folder), "--passes", 4, "--samples", 1)
-    return stats["processor_seconds"]["add"] / stats["rounds"]
-
-
-def measure_stages(lab, name, point):
-    """The least of each stage over the repeats."""
-    rows = []
+def of_ranks(lab, name, size):
+    """Processor seconds of the lead: adding up two films, with waiting for it, and the part of the pilots that
+    processes share."""
+    def lead(ranks, folder):
+        _, stats = lab.run_ranks(ranks, name, size, folder, "--passes", 4, "--samples", 1)
+        return {"add": stats["processor_seconds"]["add"] / stats["rounds"],
+                "pilots": stats["processor_seconds"]["pilots"]}
+    alone, both = [], []
     for _ in range(lab.study.repeats):
-        rows += twice(lambda folder: measure_passes(lab, name, point, folder))
-    return least(rows)
+        alone += twice(lambda folder: lead(1, folder))
+        with tempfile.TemporaryDirectory() as folder:
+            both.append(lead(2, pathlib.Path(folder)))
+    alone, both = least(alone), least(both)
+    return {"add": both["add"], "shared_pilots": max(0, 2 * (alone["pilots"] - both["pilots"]))}
 
 
 def measure_sums(lab, name, size):
     """The stages of states and of films, whatever the photons."""
-    return {**of_states(lab, name, size),
-            "add": min(add_of(lab, name, size) for _ in range(lab.study.repeats))}
+    return {**of_states(lab, name, size), **of_ranks(lab, name, size)}
 
 
-def measure_run(lab, name, ranks, options, size=None):
-    """A render by processes: processor seconds of all, seconds of the clock, and the part of a core
-    that other programs took meanwhile."""
-    begun, busy = time.monotonic(), busy_seconds()
-    if ranks == 1:  # beside another
-        done = twice(lambda folder: lab.run_ranks(1, name, size or lab.study.checked, folder, *options))
-        own = sum(one.seconds for one, _ in done)
-    else:
-        with tempfile.TemporaryDirectory() as folder:
-            done = [lab.run_ranks(ranks, name, size or lab.study.checked, pathlib.Path(folder), *options)]
-        own = done[0][0].seconds
-    wall = time.monotonic() - begun
-    others = max(0, busy_seconds() - busy - own) / wall
-    best = min(done, key=lambda one: one[0].seconds)
-    return {"processor": best[0].seconds, "wall": wall, "others": others,
-            "rounds": best[1]["rounds"], "wait": best[1]["seconds"]["wait"]}
+def run_by(lab, name, ranks, size, *options):
+    """A render by processes, one of them beside another such render: processor seconds of all and seconds of
+    the clock, the least.  The start of MPI is in them."""
+    def one(folder):
+        begun = time.monotonic()
+        done, _ = lab.run_ranks(ranks, name, size, folder, *options)
+        return {"processor": done.seconds, "wall": time.monotonic() - begun}
+    if ranks == 1:
+        return least(twice(one))
+    with tempfile.TemporaryDirectory() as folder:
+        return one(pathlib.Path(folder))
 
 
-def measure_runs(lab, name, ranks, *options, size=None):
-    """The repeats.  The start of MPI is in them."""
-    repeats = lab.study.repeats if size else lab.study.checked_repeats
-    return [measure_run(lab, name, ranks, options, size) for _ in range(repeats)]
+def measure_stages(lab, name):
+    """The stages at each point, by the words of point_key."""
+    return {point_key(*point): mean(twice(lambda folder: measure_passes(lab, name, point, folder)))
+            for point in lab.study.points}
+
+
+def measure_checked(lab, name):
+    """In turns, so that the machine is as fast for each: the stages, and seconds of the clock of a render by
+    one process and by two."""
+    def by(ranks):
+        return run_by(lab, name, ranks, lab.study.checked, "--passes", lab.study.checked_passes)
+    stages, one, two = in_turns([lambda: measure_stages(lab, name), lambda: by(1), lambda: by(2)])
+    return {"stages": stages.result, "wall": {"1": one.seconds, "2": two.seconds}}
 
 
 def launch(lab, name, ranks):
     """What starting and ending MPI takes, by a small image: processor seconds of all processes and
     seconds of the clock beyond those of a render without MPI."""
     small = ("--passes", 1, "--samples", 1)
-    runs = measure_runs(lab, name, ranks, *small, size=8)
-    plain = []
+    runs, plain = [], []
     for _ in range(lab.study.repeats):
         def one(folder):
             begun = time.monotonic()
             done = programs.run(lab.tools, "render", *lab.words(name, 8, folder, *small))
-            return done.seconds, time.monotonic() - begun
+            return {"processor": done.seconds, "wall": time.monotonic() - begun}
+        runs.append(run_by(lab, name, ranks, 8, *small))
         plain += twice(one)
-    return {"processor": max(0, min(run["processor"] for run in runs) -
-                             ranks * min(seconds for seconds, _ in plain)),
-            "wall": max(0, min(run["wall"] for run in runs) - min(wall for _, wall in plain))}
-
-
-def tasks_and_merge(lab, name, folder):
-    """Processor seconds of a farm's tasks and of the merge: halves of the passes and of the pixels."""
-    half = max(1, lab.study.checked_passes // 4)
-    spent, states = 0, []
-    for tile in range(2):
-        for first in (0, half):
-            states.append(folder / f"{tile}-{first}.state")
-            spent += programs.run(lab.tools, "render", *lab.words(
-                name, lab.study.checked, folder, "--tile", f"{tile}/1x2", "--first-pass", first, "--passes",
-                half, "--state", states[-1])).seconds
-    return {"processor": spent + merge_all(lab, folder, states)}
-
-
-def measure_tasks(lab, name):
-    rows = []
-    for _ in range(lab.study.checked_repeats):
-        rows += twice(lambda folder: tasks_and_merge(lab, name, folder))
-    return rows
+    with_mpi, without = least(runs), least(plain)
+    return {"processor": max(0, with_mpi["processor"] - ranks * without["processor"]),
+            "wall": max(0, with_mpi["wall"] - without["wall"])}
 
 
 def passes_to_error(lab, name):

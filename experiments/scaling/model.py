@@ -1,5 +1,7 @@
 """What the stages of an image of any size take, by what was measured of small ones."""
 
+import statistics
+
 from stages import Stages
 
 # Of render/film/film.h: the sums of a pixel, of which photon maps have images by narrower radii.
@@ -55,11 +57,15 @@ class Model:
     """The laws of the stages of one scene.  measured: of docs/scaling/measured.json."""
 
     def __init__(self, measured, scene):
-        points = [tuple(point) for point in measured["about"]["study"]["points"]]
-        found = [measured["runs"][f"stages/{scene}/{size}/{photons}"] for size, photons in points]
+        points = measured["about"]["study"]["points"]
+        stages = measured["runs"][f"checked/{scene}"]["stages"]
+        found = [stages[f"{size}/{photons}"] for size, photons in points]
         sums = [measured["runs"][f"sums/{scene}/{size}"] for size, _ in points]
         chosen = [run for run, (_, photons) in zip(found, points) if photons == 0] or found
         self.least_photons = min(run["photons_of_pass"] for run in chosen)
+        # Of pilots, the part that processes share.
+        self.shared = min(1, statistics.mean(one["shared_pilots"] / run["pilots"] for one, run in zip(sums, found)
+                                             if run in chosen))
         self.photons_of_pixel = chosen[-1]["photons_of_pass"] / chosen[-1]["pixels"]
         at = [(1, run["pixels"] / 1e6, run["photons_of_pass"] / 1e6) for run in found]
         self.laws = {name: law(at, [run[name] for run in rows], columns)
@@ -73,4 +79,4 @@ class Model:
     def stages(self, pixels):
         point = (1, pixels / 1e6, self.photons(pixels) / 1e6)
         found = {name: of(point) for name, of in self.laws.items()}
-        return Stages(**found, film_bytes=FILM_BYTES_OF_PIXEL * pixels)
+        return Stages(**found, shared_pilots=self.shared * found["pilots"], film_bytes=FILM_BYTES_OF_PIXEL * pixels)

@@ -42,7 +42,8 @@ class Ranks:
         own = self.stages.start + self.stages.load + (self.stages.read if resumes else 0)
         loaded = max(own / speed for speed in self.speeds)
         loaded += self.cluster.transfer(self.stages.state_bytes) if resumes else 0
-        return [loaded + self.stages.pilots / speed for speed in self.speeds]
+        pilots = self.stages.pilots_by(self.cluster.machines)
+        return [loaded + pilots / speed for speed in self.speeds]
 
     def begin(self, resumes):
         """The clock stands where the lead hands out the first pass."""
@@ -92,7 +93,7 @@ class Ranks:
 
 def spend_setup(out, ranks, ready):
     stages, machines = ranks.stages, len(ready)
-    pilots = sum(stages.pilots / speed for speed in ranks.speeds)
+    pilots = sum(stages.pilots_by(machines) / speed for speed in ranks.speeds)
     out.spend("pilots", pilots)
     out.spend("load", sum(ready) - pilots)
     out.spend("wait", machines * ready[0] - sum(ready))

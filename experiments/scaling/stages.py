@@ -4,7 +4,7 @@ import dataclasses
 import random
 
 # Stages that render divides among the threads of a process.
-DIVIDED = ("pilots", "photons", "maps", "image")
+DIVIDED = ("pilots", "shared_pilots", "photons", "maps", "image")
 # Stages whose work is in the pixels that a task renders.  The others are those of the whole image.
 OF_PIXELS = ("image", "film", "save", "read", "merge")
 
@@ -16,6 +16,7 @@ class Stages:
     start: float = 0  # of a process, in no stage
     load: float = 0  # scene, partition, ray tracing structure
     pilots: float = 0
+    shared_pilots: float = 0  # the part of the pilots that processes by MPI divide
     photons: float = 0
     maps: float = 0
     image: float = 0
@@ -31,6 +32,10 @@ class Stages:
 
     def setup(self):
         return self.start + self.load + self.pilots
+
+    def pilots_by(self, machines):
+        """Of each machine, by MPI."""
+        return self.pilots - self.shared_pilots * (1 - 1 / machines)
 
     def one_pass(self):
         return self.photons + self.maps + self.image + self.film

@@ -11,12 +11,14 @@ import pathlib
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 ROOT = sys.argv[1]
 FOLDER = os.path.join(ROOT, "experiments/scaling")
 sys.path.insert(0, FOLDER)
 import farm
+import measure  # finds turns
 import model
 import page
 import ranks
@@ -24,6 +26,7 @@ import scenario
 from farm import Plan, simulate_farm
 from ranks import simulate_ranks
 from stages import Cluster, Stages
+from turns import in_turns
 
 STAGES = Stages(start=0.1, load=0.4, pilots=1.5, photons=0.2, maps=0.3, image=1.4, film=0.1, save=0.3,
                 read=0.2, write=0.25, add=0.05, merge_begin=0.6, merge=0.15, state_bytes=3e8)
@@ -48,6 +51,13 @@ class ByMpi(unittest.TestCase):
             serial = SETUP + adding + STAGES.save + 2 * STAGES.write
             self.assertEqual(found.rounds, 1)
             self.assertAlmostEqual(found.seconds, serial + turns * PASS)
+
+    def test_machines_share_a_part_of_the_pilots(self):
+        stages = dataclasses.replace(STAGES, shared_pilots=1.2)
+        for machines in (1, 4):
+            found, alike = (simulate_ranks(of, 8, Cluster(machines=machines)) for of in (stages, STAGES))
+            self.assertAlmostEqual(alike.seconds - found.seconds, 1.2 * (1 - 1 / machines))
+            self.assertAlmostEqual(found.spent["pilots"], machines * 1.5 - 1.2 * (machines - 1))
 
     def test_a_round_ends_after_30_passes_of_a_machine(self):
         found = simulate_ranks(STAGES, 2 * 31 * 8, Cluster(machines=8))
@@ -158,6 +168,57 @@ class Both(unittest.TestCase):
         self.assertAlmostEqual(several.setup(), 0.5 + 1.5 / 4)
 
 
+class InTurns(unittest.TestCase):
+    """Jobs are stopped with the programs that they start while others have their turn."""
+
+    @staticmethod
+    def steps(number):
+        """A job that says when a program of its own made each of so many steps."""
+        text = f"import time\nfor i in range({number}):\n    time.sleep(0.002)\n    print(time.monotonic())"
+        def job():
+            done = subprocess.run([sys.executable, "-c", text], check=True, capture_output=True, text=True)
+            return [float(line) for line in done.stdout.split()]
+        return job
+
+    def test_one_runs_at_a_time(self):
+        begun = time.monotonic()
+        turns = in_turns([self.steps(100), self.steps(150)], 0.05)
+        took = time.monotonic() - begun
+        self.assertEqual([len(turn.result) for turn in turns], [100, 150])
+        owners = [owner for _, owner in sorted((at, i) for i, turn in enumerate(turns) for at in turn.result)]
+        changes = sum(one != two for one, two in zip(owners, owners[1:]))
+        self.assertGreaterEqual(changes, 3)
+        self.assertLessEqual(changes, 2 * took / 0.05)
+        self.assertLessEqual(sum(turn.seconds for turn in turns), took)
+
+    def test_a_job_that_fails_ends_all(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder, "process")
+            def endless():
+                with subprocess.Popen(["sleep", "1000"]) as child:
+                    file.write_text(str(child.pid), encoding="utf-8")
+            def fails():
+                while not file.exists():
+                    time.sleep(0.001)
+                os._exit(1)
+            with self.assertRaises(SystemExit):
+                in_turns([endless, fails], 0.05)
+            process = int(file.read_text(encoding="utf-8"))
+            for _ in range(1000):
+                if not is_alive(process):
+                    break
+                time.sleep(0.01)
+            self.assertFalse(is_alive(process))
+
+
+def is_alive(process):
+    try:
+        state = pathlib.Path(f"/proc/{process}/stat").read_text(encoding="utf-8").rsplit(")", 1)[1].split()[0]
+    except OSError:
+        return False
+    return state not in "ZX"
+
+
 TOOL = """#!/bin/sh
 while [ $# -gt 0 ]; do
     case "$1" in
@@ -174,7 +235,7 @@ exec "$@"
 STATS = {"processor_seconds": {"process": 9, "scene": 0.2, "rays": 0.1, "pilots": 2, "photons": 1, "maps": 1, "image": 3,
                                "film": 0.5, "previews": 0.5, "write": 0.25, "state": 0,
                                "add": 0.1},
-         "seconds": {"wait": 0}, "rounds": 2, "image": {"width": 24, "height": 16},
+         "rounds": 2, "image": {"width": 24, "height": 16},
          "options": {"photons": 1000, "samples": 4}, "error": {"law": {}}}
 
 
