@@ -54,13 +54,14 @@ class Calibration(unittest.TestCase):
         self.assertEqual(runs.reference_method("hexagonal", "path"), runs.LONG_PATH)
         self.assertEqual(runs.reference_method("hexagonal", "progressive"),
                          runs.LONG_PROGRESSIVE)
+        self.assertEqual(runs.reference_method("cornell", "direct"), runs.INTEGRATORS["direct"])
 
 
 def calibrate(folder, seeds):
     """The steps that were done, and the cases."""
     done = subprocess.run(
         [sys.executable, "-B", os.path.join(FOLDER, "calibrate.py"), "--seeds", str(seeds),
-         "--size", "8", "--scenes", SCENE, "--integrators", "direct", "--tools", TOOLS,
+         "--size", "8", "--scenes", SCENE, "--integrators", "path", "--tools", TOOLS,
          "--to", folder, "--work", folder / "work"], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
     results = json.loads((folder / "calibration.json").read_text())
@@ -87,7 +88,8 @@ class Command(unittest.TestCase):
         return calibrate(self.folder, seeds)
 
     def test_rows_and_document(self):
-        self.assertEqual(self.steps[-1], "[4/4]")  # a target, a reference, two images
+        # A target of each integrator that shares the reference, the reference, two images.
+        self.assertEqual(self.steps[-1], "[5/5]")
         document = (self.folder / "calibration.md").read_text(encoding="utf-8")
         self.assertEqual(document.count(f"| {SCENE} |"), 1)
         found = self.whole
@@ -109,7 +111,7 @@ class Command(unittest.TestCase):
         def told(images):
             return [{key: image[key] for key in image if key != "seconds"} for image in images]
         whole = self.whole
-        self.lose("/direct/1")
+        self.lose("/path/1")
         steps, (found,) = self.calibrate(2)
         self.assertEqual(steps, ["[1/1]"])
         self.assertEqual(told(found["images"]), told(whole["images"]))
@@ -127,7 +129,7 @@ class Command(unittest.TestCase):
         results["about"]["programs"] = "others"
         self.notebook.write_text(json.dumps(results))
         steps, (repeated,) = self.calibrate(2)
-        self.assertEqual(steps[-1], "[4/4]")
+        self.assertEqual(steps[-1], "[5/5]")
         self.assertEqual(repeated["images"][0]["true"], self.whole["images"][0]["true"])
 
 
