@@ -39,7 +39,8 @@ using ImportonPath =
     std::function<Rgb(const Ray& ray, RandomSequence& random, Importons& importons)>;
 
 /// Returns the importons of eye paths all over the image, each weighed by what its pixel counts in
-/// the error of the image, docs/error.md (3).  In parallel; the same at any thread count.
+/// the error of the image, docs/error.md (3).  In parallel; the same at any thread count and by any
+/// team, each process of which traces some rows.
 Importons trace_importons(const RenderScene& scene, const RenderOptions& options,
                           const ImportonPath& trace, const PilotTeam& team = {});
 
@@ -53,7 +54,7 @@ struct SampleRange {
 };
 
 /// Returns what gather rays of eye paths all over the image found.  In parallel; the same at any
-/// thread count.
+/// thread count and by any team, each process of which traces some rows.
 std::vector<GatherRecord> trace_gather_rays(const RenderScene& scene, const RenderOptions& options,
                                             const SampleRange& of_pixel, const GatherPath& trace,
                                             const PilotTeam& team = {});

@@ -19,7 +19,7 @@ struct LightNoise {
 double mean_of(const LightNoise& noise);
 
 /// Measures the lights that are seen (docs/error.md (16)).  Depends on scene, seed and size alone.
-/// On all threads; cost: 8 of these samples a pixel.
+/// On all threads, each process of a team some rows; cost: 8 of these samples a pixel.
 LightNoise measure_light_noise(const RenderScene& scene, const RenderOptions& options,
                                const PilotTeam& team = {});
 
