@@ -10,6 +10,8 @@
 #include <OpenEXR/ImfInputFile.h>
 #include <OpenEXR/ImfOutputFile.h>
 #include <OpenEXR/ImfStringAttribute.h>
+#include <OpenEXR/ImfThreading.h>
+#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <array>
@@ -121,13 +123,30 @@ Imf::Header header_of(const ExrWindow& window)
     return header;
 }
 
+/// The threads that compress a file: as many as oneTBB may use.  0: this one, as there are no more.
+int compressing_threads()
+{
+    using Control = tbb::global_control;
+    const auto wanted = static_cast<int>(Control::active_value(Control::max_allowed_parallelism));
+    if (wanted < 2)
+        return 0;
+    try {
+        if (Imf::globalThreadCount() < wanted)
+            Imf::setGlobalThreadCount(wanted);
+    } catch (const std::exception&) { // the system gives no more threads
+        return 0;
+    }
+    return wanted;
+}
+
 /// Writes what the buffer shows, as many rows as the header promises, in one step.
 void write_slices(const std::filesystem::path& path, const Imf::Header& header,
                   const Imf::FrameBuffer& buffer)
 {
     MemoryOutput stream;
     {
-        Imf::OutputFile file(stream, header, 0); // its destructor writes the table of offsets
+        // Its destructor writes the table of offsets.
+        Imf::OutputFile file(stream, header, compressing_threads());
         file.setFrameBuffer(buffer);
         file.writePixels(header.dataWindow().max.y - header.dataWindow().min.y + 1);
     }

@@ -9,6 +9,7 @@
 
 #include <catch2/catch.hpp>
 #include <stb/stb_image.h>
+#include <tbb/global_control.h>
 
 #include <cmath>
 #include <cstdint>
@@ -181,6 +182,20 @@ TEST_CASE("write_exr: layers come back under their names, and nothing else is in
     CHECK(read_exr(folder / "a.exr", "error").pixels == error.pixels);
     CHECK_THROWS_WITH(read_exr(folder / "a.exr", "depth"), Contains("no channel depth.R"));
     CHECK(bytes_of(folder / "a.exr") == bytes_of(folder / "b.exr"));
+}
+
+TEST_CASE("write_exr: any number of threads writes the same bytes", "[image]")
+{
+    const TemporaryFolder folder;
+    Image image(50, 100); // several blocks of rows
+    for (std::size_t i = 0; i < image.pixels.size(); ++i)
+        image.pixels[i] = Rgb(std::sin(static_cast<float>(i)));
+    for (const std::size_t threads : {1, 2, 7}) {
+        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+        write_exr(folder / (std::to_string(threads) + ".exr"), image, {});
+    }
+    CHECK(bytes_of(folder / "1.exr") == bytes_of(folder / "2.exr"));
+    CHECK(bytes_of(folder / "1.exr") == bytes_of(folder / "7.exr"));
 }
 
 TEST_CASE("image_format: an unknown suffix is refused and the known ones are listed", "[image]")
