@@ -1,5 +1,7 @@
 #pragma once
 
+#include "common/math/part.h"
+
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 
@@ -7,16 +9,6 @@
 #include <cstddef>
 
 namespace hipmap {
-
-/// Part `index` of `count` equal parts of 0..size-1: from `begin` up to `end`.
-struct Part {
-    std::size_t begin = 0, end = 0;
-};
-
-inline Part part_of(std::size_t size, std::size_t index, std::size_t count)
-{
-    return {size * index / count, size * (index + 1) / count};
-}
 
 /// Returns into how many parts to divide work of which each part goes through all items and keeps
 /// its own: one for each thread up to 16, and one alone for few items.

@@ -32,7 +32,7 @@ RenderOptions importon_options(RenderOptions options)
 /// Radiance of the paths of all pixels, and importons of those of some rows.
 struct PilotPicture {
     Image radiance;
-    TeamPart rows;
+    Part rows;
     std::vector<Importons> importons; ///< [pixels of the rows]
 };
 
@@ -41,7 +41,7 @@ PilotPicture trace_picture(const RenderScene& scene, const RenderOptions& option
 {
     const auto width = static_cast<std::size_t>(options.width);
     PilotPicture out{Image(options.width, options.height),
-                     part_of(team, static_cast<std::size_t>(options.height)),
+                     team.part(static_cast<std::size_t>(options.height)),
                      {}};
     out.importons.resize(width * out.rows.size());
     std::vector<Rgb> radiance(out.importons.size());
@@ -154,7 +154,7 @@ std::vector<GatherRecord> trace_gather_rays(const RenderScene& scene, const Rend
     const RenderOptions small = importon_options(options);
     const SampleAllocation evenly;
     const PictureJob job{scene, small, kPilotPass - 1, evenly};
-    const TeamPart own = part_of(team, static_cast<std::size_t>(small.height));
+    const Part own = team.part(static_cast<std::size_t>(small.height));
     std::vector<std::vector<GatherRecord>> rows(own.size());
     tbb::parallel_for(own.begin, own.end, [&](std::size_t row) {
         const auto y = static_cast<int>(row);

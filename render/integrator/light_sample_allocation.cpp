@@ -68,7 +68,7 @@ LightNoise measure_light_noise(const RenderScene& scene, const RenderOptions& op
 {
     const int width = options.width, height = options.height;
     const PictureJob job{scene, options, kPilotPass, {}};
-    const TeamPart rows = part_of(team, static_cast<std::size_t>(height));
+    const Part rows = team.part(static_cast<std::size_t>(height));
     std::vector<Moments> own(rows.size() * static_cast<std::size_t>(width));
     tbb::parallel_for(rows.begin, rows.end, [&](std::size_t y) {
         for (int x = 0; x < width; ++x)

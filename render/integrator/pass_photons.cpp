@@ -76,7 +76,8 @@ TracedPhotons trace_together(const RenderScene& scene, const PhotonOptions& opti
     if (!team.join || options.media)
         return trace_photons(scene, options);
     PhotonOptions part = options;
-    part.part = {team.rank, team.count};
+    part.part = team.rank;
+    part.parts = team.count;
     part.count_paths = true;
     TracedPhotons out = trace_photons(scene, part);
     const PhotonCounts without_aim =

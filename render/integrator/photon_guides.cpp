@@ -17,7 +17,7 @@ constexpr std::uint64_t kFewestPaths = 1 << 14, kFewestAimed = 1 << 12;
 /// More teach a guide little, and the paths of all rounds are kept.
 constexpr std::uint64_t kMostPaths = 1 << 17;
 
-std::uint64_t part_of(std::uint64_t paths, std::uint64_t part, std::uint64_t fewest)
+std::uint64_t paths_of_round(std::uint64_t paths, std::uint64_t part, std::uint64_t fewest)
 {
     return std::min({paths, std::max(paths / part, fewest), kMostPaths});
 }
@@ -26,14 +26,14 @@ std::uint64_t part_of(std::uint64_t paths, std::uint64_t part, std::uint64_t few
 PhotonOptions round_options(PhotonOptions photons, int round)
 {
     const std::uint64_t part = round == 0 ? kFirstPart : kPart;
-    photons.paths = part_of(photons.paths, part, kFewestPaths);
-    photons.caustic_paths = part_of(photons.caustic_paths, part, kFewestAimed);
+    photons.paths = paths_of_round(photons.paths, part, kFewestPaths);
+    photons.caustic_paths = paths_of_round(photons.caustic_paths, part, kFewestAimed);
     photons.pass -= static_cast<std::uint64_t>(round);
     photons.count_paths = true;
     return photons;
 }
 
-/// Of each path of a round.
+/// The worth of each light path of a round.
 struct RoundWorth {
     std::vector<double> without_aim, aimed;
 };
@@ -41,7 +41,8 @@ struct RoundWorth {
 RoundWorth worth_of_round(const MappedScene& mapped, const PhotonWorth& worth,
                           PhotonOptions photons, const PilotTeam& team)
 {
-    photons.part = {team.rank, team.count};
+    photons.part = team.rank;
+    photons.parts = team.count;
     const TracedPhotons traced = trace_photons(mapped.scene, photons);
     const std::vector<double> own = worth_of_paths(mapped, worth, traced);
     const auto first_aimed = own.begin() + static_cast<std::ptrdiff_t>(traced.emitted);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "common/math/part.h"
+
 #include <cstddef>
 #include <cstring>
 #include <functional>
@@ -16,20 +18,10 @@ struct PilotTeam {
     /// Returns the bytes of all, by rank.  own: of some elements, each of so many bytes.  Empty:
     /// there is one process.
     std::function<std::vector<std::byte>(std::span<const std::byte> own, std::size_t element)> join;
+
+    /// Returns which of so many things this process does.
+    Part part(std::size_t things) const { return part_of(things, rank, count); }
 };
-
-/// A range of things.
-struct TeamPart {
-    std::size_t begin = 0, end = 0;
-
-    std::size_t size() const { return end - begin; }
-};
-
-/// Returns which of some things this process does; the parts of all follow one another, by rank.
-inline TeamPart part_of(const PilotTeam& team, std::size_t things)
-{
-    return {things * team.rank / team.count, things * (team.rank + 1) / team.count};
-}
 
 /// Returns what all processes have, by rank.  T: numbers alone, though those of glm have functions
 /// to copy them.

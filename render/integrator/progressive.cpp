@@ -353,7 +353,7 @@ double render_pilot(const MappedScene& mapped, const RenderOptions& options,
     RenderOptions small = pilot_options(options);
     small.width = (options.width + 1) / 2;
     small.height = (options.height + 1) / 2;
-    const TeamPart rows = part_of(pilots.team, static_cast<std::size_t>(small.height));
+    const Part rows = pilots.team.part(static_cast<std::size_t>(small.height));
     small.crop = {0, static_cast<int>(rows.begin), small.width, static_cast<int>(rows.end)};
     const auto pilot = [&](std::uint64_t number) {
         return ProgressivePass{.mapped = mapped,

@@ -86,10 +86,8 @@ struct PathKind {
     RandomStream stream = RandomStream::photons;
     Wanted wanted;
 
-    /// The paths of the plan that are traced.
-    std::uint64_t begin() const { return plan.paths * options.part.place / options.part.parts; }
-    std::uint64_t end() const { return plan.paths * (options.part.place + 1) / options.part.parts; }
-    std::uint64_t traced() const { return end() - begin(); }
+    /// Returns which paths of the plan are traced.
+    Part traced() const { return part_of(plan.paths, options.part, options.parts); }
 };
 
 const EmissionGuide* guide_of(const PhotonOptions& options, EmissionGuide PhotonGuides::*kind)
@@ -133,15 +131,16 @@ class PathCounts {
 template <typename Emit>
 TracedPhotons trace_paths(const RenderScene& scene, const PathKind& kind, const Emit& emit)
 {
-    std::vector<TracedPhotons> chunks((kind.traced() + kPathsPerChunk - 1) / kPathsPerChunk);
+    const Part traced = kind.traced();
+    std::vector<TracedPhotons> chunks((traced.size() + kPathsPerChunk - 1) / kPathsPerChunk);
     PathCounts counts(kind.options.seen);
     tbb::parallel_for(std::size_t{0}, chunks.size(), [&](std::size_t c) {
         TracedPhotons& photons = chunks[c];
         std::optional<ClassCounter> counter = counts.begin();
         Wanted wanted = kind.wanted;
         wanted.counter = counter ? &*counter : nullptr;
-        const std::uint64_t begin = kind.begin() + c * kPathsPerChunk;
-        const std::uint64_t end = std::min(kind.end(), begin + kPathsPerChunk);
+        const std::uint64_t begin = traced.begin + c * kPathsPerChunk;
+        const std::uint64_t end = std::min(traced.end, begin + kPathsPerChunk);
         for (std::uint64_t i = begin; i < end; ++i) {
             const LightShare share = share_of(kind.plan, i);
             RandomSequence random = path_sequence(kind.options, kind.stream, share);
@@ -191,7 +190,7 @@ TracedPhotons trace_without_aim(const RenderScene& scene, const PhotonOptions& o
         trace_paths(scene, kind, [&](const LightShare& share, RandomSequence& random) {
             return emit_path(scene.lights, share, random);
         });
-    out.emitted = kind.traced();
+    out.emitted = kind.traced().size();
     return out;
 }
 
@@ -214,7 +213,7 @@ TracedPhotons trace_aimed(const RenderScene& scene, const PhotonOptions& options
             return emit_aimed_path(scene.lights, share, targets, random);
         });
     out.power = {}; // of no light of its own
-    out.aimed = kind.traced();
+    out.aimed = kind.traced().size();
     return out;
 }
 

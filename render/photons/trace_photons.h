@@ -1,5 +1,6 @@
 #pragma once
 
+#include "common/math/part.h"
 #include "render/effects/light_classes.h"
 #include "render/lights/emission.h"
 #include "render/photons/photon.h"
@@ -11,11 +12,6 @@
 #include <vector>
 
 namespace hipmap {
-
-/// One of several parts of the paths of each kind.
-struct PathPart {
-    std::uint64_t place = 0, parts = 1;
-};
 
 /// Guides of the light paths of a pass.
 struct PhotonGuides {
@@ -36,7 +32,7 @@ struct PhotonOptions {
     LightClasses light{};            ///< photons of other light are neither traced nor kept
     bool media = false; ///< keep photons in media, and those that come from there to surfaces
     const PhotonGuides* guides = nullptr; ///< borrowed; null: paths start by power alone
-    PathPart part{};                      ///< the paths that are traced
+    std::size_t part = 0, parts = 1;      ///< of the paths of each kind, this one part is traced
     bool count_paths = false;             ///< fill TracedPhotons::after_path
     const SeenSurfaces* seen = nullptr;   ///< to fill TracedPhotons::seen; borrowed
 };
