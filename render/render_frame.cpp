@@ -246,12 +246,11 @@ RenderedFrame render_passes(PreparedFrame& frame, SceneSource& source, PreviousF
     };
     LiveImages images(frame.arguments, surfaces);
     CoarseImage coarse;
+    const PilotControl pilots = pilot_control(control, !frame.found, coarse, images, report);
     const Stopwatch piloting;
-    const PassSource passes =
-        make_frame_source(own, scene, out.statistics, cache,
-                          pilot_control(control, !frame.found, coarse, images, report));
-    if (control.ranks != nullptr && control.ranks->any(control.stop))
-        control.stop = true; // the pilots ended early in all
+    const PassSource passes = make_frame_source(own, scene, out.statistics, cache, pilots);
+    if (stopped_together(pilots)) // then pilots ended early in all processes
+        control.stop = true;
     out.pilots.add(piloting);
     out.state = begin_or_resume(frame, passes, control.stop);
     out.resumed = count(out.state.film.passes);

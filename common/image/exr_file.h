@@ -17,10 +17,10 @@ struct Layer {
 };
 
 /// Writes `image` as channels R, G, B and each layer beside it: linear float, lossless, compressed
-/// by all threads that oneTBB may use.  Equal images give equal bytes on any machine.  A channel
-/// that is not finite is written as 0.  place: of the image and the layers; the data window is
-/// theirs, the display window that of the whole image.  Throws InputError if the file cannot be
-/// written.
+/// by all threads that oneTBB may use.  Equal images give equal bytes on any machine.  A value
+/// that is not finite is written as 0.  place: where the image and the layers lie in the whole
+/// image; the data window covers them, and the display window covers the whole image.  Throws
+/// InputError if the file cannot be written.
 void write_exr(const std::filesystem::path& path, const Image& image, std::span<const Layer> layers,
                const ImagePlace& place = {});
 

@@ -35,9 +35,9 @@ std::optional<VolumeMap> build_volume(const RenderScene& scene, const TracedPhot
 TracedPhotons trace_pass(const RenderScene& scene, const PhotonOptions& options,
                          RenderStatistics& statistics);
 
-/// Traces photons of a pilot, each process of a team a part of them.  The photons returned are
-/// those of all, the same as without a team; the numbers are of this process, and
-/// BouncedPhoton::from says nothing.
+/// Traces the photons of a pilot, each process of a team a part of them.  Returns the photons of
+/// all processes, the same as without a team.  The counts of the result cover only the paths that
+/// this process traced, and BouncedPhoton::from is undefined.
 TracedPhotons trace_together(const RenderScene& scene, const PhotonOptions& options,
                              const PilotTeam& team);
 

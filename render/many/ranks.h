@@ -50,8 +50,6 @@ class Ranks {
     /// Returns the bytes of all processes, by rank, in each.  own: of some elements, each of so
     /// many bytes.
     std::vector<std::byte> join(std::span<const std::byte> own, std::size_t element);
-    /// Returns whether any process says yes.
-    bool any(bool yes);
 
     /// Ends all processes at once, for a failure of one that the others do not wait for.  why: one
     /// line for people.  Returns only if a failure has already ended all of them together.

@@ -210,14 +210,6 @@ std::vector<std::byte> Ranks::join(std::span<const std::byte> own, std::size_t e
     return all;
 }
 
-bool Ranks::any(bool yes)
-{
-    wait();
-    int found = yes ? 1 : 0;
-    MPI_Allreduce(MPI_IN_PLACE, &found, 1, MPI_INT, MPI_LOR, MPI_COMM_WORLD);
-    return found != 0;
-}
-
 void Ranks::abort(const std::string& why)
 {
     if (failed_)

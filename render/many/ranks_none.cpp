@@ -46,11 +46,6 @@ std::vector<std::byte> Ranks::join(std::span<const std::byte> own, std::size_t /
     return {own.begin(), own.end()};
 }
 
-bool Ranks::any(bool yes)
-{
-    return yes;
-}
-
 void Ranks::abort(const std::string& /*why*/) {}
 
 } // namespace hipmap

@@ -26,7 +26,7 @@ import scenario
 from farm import Plan, simulate_farm
 from ranks import simulate_ranks
 from stages import Cluster, Stages
-from turns import in_turns
+from turns import in_turns, members
 
 STAGES = Stages(start=0.1, load=0.4, pilots=1.5, photons=0.2, maps=0.3, image=1.4, film=0.1, save=0.3,
                 read=0.2, write=0.25, add=0.05, merge_begin=0.6, merge=0.15, state_bytes=3e8)
@@ -195,28 +195,20 @@ class InTurns(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             file = pathlib.Path(folder, "process")
             def endless():
-                with subprocess.Popen(["sleep", "1000"]) as child:
-                    file.write_text(str(child.pid), encoding="utf-8")
+                with subprocess.Popen(["sleep", "1000"]):
+                    file.write_text(str(os.getsid(0)), encoding="utf-8")
             def fails():
                 while not file.exists():
                     time.sleep(0.001)
                 os._exit(1)
             with self.assertRaises(SystemExit):
                 in_turns([endless, fails], 0.05)
-            process = int(file.read_text(encoding="utf-8"))
+            session = int(file.read_text(encoding="utf-8"))
             for _ in range(1000):
-                if not is_alive(process):
+                if not members(session):
                     break
                 time.sleep(0.01)
-            self.assertFalse(is_alive(process))
-
-
-def is_alive(process):
-    try:
-        state = pathlib.Path(f"/proc/{process}/stat").read_text(encoding="utf-8").rsplit(")", 1)[1].split()[0]
-    except OSError:
-        return False
-    return state not in "ZX"
+            self.assertEqual(members(session), [])
 
 
 TOOL = """#!/bin/sh

@@ -101,7 +101,7 @@ TEST_CASE("pilot team: each member finds what one process finds", "[integrator]"
         CHECK(find_together(*ready->render, count) == std::vector(count, alone));
 }
 
-TEST_CASE("pilot team: all end early if one is told to stop", "[integrator]")
+TEST_CASE("pilot team: a stop of one member ends the pilots of all members", "[integrator]")
 {
     const auto ready = tiny::ready(room());
     for (const Pilots& found : find_together(*ready->render, 3, 1))
