@@ -11,6 +11,7 @@ import re
 import shutil
 import subprocess
 import sys
+import tempfile
 
 import tools
 from tools import Tools, ToolsTestCase
@@ -186,18 +187,32 @@ class Report(ToolsTestCase):
                 self.assertIn(naming, done.stderr)
                 self.assertFalse(os.path.exists(self.in_out("report.html")))
 
+    def shown_by(self, browser):
+        """What the browser says of the page, and its errors.  It can fail by itself on a busy machine."""
+        command = [browser, "--headless", "--no-sandbox", "--disable-gpu", "--no-first-run",
+                   "--disable-background-networking", "--disable-component-update",
+                   "--virtual-time-budget=10000", "--dump-dom", "file://" + self.in_out("report.html") + "#self-check"]
+        # Processes of it may still write to the profile when the first has ended.
+        with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as profile:
+            try:
+                done = subprocess.run([*command, "--user-data-dir=" + profile], capture_output=True, text=True,
+                                      timeout=60, check=False)
+            except subprocess.TimeoutExpired as late:
+                return "", str(late)
+        check = re.search('data-check="([^"]*)"', done.stdout)
+        return check[1] if check else "", f"code {done.returncode}: {done.stderr}"
+
     def test_in_a_browser_pictures_slider_and_choice_work(self):
         browser = shutil.which("chromium")
         if browser is None:
             self.skipTest("no chromium")
         self.make_results("--passes", 3)
         self.page()
-        command = [browser, "--headless", "--no-sandbox", "--disable-gpu",
-                   "--user-data-dir=" + self.path("profile"), "--virtual-time-budget=10000",
-                   "--dump-dom", "file://" + self.in_out("report.html") + "#self-check"]
-        shown = subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
-        self.assertEqual(shown.returncode, 0, shown.stderr)
-        self.assertIn('data-check="6 pictures, slider, choice"', shown.stdout[:2000])
+        for _ in range(3):
+            check, errors = self.shown_by(browser)
+            if check:
+                break
+        self.assertEqual(check, "6 pictures, slider, choice", errors)
 
 
 if __name__ == "__main__":
