@@ -2,6 +2,7 @@
 
 import contextlib
 import dataclasses
+import math
 import multiprocessing
 import os
 import pathlib
@@ -36,25 +37,30 @@ def send(session, number):
 def work(pipe, job):
     os.setsid()
     pipe.send(None)  # its session is there
+    pipe.recv()
     pipe.send(job())
 
 
 @dataclasses.dataclass
 class Turn:
-    """A job that waits for its turn.  result: once done.  seconds: in which it ran."""
+    """A job that waits for its turn.  result: once done.  ran: when it did, [(begin, end)] by time.monotonic."""
 
     process: typing.Any
     pipe: typing.Any
     result: typing.Any = None
-    seconds: float = 0
+    ran: list = dataclasses.field(default_factory=list)
     done: bool = False
+
+    def seconds(self, begin=-math.inf, end=math.inf):
+        """In which it ran between two times."""
+        return sum(max(0, min(stopped, end) - max(begun, begin)) for begun, stopped in self.ran)
 
     def let_run(self, most):
         """Until it is done or its time is over."""
         begun = time.monotonic()
         send(self.process.pid, signal.SIGCONT)
         ended = self.pipe.poll(most)
-        self.seconds += time.monotonic() - begun
+        self.ran.append((begun, time.monotonic()))
         if not ended:
             send(self.process.pid, signal.SIGSTOP)
             return
@@ -74,6 +80,7 @@ def begin(job):
     its.close()
     mine.recv()
     send(process.pid, signal.SIGSTOP)
+    mine.send(None)  # read in its first turn
     return Turn(process, mine)
 
 

@@ -31,7 +31,6 @@ class Study:
     checked_passes: int = 48
     error_passes: int = 40
     repeats: int = 2
-    seed: int = 0
 
 
 FULL = Study()
@@ -116,10 +115,11 @@ def chosen(photons):
     return ("--photons", photons) if photons else ()
 
 
-def measure_passes(lab, name, point, folder):
-    """Stages of a render, passes on the average; and the pixels."""
+def measure_passes(lab, name, point, folder, first=0):
+    """Stages of a render from pass `first` on, passes on the average; and the pixels."""
     passes, (size, photons) = lab.study.passes, point
-    stats = lab.render(name, size, folder, "--passes", passes, *chosen(photons))
+    stats = lab.render(name, size, folder, "--first-pass", first, "--passes", passes,
+                       *chosen(photons))
     found = without_start(stats["processor_seconds"])
     for stage in ("photons", "maps", "image", "film"):
         found[stage] /= passes
@@ -185,17 +185,19 @@ def measure_sums(lab, name, size):
     return {**of_states(lab, name, size), **of_ranks(lab, name, size)}
 
 
+def run_once(lab, name, ranks, size, folder, *options):
+    """A render by processes: processor seconds of all and seconds of the clock.  The start of MPI is in them."""
+    begun = time.monotonic()
+    done, _ = lab.run_ranks(ranks, name, size, folder, *options)
+    return {"processor": done.seconds, "wall": time.monotonic() - begun}
+
+
 def run_by(lab, name, ranks, size, *options):
-    """A render by processes, one of them beside another such render: processor seconds of all and seconds of
-    the clock, the least.  The start of MPI is in them."""
-    def one(folder):
-        begun = time.monotonic()
-        done, _ = lab.run_ranks(ranks, name, size, folder, *options)
-        return {"processor": done.seconds, "wall": time.monotonic() - begun}
+    """The same, and the least of it where one process runs beside another."""
     if ranks == 1:
-        return least(twice(one))
+        return least(twice(lambda folder: run_once(lab, name, ranks, size, folder, *options)))
     with tempfile.TemporaryDirectory() as folder:
-        return one(pathlib.Path(folder))
+        return run_once(lab, name, ranks, size, pathlib.Path(folder), *options)
 
 
 def measure_stages(lab, name):
@@ -205,12 +207,15 @@ def measure_stages(lab, name):
 
 
 def measure_checked(lab, name):
-    """In turns, so that the machine is as fast for each: the stages, and seconds of the clock of a render by
-    one process and by two."""
+    """In turns, so that the machine is as fast for each: the stages, and the checks of a render by one process
+    and by two.  A check has seconds of the clock, and those of the same render by one process alone."""
+    passes = lab.study.checked_passes
     def by(ranks):
-        return run_by(lab, name, ranks, lab.study.checked, "--passes", lab.study.checked_passes)
+        return run_by(lab, name, ranks, lab.study.checked, "--passes", passes)
     stages, one, two = in_turns([lambda: measure_stages(lab, name), lambda: by(1), lambda: by(2)])
-    return {"stages": stages.result, "wall": {"1": one.seconds, "2": two.seconds}}
+    return {"stages": stages.result,
+            "checks": [{"processes": ranks, "passes": passes, "wall": turn.seconds(), "alone": one.seconds()}
+                       for ranks, turn in ((1, one), (2, two))]}
 
 
 def launch(lab, name, ranks):

@@ -51,20 +51,38 @@ def sweep(stages, image, counts):
 
 
 def check_rows(measured):
-    """The model beside renders by one process and by two."""
+    """The model beside renders by one process and by more."""
     rows = []
     for scene in measured["scenes"]:
         model, runs = Model(measured, scene), measured["runs"]
-        size, passes = measured["about"]["study"]["checked"], measured["about"]["study"]["checked_passes"]
+        size = measured["about"]["study"]["checked"]
         stages = model.stages(size * round(size * runs[f"error/{scene}"]["aspect"]))
-        simulated = {ranks: simulate_ranks(stages, passes, Cluster(machines=ranks), keeps_states=False).seconds +
-                     runs[f"launch/{scene}/{ranks}"]["wall"] for ranks in (1, 2)}
-        took = {ranks: runs[f"checked/{scene}"]["wall"][str(ranks)] for ranks in (1, 2)}
-        for ranks in (1, 2):
-            rows.append((scene, ranks, f"{took[ranks]:.1f}", f"{simulated[ranks]:.1f}",
-                         f"{100 * (simulated[ranks] / took[ranks] - 1):+.0f} %",
-                         *(f"{100 * of[1] / (ranks * of[ranks]):.0f} %" for of in (took, simulated))))
+
+        def simulated(ranks, passes):
+            started = runs.get(f"launch/{scene}/{ranks}", {"wall": 0})["wall"]  # none without MPI
+            return simulate_ranks(stages, passes, Cluster(machines=ranks), keeps_states=False).seconds + started
+
+        for check in runs[f"checked/{scene}"]["checks"]:
+            ranks, passes, took = check["processes"], check["passes"], check["wall"]
+            by_model = simulated(ranks, passes)
+            rows.append((scene, ranks, passes, f"{took:.1f}", f"{by_model:.1f}", f"{100 * (by_model / took - 1):+.0f} %",
+                         *(f"{100 * alone / (ranks * all_s):.0f} %"
+                           for alone, all_s in ((check["alone"], took), (simulated(1, passes), by_model)))))
     return rows
+
+
+def check_table(measured):
+    return table(("scene", "processes", "passes", "measured: s", "simulated: s", "difference", "efficiency, measured",
+                  "efficiency, simulated"), check_rows(measured))
+
+
+def section_of_all_cores(measured):
+    """What was measured with all cores of a machine busy."""
+    text = (f"And on a machine with more cores ({measured['about']['machine']}, {measured['date']}), all of them busy: each "
+            "row is of parts of an image that ran at once, each by so many processes, and the rows took turns. The "
+            "efficiency compares with the same passes by one process alone: all parts of the first row, less their setups "
+            "but one:")
+    return "\n".join([textwrap.fill(text, 140), "", check_table(measured)])
 
 
 def best(found, count):
@@ -158,9 +176,7 @@ def section(measured, image, counts):
             f"The same simulation beside renders of {measured['about']['study']['checked']} pixels across on the machine "
             "that was measured, a thread for each process. The render by one process (beside another such render), the one by "
             "two, and those that gave the stages took turns of half a second, so that the machine was as fast for each:",
-            140), "",
-        table(("scene", "processes", "measured: s", "simulated: s", "difference", "efficiency, measured",
-               "efficiency, simulated"), check_rows(measured))]
+            140), "", check_table(measured)]
     return "\n".join(text), found
 
 
@@ -189,8 +205,10 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n", maxsplit=1)[0])
     parser.add_argument("--to", type=pathlib.Path, default=measure.ROOT / "docs", help="folder to write to [docs]")
     options = parser.parse_args()
-    measured = json.loads((measure.ROOT / "docs/scaling/measured.json").read_text())
-    text, found = section(measured, scenario.Image(), scenario.COUNTS)
+    folder = measure.ROOT / "docs/scaling"
+    text, found = section(json.loads((folder / "measured.json").read_text()), scenario.Image(), scenario.COUNTS)
+    for file in sorted(folder.glob("measured_*.json")):
+        text += "\n\n" + section_of_all_cores(json.loads(file.read_text()))
     (options.to / "scaling").mkdir(parents=True, exist_ok=True)
     draw(found, options.to / "scaling")
     page = options.to / "many_machines.md"

@@ -26,7 +26,7 @@ import scenario
 from farm import Plan, simulate_farm
 from ranks import simulate_ranks
 from stages import Cluster, Stages
-from turns import in_turns, members
+from turns import Turn, in_turns, members
 
 STAGES = Stages(start=0.1, load=0.4, pilots=1.5, photons=0.2, maps=0.3, image=1.4, film=0.1, save=0.3,
                 read=0.2, write=0.25, add=0.05, merge_begin=0.6, merge=0.15, state_bytes=3e8)
@@ -189,7 +189,11 @@ class InTurns(unittest.TestCase):
         changes = sum(one != two for one, two in zip(owners, owners[1:]))
         self.assertGreaterEqual(changes, 3)
         self.assertLessEqual(changes, 2 * took / 0.05)
-        self.assertLessEqual(sum(turn.seconds for turn in turns), took)
+        self.assertLessEqual(sum(turn.seconds() for turn in turns), took)
+
+    def test_seconds_between_two_times_are_those_in_which_it_ran(self):
+        turn = Turn(None, None, ran=[(1, 2), (4, 6)])
+        self.assertEqual([turn.seconds(), turn.seconds(1.5, 5), turn.seconds(2, 4), turn.seconds(5)], [3, 1.5, 0, 1])
 
     def test_a_job_that_fails_ends_all(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -234,19 +238,19 @@ STATS = {"processor_seconds": {"process": 9, "scene": 0.2, "rays": 0.1, "pilots"
 class Scripts(unittest.TestCase):
     """scale.py with programs that do nothing, and what page.py writes by it and by docs/scaling."""
 
-    def measured(self, folder):
+    def measured(self, folder, *options, file="measured.json"):
         for name, text in (("preprocess", TOOL), ("render", TOOL), ("mpirun", MPIRUN)):
             (folder / name).write_text(text)
             (folder / name).chmod(0o755)
         (folder / "stats.json").write_text(json.dumps(STATS))
-        subprocess.run([sys.executable, "-B", os.path.join(FOLDER, "scale.py"), "--quick", "--scenes", "cornell",
+        subprocess.run([sys.executable, "-B", os.path.join(FOLDER, "scale.py"), *options, "--scenes", "cornell",
                         "--tools", folder, "--work", folder / "work", "--to", folder], check=True,
                        stderr=subprocess.DEVNULL, env={**os.environ, "PATH": f"{folder}:{os.environ['PATH']}"})
-        return json.loads((folder / "scaling/measured.json").read_text())
+        return json.loads((folder / "scaling" / file).read_text())
 
     def test_what_is_measured_makes_a_section(self):
         with tempfile.TemporaryDirectory() as folder:
-            measured = self.measured(pathlib.Path(folder))
+            measured = self.measured(pathlib.Path(folder), "--quick")
         stages = model.Model(measured, "cornell").stages(24 * 16)
         self.assertAlmostEqual(stages.load, 0.3)
         self.assertAlmostEqual(stages.pilots, 2)
@@ -255,6 +259,17 @@ class Scripts(unittest.TestCase):
         text, found = page.section(measured, scenario.Image("cornell", 64, 48, 8), (1, 4))
         self.assertEqual(list(found.tiles), [1, 4])
         self.assertIn("| cornell | 2 |", text)
+
+    def test_all_cores_are_compared_with_one_for_the_same_passes(self):
+        with tempfile.TemporaryDirectory() as folder:
+            measured = self.measured(pathlib.Path(folder), "--processes", "2", "4", "--passes", "3",
+                                     file="measured_4.json")
+        checks = measured["runs"]["checked/cornell"]["checks"]
+        self.assertEqual([(check["processes"], check["passes"]) for check in checks], [(1, 3), (2, 6), (4, 12)])
+        passes = 1 + 1 + 3 + 0.5  # of STATS
+        for check in checks[1:]:
+            self.assertAlmostEqual(check["alone"] - checks[0]["alone"], (check["processes"] - 1) * passes)
+        self.assertIn("| cornell | 4 | 12 |", page.section_of_all_cores(measured))
 
     def test_more_machines_are_no_slower_by_tasks(self):
         with open(os.path.join(ROOT, "docs/scaling/measured.json"), encoding="utf-8") as file:
