@@ -80,9 +80,9 @@ DisplayView make_view(const ViewChoice& choice)
                                  ? find_blender_config(blender_folders()).string()
                                  : choice.config;
     try {
-        return [processor = make_processor(choice, path)](Image& image) {
-            ocio::PackedImageDesc pixels(image.pixels.data(), image.width, image.height, 3);
-            processor->apply(pixels);
+        return [processor = make_processor(choice, path)](std::span<Rgb> pixels) {
+            ocio::PackedImageDesc row(pixels.data(), static_cast<long>(pixels.size()), 1, 3);
+            processor->apply(row);
         };
     } catch (const ocio::Exception& problem) {
         fail(path, problem.what());

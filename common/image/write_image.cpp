@@ -2,10 +2,13 @@
 
 #include "common/file/output_file.h"
 #include "common/image/exr_file.h"
+#include "common/image/png_file.h"
 #include "common/image/srgb.h"
 #include "common/input_error.h"
 
 #include <stb/stb_image_write.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <bit>
@@ -25,50 +28,34 @@ namespace {
 
 using Levels = std::vector<std::uint8_t>; // [width * height * 3]
 
+/// Calls `run` with equal parts of the pixels of an image, at the same time.
+template <typename Run>
+void in_parts(const Image& image, const Run& run)
+{
+    constexpr std::size_t kPart = 1 << 14;
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, image.pixels.size(), kPart),
+                      [&](const auto& part) { run(part.begin(), part.size()); });
+}
+
 Levels expose(const Image& image, const Display& display)
 {
     assert(!std::isnan(display.exposure_ev));
     const float scale = std::exp2(display.exposure_ev);
-    Image exposed = image;
-    for (Rgb& pixel : exposed.pixels)
-        for (int c = 0; c < 3; ++c)
-            pixel[c] = std::isfinite(pixel[c]) ? pixel[c] * scale : 0.0f;
-    if (display.view)
-        display.view(exposed);
-    Levels levels;
-    levels.reserve(exposed.pixels.size() * 3);
-    for (const Rgb& pixel : exposed.pixels)
-        for (int c = 0; c < 3; ++c)
-            levels.push_back(level_of(display.view ? pixel[c] : srgb_from_linear(pixel[c])));
+    Levels levels(image.pixels.size() * 3);
+    in_parts(image, [&](std::size_t begin, std::size_t count) {
+        const auto first = image.pixels.begin() + static_cast<std::ptrdiff_t>(begin);
+        std::vector<Rgb> exposed(first, first + static_cast<std::ptrdiff_t>(count));
+        for (Rgb& pixel : exposed)
+            for (int c = 0; c < 3; ++c)
+                pixel[c] = std::isfinite(pixel[c]) ? pixel[c] * scale : 0.0f;
+        if (display.view)
+            display.view(exposed);
+        auto level = levels.begin() + static_cast<std::ptrdiff_t>(3 * begin);
+        for (const Rgb& pixel : exposed)
+            for (int c = 0; c < 3; ++c)
+                *level++ = level_of(display.view ? pixel[c] : srgb_from_linear(pixel[c]));
+    });
     return levels;
-}
-
-/// stb counts bytes in int.
-void check_stb_size(const std::filesystem::path& path, const Image& image,
-                    std::int64_t bytes_a_pixel)
-{
-    const std::int64_t bytes = (image.width * bytes_a_pixel + 1) * image.height;
-    if (bytes > std::numeric_limits<int>::max() / 2)
-        throw InputError(path.string() + ": " + std::to_string(image.width) + "x" +
-                         std::to_string(image.height) +
-                         " pixels are too many for this format; write .exr or .pfm");
-}
-
-void append_bytes(void* context, void* data, int size)
-{
-    auto& bytes = *static_cast<std::vector<std::byte>*>(context);
-    const auto* first = static_cast<const std::byte*>(data);
-    bytes.insert(bytes.end(), first, first + size);
-}
-
-void write_png(const std::filesystem::path& path, const Image& image, const Levels& levels)
-{
-    check_stb_size(path, image, 3);
-    std::vector<std::byte> bytes;
-    if (stbi_write_png_to_func(append_bytes, &bytes, image.width, image.height, 3, levels.data(),
-                               image.width * 3) == 0)
-        throw std::bad_alloc();
-    write_file(path, bytes);
 }
 
 std::string size_line(const Image& image)
@@ -94,9 +81,26 @@ std::vector<float> channels_of(const Image& image, float low, float high)
     return channels;
 }
 
+void append_bytes(void* context, void* data, int size)
+{
+    auto& bytes = *static_cast<std::vector<std::byte>*>(context);
+    const auto* first = static_cast<const std::byte*>(data);
+    bytes.insert(bytes.end(), first, first + size);
+}
+
+/// stb counts bytes in int.
+void check_stb_size(const std::filesystem::path& path, const Image& image)
+{
+    const std::int64_t bytes = (image.width * std::int64_t{4} + 1) * image.height;
+    if (bytes > std::numeric_limits<int>::max() / 2)
+        throw InputError(path.string() + ": " + std::to_string(image.width) + "x" +
+                         std::to_string(image.height) +
+                         " pixels are too many for this format; write .exr or .pfm");
+}
+
 void write_hdr(const std::filesystem::path& path, const Image& image)
 {
-    check_stb_size(path, image, 4);
+    check_stb_size(path, image);
     constexpr float kLargest = 0x1.fp125f; // read_image takes the largest exponent for damage
     const std::vector<float> channels = channels_of(image, 0.0f, kLargest);
     std::vector<std::byte> bytes;
@@ -134,7 +138,8 @@ void write_image(const std::filesystem::path& path, const Image& image, const Di
     case ImageFormat::hdr:
         return write_hdr(path, image);
     case ImageFormat::png:
-        return write_png(path, image, expose(image, display));
+        return write_file(path, encode_png(image.width, image.height, expose(image, display),
+                                           PictureKind::render));
     case ImageFormat::ppm:
         return write_ppm(path, image, expose(image, display));
     }
@@ -148,7 +153,7 @@ void write_display_png(const std::filesystem::path& path, const Image& picture)
     for (const Rgb& pixel : picture.pixels)
         for (int c = 0; c < 3; ++c)
             levels.push_back(level_of(pixel[c]));
-    write_png(path, picture, levels);
+    write_file(path, encode_png(picture.width, picture.height, levels, PictureKind::diagram));
 }
 
 } // namespace hipmap

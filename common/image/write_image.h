@@ -5,11 +5,12 @@
 
 #include <filesystem>
 #include <functional>
+#include <span>
 
 namespace hipmap {
 
-/// Maps the pixels of an image from linear Rec. 709 to display values, in place.
-using DisplayView = std::function<void(Image&)>;
+/// Maps pixels from linear Rec. 709 to display values, in place.  Any number of threads at once.
+using DisplayView = std::function<void(std::span<Rgb>)>;
 
 /// Display settings of the 8-bit formats.
 struct Display {

@@ -1,9 +1,11 @@
 #include "common/file/output_file.h"
 #include "common/image/exr_file.h"
+#include "common/image/png_file.h"
 #include "common/image/read_image.h"
 #include "common/image/srgb.h"
 #include "common/image/write_image.h"
 #include "common/input_error.h"
+#include "common/math/random.h"
 #include "tests/support/overwrite.h"
 #include "tests/support/temporary_folder.h"
 
@@ -11,6 +13,7 @@
 #include <stb/stb_image.h>
 #include <tbb/global_control.h>
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -134,6 +137,46 @@ TEST_CASE("write_display_png: display values are not encoded again", "[image]")
     picture.pixels = {{0.0f, 0.5f, 1.0f}, {-1.0f, 2.0f, 0.2f}};
     write_display_png(folder / "a.png", picture);
     CHECK(decode(folder / "a.png").levels == std::vector<std::uint8_t>{0, 128, 255, 0, 255, 51});
+}
+
+TEST_CASE("encode_png: noise and areas of one colour come back, noise smaller as a render",
+          "[image]")
+{
+    const TemporaryFolder folder;
+    constexpr int kWidth = 301, kHeight = 200;
+    std::vector<std::uint8_t> noise, areas;
+    for (int i = 0; i < 3 * kWidth * kHeight; ++i) {
+        noise.push_back(static_cast<std::uint8_t>(100 + mix_bits(i) % 9));
+        areas.push_back(
+            static_cast<std::uint8_t>(i / 3 % kWidth / 100 + 40 * (i / 3 / kWidth / 50)));
+    }
+    const auto size_of = [&](const std::vector<std::uint8_t>& levels, PictureKind kind) {
+        const std::vector<std::byte> bytes = encode_png(kWidth, kHeight, levels, kind);
+        write_file(folder / "a.png", bytes);
+        CHECK(decode(folder / "a.png").levels == levels);
+        return bytes.size();
+    };
+    CHECK(size_of(noise, PictureKind::render) < size_of(noise, PictureKind::diagram));
+    CHECK(size_of(noise, PictureKind::render) < noise.size() / 2);
+    CHECK(size_of(areas, PictureKind::render) < areas.size() / 100);
+    CHECK(size_of(areas, PictureKind::diagram) < areas.size() / 100);
+}
+
+TEST_CASE("write_image: any number of threads writes the same PNG", "[image]")
+{
+    const TemporaryFolder folder;
+    Image image(401, 203); // more than one part
+    for (std::size_t i = 0; i < image.pixels.size(); ++i)
+        image.pixels[i] = Rgb(static_cast<float>(i) / static_cast<float>(image.pixels.size()));
+    for (const std::size_t threads : {1, 2, 7}) {
+        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+        write_image(folder / (std::to_string(threads) + ".png"), image, {-1});
+    }
+    const Pixels decoded = decode(folder / "1.png");
+    for (std::size_t i = 0; i < image.pixels.size(); ++i)
+        REQUIRE(decoded.levels[3 * i + 1] == level_of(srgb_from_linear(image.pixels[i].y / 2)));
+    CHECK(bytes_of(folder / "1.png") == bytes_of(folder / "2.png"));
+    CHECK(bytes_of(folder / "1.png") == bytes_of(folder / "7.png"));
 }
 
 TEST_CASE("write_image: what is not finite is written as 0", "[image]")
