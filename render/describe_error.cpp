@@ -81,6 +81,21 @@ std::string describe_unseen(const UnseenLight& unseen, const std::string& light)
            "through";
 }
 
+std::string describe_unreachable(std::span<const std::string> lights)
+{
+    std::string names = lights.front();
+    for (const std::string& light :
+         lights.subspan(1).first(std::min<std::size_t>(lights.size() - 1, 2)))
+        names += ", " + light;
+    if (lights.size() > 3)
+        names += " and " + std::to_string(lights.size() - 3) + " more";
+    return "the image lacks the light of " + names +
+           (lights.size() == 1 ? ", which has" : ", which have") +
+           " no size, off mirrors and through clear glass, and the error does not include it: no "
+           "path "
+           "from the eye finds it; use --integrator progressive, or give the lights a size";
+}
+
 std::string describe_lost(const LostLight& lost)
 {
     return "photons that were not finite or whose paths were cut, and samples that were not "

@@ -5,6 +5,7 @@
 #include "render/film/render_state.h"
 #include "render/integrator/missed_light.h"
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,10 @@ std::string describe_fireflies(const ShownFireflies& fireflies);
 /// Describes the light that no path has met, and what to do about it.  light: to which it may be
 /// due.
 std::string describe_unseen(const UnseenLight& unseen, const std::string& light);
+
+/// Describes the light that no path from the eye finds, and what to do about it.  lights: at least
+/// one.
+std::string describe_unreachable(std::span<const std::string> lights);
 
 /// Describes the light that photons and samples lost.
 std::string describe_lost(const LostLight& lost);

@@ -25,10 +25,11 @@ struct RenderedFrame {
     std::vector<LayerImage> layers; ///< of surfaces, those that were requested
     ShownFireflies fireflies;
     MissedLight missed;
-    std::string unseen;         ///< the light that most unseen light may be of
-    std::string seen;           ///< of a black image: what the camera looks at
-    std::optional<Quote> quote; ///< what other settings would cost; with --quote
-    std::uint64_t resumed = 0;  ///< passes that a state or the previous frame had
+    std::string unseen;                   ///< the light that most unseen light may be of
+    std::vector<std::string> unreachable; ///< lights whose caustics no path from the eye finds
+    std::string seen;                     ///< of a black image: what the camera looks at
+    std::optional<Quote> quote;           ///< what other settings would cost; with --quote
+    std::uint64_t resumed = 0;            ///< passes that a state or the previous frame had
 };
 
 /// Where a frame stands among all frames of a run.

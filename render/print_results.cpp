@@ -54,8 +54,10 @@ void print_levels(const RenderStatistics& statistics, Report& report)
                           describe_plan(kind->levels.group_plan));
 }
 
-void warn_of_missed(const RenderedFrame& frame, Report& report)
+void warn_of_missed(const RenderArguments& arguments, const RenderedFrame& frame, Report& report)
 {
+    if (kind_of(arguments.render.integrator).bounces && !frame.unreachable.empty())
+        report.warn(describe_unreachable(frame.unreachable));
     const RenderStatistics& statistics = frame.statistics;
     if (frame.state.film.saturated > 0)
         report.warn(std::to_string(frame.state.film.saturated) +
@@ -83,7 +85,7 @@ void print_statistics(const RenderArguments& arguments, const RenderedFrame& fra
         print_guides(statistics, report);
         print_levels(statistics, report);
     }
-    warn_of_missed(frame, report);
+    warn_of_missed(arguments, frame, report);
 }
 
 void print_error(const RenderArguments& arguments, const RenderedFrame& frame, Report& report)

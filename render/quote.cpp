@@ -118,13 +118,15 @@ Change leave_out(const FramePasses& passes, const RenderOptions& options, Effect
     return out;
 }
 
-std::vector<Change> other_integrators(const FramePasses& passes, const RenderOptions& options)
+/// Those that make the same image.
+std::vector<Change> other_integrators(const QuotedFrame& frame, const RenderOptions& options)
 {
     std::vector<Change> out;
     for (const IntegratorKind& kind : integrator_kinds()) {
-        if (kind.id == options.integrator || kind.id == Integrator::occlusion)
+        if (kind.id == options.integrator || kind.id == Integrator::occlusion ||
+            (kind.bounces && !frame.rendered.unreachable.empty()))
             continue;
-        out.push_back({std::string("--integrator ") + kind.name, options, passes.effects});
+        out.push_back({std::string("--integrator ") + kind.name, options, frame.passes.effects});
         out.back().options.integrator = kind.id;
     }
     return out;
@@ -151,7 +153,7 @@ class Comparison {
         const FramePasses& passes = frame_.passes;
         sketch_as_is();
         if (passes.options.integrator != Integrator::occlusion)
-            for (const Change& change : other_integrators(passes, options_))
+            for (const Change& change : other_integrators(frame_, options_))
                 if (const std::optional<Sketch> other = sketch(change))
                     quote_.integrators.push_back({change.option, cost_of(*other), other->bias});
         for (const PlannedEffect& planned : passes.effects.effects)

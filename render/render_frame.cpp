@@ -9,6 +9,7 @@
 #include "render/many/run_ranks.h"
 #include "render/quote.h"
 #include "render/seen_objects.h"
+#include "render/unreachable_lights.h"
 
 namespace hipmap {
 
@@ -259,6 +260,7 @@ RenderedFrame render_passes(PreparedFrame& frame, SceneSource& source, PreviousF
     if (!out.result.kept.empty() && !coarse.image.pixels.empty())
         fill_by_coarse(coarse, out.result.kept, out.result.image);
     surfaces();
+    out.unreachable = unreachable_lights(scene, frame.effects);
     look_at_image(scene, frame.arguments.render, out);
     if (frame.arguments.quote && control.ranks == nullptr)
         out.quote = make_quote({own, scene, out}, control.stop);

@@ -4,6 +4,7 @@
 """
 
 import json
+import os
 import re
 import sys
 
@@ -53,6 +54,18 @@ class Quote(ToolsTestCase):
         predicted = next(price for price in stats["error"]["prices"] if price["error"] == 0.002)
         spent = quote["seconds"] + stats["error"]["checks"][-1]["seconds"]
         self.assertLess(spent, 0.05 * predicted["seconds"])
+
+    def test_path_is_not_compared_where_it_cannot_find_a_light_and_says_so(self):
+        scene, partition = os.path.join(os.path.dirname(Tools.scene), "effects/dispersion.glb"), self.path("spot.hpm")
+        self.succeed("preprocess", scene, "-o", partition)
+        small = ("render", scene, partition, "--size", 16, "--photons", 2000, "-o", self.path("a.pfm"))
+        self.assertIn("the light of spot light 'Spot', which has no size, off mirrors",
+                      self.succeed(*small, "--integrator", "path", "--passes", 2))
+        said = self.succeed(*small, "--quote", "--error", "0.2%")
+        self.assertIn("--integrator direct: ", said)
+        self.assertNotIn("--integrator path", said)
+        self.assertNotIn("no size", said + self.succeed(*small, "--integrator", "path", "--passes", 2,
+                                                        "--effects=-caustics"))
 
     def test_what_there_is_no_time_for_is_named(self):
         said, stats = self.quote("--error", "30%")
