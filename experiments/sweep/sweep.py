@@ -3,6 +3,7 @@
 
     experiments/sweep/sweep.py                                     # all rooms; prints a table
     experiments/sweep/sweep.py --rooms slab_on_floor --seconds 30  # one of them, more precisely
+    experiments/sweep/sweep.py --by-chance 100 --seconds 4         # rooms of several things, by chance
     experiments/sweep/sweep.py --to docs/sweep.md                  # writes the table as a page
 
 Needs preprocess and render in build/release/bin.  Exit code 1 if a room differs or is black.
@@ -18,6 +19,7 @@ import time
 import measure
 import verdicts
 from rooms import ROOMS
+from rooms_by_chance import by_chance
 import rooms_of_glass  # adds to ROOMS
 import rooms_of_light  # adds to ROOMS
 
@@ -26,6 +28,9 @@ def parse_options():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
     parser.add_argument("--rooms", nargs="+", metavar="NAME", choices=list(ROOMS),
                         help="rooms to render [all]")
+    parser.add_argument("--by-chance", type=int, metavar="N",
+                        help="instead, N rooms of several things, drawn by their numbers [none]")
+    parser.add_argument("--first", type=int, default=0, help="the first of these numbers [0]")
     parser.add_argument("--list", action="store_true", help="print the names of the rooms and exit")
     parser.add_argument("--bin", type=pathlib.Path, default=measure.ROOT / "build/release/bin",
                         help="folder of the programs [build/release/bin]")
@@ -41,15 +46,22 @@ def parse_options():
     return parser.parse_args()
 
 
+def rooms_of(options):
+    """{name: function that builds it}"""
+    if options.by_chance:
+        return by_chance(range(options.first, options.first + options.by_chance))
+    return {name: ROOMS[name] for name in options.rooms or ROOMS}
+
+
 def sweep(options, folder):
     """[(name, what is nasty, case)] of each room, printed as they come."""
     found = []
     lab = measure.Lab(options.bin, folder, options.size, options.threads, options.seeds,
                       options.seconds)
     print(verdicts.header(), flush=True)
-    for name in options.rooms or ROOMS:
-        case = measure.compare(lab, name, ROOMS[name]())
-        found.append((name, ROOMS[name].__doc__, case))
+    for name, build in rooms_of(options).items():
+        case = measure.compare(lab, name, build())
+        found.append((name, build.__doc__, case))
         print(verdicts.line(name, case), flush=True)
     return found
 

@@ -40,7 +40,7 @@ def verdict(case):
     if "ratio" not in case:
         return ENDLESS
     if case["ratio"] is None or case["means"]["progressive"] == 0:
-        right = "black" in case["expect"] and case["means"]["progressive"] == 0
+        right = "black" in case["expect"] and case["ratio"] is None and case["means"]["progressive"] == 0
         return AGREE if right else BLACK
     if not is_off(case, 0):
         return AGREE

@@ -16,6 +16,7 @@ sys.path.insert(0, os.path.join(ROOT, "experiments/sweep"))
 import measure
 import verdicts
 from rooms import ROOMS
+from rooms_by_chance import by_chance
 import rooms_of_glass  # adds to ROOMS
 import rooms_of_light  # adds to ROOMS
 
@@ -52,6 +53,20 @@ class Sweep(unittest.TestCase):
             for name, build in ROOMS.items():
                 self.assertTrue(build.__doc__, name)
                 build().write(os.path.join(folder, "room.glb"))
+
+    def test_a_number_makes_the_same_room_and_none_is_refused(self):
+        with tempfile.TemporaryDirectory() as folder:
+            once, again = os.path.join(folder, "a.glb"), os.path.join(folder, "b.glb")
+            for name, build in by_chance(range(20)).items():
+                build().write(once)
+                build().write(again)
+                with open(once, "rb") as a, open(again, "rb") as b:
+                    self.assertEqual(a.read(), b.read())
+                with self.subTest(name, made_of=build.__doc__):
+                    done = subprocess.run([os.path.join(TOOLS, "preprocess"), once, "-o", os.path.join(folder, "a.hpm")],
+                                          capture_output=True, text=True, check=False)
+                    self.assertEqual(done.returncode, 0, done.stderr)
+                    self.assertNotIn("warning", done.stderr)
 
     def test_page(self):
         with tempfile.TemporaryDirectory() as folder:
