@@ -236,7 +236,7 @@ class Scripts(unittest.TestCase):
         self.assertTrue(any("HIPMAP_WERROR=OFF" in line for line in log), log)
         code, output, _, _ = self.run_script(".ci/run", CTEST_RESULT="8")
         self.assertEqual(code, 8)
-        self.assertIn(summary, output)
+        self.assertEqual(output.splitlines()[-1], summary)
 
 
 if __name__ == "__main__":
