@@ -185,19 +185,17 @@ def measure_sums(lab, name, size):
     return {**of_states(lab, name, size), **of_ranks(lab, name, size)}
 
 
-def run_once(lab, name, ranks, size, folder, *options):
-    """A render by processes: processor seconds of all and seconds of the clock.  The start of MPI is in them."""
-    begun = time.monotonic()
-    done, _ = lab.run_ranks(ranks, name, size, folder, *options)
-    return {"processor": done.seconds, "wall": time.monotonic() - begun}
-
-
 def run_by(lab, name, ranks, size, *options):
-    """The same, and the least of it where one process runs beside another."""
+    """A render by processes, one of them beside another such render: processor seconds of all and seconds of
+    the clock, the least.  The start of MPI is in them."""
+    def one(folder):
+        begun = time.monotonic()
+        done, _ = lab.run_ranks(ranks, name, size, folder, *options)
+        return {"processor": done.seconds, "wall": time.monotonic() - begun}
     if ranks == 1:
-        return least(twice(lambda folder: run_once(lab, name, ranks, size, folder, *options)))
+        return least(twice(one))
     with tempfile.TemporaryDirectory() as folder:
-        return run_once(lab, name, ranks, size, pathlib.Path(folder), *options)
+        return one(pathlib.Path(folder))
 
 
 def measure_stages(lab, name):
