@@ -52,7 +52,7 @@ class Turn:
     done: bool = False
 
     def seconds(self, begin=-math.inf, end=math.inf):
-        """In which it ran between two times."""
+        """Returns the seconds between two times in which the job ran."""
         return sum(max(0, min(stopped, end) - max(begun, begin)) for begun, stopped in self.ran)
 
     def let_run(self, most):

@@ -118,7 +118,7 @@ Change leave_out(const FramePasses& passes, const RenderOptions& options, Effect
     return out;
 }
 
-/// Those that make the same image.
+/// Returns the other integrators; path is left out where it cannot find some light.
 std::vector<Change> other_integrators(const QuotedFrame& frame, const RenderOptions& options)
 {
     std::vector<Change> out;

@@ -9,8 +9,7 @@ namespace hipmap {
 
 /// What an 8-bit picture looks like, which decides how it is best compressed.
 enum class PictureKind {
-    render, ///< noise leaves no strings of bytes that come again: compressed by runs, in a third of
-            ///< the time
+    render,  ///< noise, whose strings of bytes do not repeat: only runs are searched for
     diagram, ///< areas of one colour
 };
 

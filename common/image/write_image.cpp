@@ -28,29 +28,22 @@ namespace {
 
 using Levels = std::vector<std::uint8_t>; // [width * height * 3]
 
-/// Calls `run` with equal parts of the pixels of an image, at the same time.
-template <typename Run>
-void in_parts(const Image& image, const Run& run)
-{
-    constexpr std::size_t kPart = 1 << 14;
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, image.pixels.size(), kPart),
-                      [&](const auto& part) { run(part.begin(), part.size()); });
-}
-
 Levels expose(const Image& image, const Display& display)
 {
     assert(!std::isnan(display.exposure_ev));
     const float scale = std::exp2(display.exposure_ev);
     Levels levels(image.pixels.size() * 3);
-    in_parts(image, [&](std::size_t begin, std::size_t count) {
-        const auto first = image.pixels.begin() + static_cast<std::ptrdiff_t>(begin);
-        std::vector<Rgb> exposed(first, first + static_cast<std::ptrdiff_t>(count));
+    constexpr std::size_t kPart = 1 << 14;
+    const tbb::blocked_range<std::size_t> all(0, image.pixels.size(), kPart);
+    tbb::parallel_for(all, [&](const tbb::blocked_range<std::size_t>& part) {
+        const auto pixels = std::span(image.pixels).subspan(part.begin(), part.size());
+        std::vector<Rgb> exposed(pixels.begin(), pixels.end());
         for (Rgb& pixel : exposed)
             for (int c = 0; c < 3; ++c)
                 pixel[c] = std::isfinite(pixel[c]) ? pixel[c] * scale : 0.0f;
         if (display.view)
             display.view(exposed);
-        auto level = levels.begin() + static_cast<std::ptrdiff_t>(3 * begin);
+        auto level = levels.begin() + static_cast<std::ptrdiff_t>(3 * part.begin());
         for (const Rgb& pixel : exposed)
             for (int c = 0; c < 3; ++c)
                 *level++ = level_of(display.view ? pixel[c] : srgb_from_linear(pixel[c]));

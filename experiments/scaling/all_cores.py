@@ -66,7 +66,7 @@ def measure_points(lab, name, load):
 
 
 def mean_wall(turn):
-    """Of the parts."""
+    """Returns the mean seconds of the parts of an image that a turn rendered."""
     return statistics.mean(turn.seconds(part["begun"], part["ended"]) for part in turn.result)
 
 

@@ -36,7 +36,8 @@ def jobs(lab, scenes):
 
 
 def jobs_of_all_cores(lab, loads):
-    """The same for renders by numbers of processes: those that use few cores at once.  loads: of scenes."""
+    """Stages of jobs for renders by several numbers of processes; jobs that use few cores run at once.  loads: by
+    scene."""
     small = [job for name, load in loads.items()
              for job in (error_job(lab, name), *sums_jobs(lab, name, load.counts))]
     return [small, *([Job(checked_key(name), 240,

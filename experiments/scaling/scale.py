@@ -58,7 +58,7 @@ def study_of(options):
 
 
 def stages_of(lab, options):
-    """Of jobs, and how many are done at once."""
+    """Returns stages of jobs, and how many jobs run at once."""
     if not options.processes:
         return jobs.jobs(lab, options.scenes), 1
     loads = {name: all_cores.Load(tuple(options.processes), each)

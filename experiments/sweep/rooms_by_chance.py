@@ -1,4 +1,4 @@
-"""Rooms with several things at once: objects, materials, lights and media drawn by a number."""
+"""Random rooms: a number seeds the choice of objects, materials, lights and media."""
 
 import math
 import random
@@ -11,14 +11,14 @@ def color(draw, low=0.05, high=0.95):
 
 
 def skewed(draw):
-    """From 0 to 1; each end itself with some chance."""
+    """A number from 0 to 1, which is 0 or 1 with a probability of a quarter each."""
     return draw.choice((0, 1, draw.random(), draw.random() ** 3))
 
 
 # Materials
 
-def matt(room, draw):
-    return room.material("Matt", color(draw, 0, 1))
+def matte(room, draw):
+    return room.material("Matte", color(draw, 0, 1))
 
 
 def plastic(room, draw):
@@ -79,7 +79,7 @@ def see_through(room, draw):
                                "metallicFactor": draw.choice((0, 0, 1)), "roughnessFactor": skewed(draw)})
 
 
-def glowing(room, draw):
+def emissive(room, draw):
     return room.glowing(draw.uniform(0.1, 3), doubleSided=draw.random() < 0.5)
 
 
@@ -90,7 +90,7 @@ def fog(room, draw):
         "phase": "henyey-greenstein", "g": draw.uniform(-0.8, 0.8)}}})
 
 
-MATERIALS = (matt, plastic, metal, half_metal, glass, glass, glass, coated, velvet, leaf, see_through, glowing)
+MATERIALS = (matte, plastic, metal, half_metal, glass, glass, glass, coated, velvet, leaf, see_through, emissive)
 
 
 # Shapes
@@ -136,8 +136,8 @@ SHAPES = (some_box, box_on_floor, ball, ball, sheet, shell)
 
 # Lights
 
-def add_lamp(room, draw):
-    """Of some size: no path finds a light without one by mirrors or glass."""
+def add_light(room, draw):
+    """Adds a light that has a size: path tracing cannot find one without a size in mirrors or through glass."""
     lamp = {"type": draw.choice(("point", "point", "spot", "directional")), "color": list(color(draw)),
             "intensity": draw.uniform(0.2, 3)}
     size = {"angle_deg": draw.uniform(1, 10)} if lamp["type"] == "directional" else {"radius": draw.uniform(0.01, 0.1)}
@@ -158,17 +158,18 @@ def add_lamp(room, draw):
 
 
 def room_by_chance(number):
-    """Of two to five objects, and lamps, open walls and fog in some.  The same number, the same room."""
+    """A room of two to five objects; some have analytic lights, open walls or fog.  Depends on the number alone."""
     draw = random.Random(f"room {number}")
     without = draw.sample(sorted(set(WALLS) - {"floor"}), draw.choice((0, 0, 0, 1, 2)))
     room = Room(without=without, light=None, albedo=color(draw, 0.2, 0.85), expect=("lit", "black"))
-    if draw.random() < 0.7:
+    has_area_light = draw.random() < 0.7
+    if has_area_light:
         room.add("Light", room.glowing(RADIANCE), triangles_of(quad(*LIGHT)))
-    for _ in range(draw.choice((0, 0, 1, 2)) or "glowing" not in str(room.root["materials"]).lower()):
-        add_lamp(room, draw)
+    for _ in range(draw.choice((0, 0, 1, 2)) or (0 if has_area_light else 1)):
+        add_light(room, draw)
     for _ in range(draw.randint(2, 5)):
         material = draw.choice(MATERIALS)
-        shape = draw.choice(SHAPES[:4] if material is fog else SHAPES)
+        shape = draw.choice(SHAPES)
         room.add(f"{shape.__name__} of {material.__name__}", material(room, draw), shape(draw))
     if draw.random() < 0.15:
         room.add("Fog", fog(room, draw), some_box(draw))

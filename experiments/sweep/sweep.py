@@ -3,7 +3,7 @@
 
     experiments/sweep/sweep.py                                     # all rooms; prints a table
     experiments/sweep/sweep.py --rooms slab_on_floor --seconds 30  # one of them, more precisely
-    experiments/sweep/sweep.py --by-chance 100 --seconds 4         # rooms of several things, by chance
+    experiments/sweep/sweep.py --by-chance 100 --seconds 4         # random rooms of several objects
     experiments/sweep/sweep.py --to docs/sweep.md                  # writes the table as a page
 
 Needs preprocess and render in build/release/bin.  Exit code 1 if a room differs or is black.
@@ -29,7 +29,7 @@ def parse_options():
     parser.add_argument("--rooms", nargs="+", metavar="NAME", choices=list(ROOMS),
                         help="rooms to render [all]")
     parser.add_argument("--by-chance", type=int, metavar="N",
-                        help="instead, N rooms of several things, drawn by their numbers [none]")
+                        help="instead, N random rooms of several objects; a room's number is its seed [none]")
     parser.add_argument("--first", type=int, default=0, help="the first of these numbers [0]")
     parser.add_argument("--list", action="store_true", help="print the names of the rooms and exit")
     parser.add_argument("--bin", type=pathlib.Path, default=measure.ROOT / "build/release/bin",
