@@ -28,7 +28,7 @@ using Points = std::vector<RoomPoint>;
 /// Consecutive queries that are measured together, and how many such runs are.
 constexpr std::size_t kRun = 256;
 constexpr std::size_t kRuns = 32;
-constexpr int kRepeats = 5;
+constexpr int kRounds = 5;
 constexpr std::size_t kChecked = 32;
 
 /// Queries of a whole picture in an order, and what ordering them cost for each.
@@ -78,7 +78,7 @@ std::vector<QueryOrder> make_orders()
 double nanoseconds(QueryMethod& method, const QueryOrder& order, bool sum)
 {
     double best = std::numeric_limits<double>::infinity();
-    for (int i = 0; i < kRepeats; ++i) {
+    for (int i = 0; i < kRounds; ++i) {
         const std::clock_t start = std::clock(); // of this program, whatever else runs
         for (const RoomPoint& query : order.queries) {
             if (sum)

@@ -1,6 +1,7 @@
 #include "preprocess/summary.h"
 
 #include "common/image/picture_json.h"
+#include "common/scene/scene_names.h"
 #include "preprocess/partition/summarise.h"
 
 #include <nlohmann/json.hpp>
@@ -19,11 +20,6 @@ namespace {
 
 constexpr std::array<const char*, 5> kClassNames{"connected", "unconnected", "border",
                                                  "non_manifold", "degenerate"};
-
-std::string counted(std::size_t count, const std::string& noun)
-{
-    return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
-}
 
 std::string describe_largest(const PartitionSummary& summary)
 {

@@ -6,13 +6,12 @@ namespace hipmap {
 
 namespace {
 
-using nlohmann::json;
-
 constexpr double kSecondsBetweenLines = 0.1;
 
-json last_error(const RenderState& state)
+nlohmann::json last_error(const RenderState& state)
 {
-    return state.checks.empty() ? json() : json(state.checks.back().error.error);
+    return state.checks.empty() ? nlohmann::json()
+                                : nlohmann::json(state.checks.back().error.error);
 }
 
 const char* name_of(StopReason reason)
@@ -41,9 +40,9 @@ std::vector<std::filesystem::path> all_images(const OutputFiles& files, const Re
     return out;
 }
 
-json names_of(const std::vector<std::filesystem::path>& files)
+nlohmann::json names_of(const std::vector<std::filesystem::path>& files)
 {
-    json names = json::array();
+    nlohmann::json names = nlohmann::json::array();
     for (const std::filesystem::path& file : files)
         names.push_back(file.string());
     return names;
@@ -65,15 +64,18 @@ void ProgressLines::progress(const RunProgress& progress)
     shown_ = now;
     print({{"event", "progress"},
            {"passes", progress.passes},
-           {"done", progress.done ? json(*progress.done) : json()},
-           {"left", progress.left ? json(*progress.left) : json()},
-           {"error", progress.error ? json(progress.error->error) : json()}});
+           {"done", progress.done ? nlohmann::json(*progress.done) : nlohmann::json()},
+           {"left", progress.left ? nlohmann::json(*progress.left) : nlohmann::json()},
+           {"error", progress.error ? nlohmann::json(progress.error->error) : nlohmann::json()}});
 }
 
 void ProgressLines::coarse(const std::vector<std::filesystem::path>& written)
 {
     const std::lock_guard lock(mutex_);
-    print({{"event", "coarse"}, {"passes", 0}, {"error", json()}, {"images", names_of(written)}});
+    print({{"event", "coarse"},
+           {"passes", 0},
+           {"error", nlohmann::json()},
+           {"images", names_of(written)}});
 }
 
 void ProgressLines::pass(const RenderState& state,
@@ -96,7 +98,7 @@ void ProgressLines::end(const RunResult& result, const RenderState& state)
            {"images", names_of(all_images(arguments_.files, state))}});
 }
 
-void ProgressLines::print(json line)
+void ProgressLines::print(nlohmann::json line)
 {
     line["seconds"] = watch_.seconds();
     if (arguments_.frames.asked())

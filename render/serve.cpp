@@ -16,14 +16,12 @@ namespace hipmap {
 
 namespace {
 
-using nlohmann::json;
-
 std::vector<std::string> words_of(const std::string& line)
 {
-    const json found = json::parse(line, nullptr, false);
-    const bool is_list = found.is_array() && std::ranges::all_of(found, [](const json& word) {
-                             return word.is_string();
-                         });
+    const auto found = nlohmann::json::parse(line, nullptr, false);
+    const bool is_list =
+        found.is_array() &&
+        std::ranges::all_of(found, [](const nlohmann::json& word) { return word.is_string(); });
     if (!is_list)
         throw InputError(
             "standard input: not a command line; write one JSON array of words a line, "
@@ -56,7 +54,7 @@ int serve(std::istream& in, std::ostream& out, const ServedRender& render)
         // Between requests a signal ends the program.
         std::signal(SIGINT, SIG_DFL);
         std::signal(SIGTERM, SIG_DFL);
-        out << json{{"event", "done"}, {"code", code}}.dump() + '\n' << std::flush;
+        out << nlohmann::json{{"event", "done"}, {"code", code}}.dump() + '\n' << std::flush;
         std::cerr << "done\n" << std::flush;
     }
     return code;

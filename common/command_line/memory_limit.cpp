@@ -24,7 +24,7 @@ constexpr bool kMayLimit = true;
 constexpr bool kMayLimit = true;
 #endif
 
-std::string text_of(const char* path)
+std::string content_of(const char* path)
 {
     std::ostringstream text;
     text << std::ifstream(path).rdbuf();
@@ -64,14 +64,14 @@ void limit_memory()
 {
     if (!kMayLimit)
         return;
-    std::optional<std::uint64_t> most = memory_for_a_program(text_of("/proc/meminfo"));
+    std::optional<std::uint64_t> most = memory_for_a_program(content_of("/proc/meminfo"));
     rlimit limit = {};
     if (!most || ::getrlimit(RLIMIT_DATA, &limit) != 0)
         return;
     // Where the program sees the group as the root of its control groups, as in containers.
     for (const char* group :
          {"/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory/memory.limit_in_bytes"})
-        if (const auto of_group = number_at(text_of(group)); of_group && *of_group > 0)
+        if (const auto of_group = number_at(content_of(group)); of_group && *of_group > 0)
             most = std::min(*most, *of_group);
     if (limit.rlim_cur <= *most)
         return;

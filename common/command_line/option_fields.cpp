@@ -18,7 +18,7 @@ SettingValue value_or_none(std::string text)
 }
 
 /// "512x384", or "512" while the height follows from the camera.
-std::string text_of(PictureSize size)
+std::string size_text(PictureSize size)
 {
     const std::string width = std::to_string(size.width);
     return size.height == 0 ? width : width + "x" + std::to_string(size.height);
@@ -124,7 +124,7 @@ OptionField files_field(std::vector<std::filesystem::path>& into)
 OptionField size_field(PictureSize& into)
 {
     return parsed_field([&into](const std::string& text) { into = parse_picture_size(text, into); },
-                        [&into] { return SettingValue(text_of(into)); }, "WxH|W|P%");
+                        [&into] { return SettingValue(size_text(into)); }, "WxH|W|P%");
 }
 
 OptionField parsed_field(std::function<void(const std::string&)> parse,

@@ -31,7 +31,6 @@ constexpr std::array<const char*, 3> kChannelNames = {"R", "G", "B"};
 /// and component.
 constexpr const char* kBlenderAttribute = "BlenderMultiChannel";
 constexpr const char* kBlenderNames = "Blender V2.55.1 and newer";
-constexpr std::int64_t kMaxPixels = std::int64_t(1) << 28; // a header may promise anything
 
 /// Keeps what is written, so that the file is made in one step.
 class MemoryOutput : public Imf::OStream {
@@ -173,7 +172,7 @@ Image read_exr_bytes(std::span<const std::byte> bytes, std::string_view layer)
     const Imath::Box2i window = file.header().dataWindow();
     const std::int64_t width = std::int64_t(window.max.x) - window.min.x + 1;
     const std::int64_t height = std::int64_t(window.max.y) - window.min.y + 1;
-    if (width <= 0 || height <= 0 || width > kMaxPixels || height > kMaxPixels / width)
+    if (!is_plausible_size(width, height))
         throw std::runtime_error("its size is not plausible");
 
     Image image(static_cast<int>(width), static_cast<int>(height));

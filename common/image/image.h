@@ -3,6 +3,7 @@
 #include "common/math/rgb.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace hipmap {
@@ -19,5 +20,12 @@ struct Image {
     Rgb& at(int x, int y) { return pixels[static_cast<std::size_t>(y) * width + x]; }
     const Rgb& at(int x, int y) const { return pixels[static_cast<std::size_t>(y) * width + x]; }
 };
+
+/// Returns whether an image file may have so many pixels: its header may promise anything.
+inline bool is_plausible_size(std::int64_t width, std::int64_t height)
+{
+    constexpr std::int64_t kMost = std::int64_t{1} << 28;
+    return width > 0 && height > 0 && width <= kMost && height <= kMost / width;
+}
 
 } // namespace hipmap

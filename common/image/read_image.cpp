@@ -26,16 +26,9 @@ namespace hipmap {
 
 namespace {
 
-constexpr std::int64_t kMaxPixels = std::int64_t(1) << 28; // a header may promise anything
-
 [[noreturn]] void fail(const std::filesystem::path& path, const std::string& what)
 {
     throw InputError(path.string() + ": " + what + "; write the image again");
-}
-
-bool plausible_size(std::int64_t width, std::int64_t height)
-{
-    return width > 0 && height > 0 && width <= kMaxPixels && height <= kMaxPixels / width;
 }
 
 /// Takes one word and the one white space after it from the front of `text`.
@@ -79,7 +72,7 @@ Image read_pfm(const std::filesystem::path& path, const std::vector<std::byte>& 
     const auto width = take_number<int>(text);
     const auto height = take_number<int>(text);
     const auto scale = take_number<float>(text); // its sign is the byte order
-    if (!width || !height || !scale || !plausible_size(*width, *height) || *scale == 0)
+    if (!width || !height || !scale || !is_plausible_size(*width, *height) || *scale == 0)
         fail(path, "the header of this PFM file is damaged");
     if (static_cast<std::int64_t>(text.size()) != channels * 4 * *width * *height)
         fail(path, "the PFM file has " + std::to_string(text.size()) +

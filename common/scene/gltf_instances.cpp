@@ -17,7 +17,7 @@ struct InstanceAccessors {
     std::size_t count = 1;
 };
 
-std::string place_of(std::size_t node)
+std::string instancing_of(std::size_t node)
 {
     return "nodes[" + std::to_string(node) + "]." + kInstancing;
 }
@@ -37,7 +37,7 @@ InstanceAccessors instance_accessors(const tinygltf::Model& model, std::size_t n
             return;
         accessor.emplace(model, attributes.Get(name).GetNumberAsInt(), path);
         if (accessor->type() != type || (count && *count != accessor->size()))
-            throw scene_error(path, place_of(node) + "." + name,
+            throw scene_error(path, instancing_of(node) + "." + name,
                               "is of the wrong type or count; the file is damaged, export it "
                               "again");
         count = accessor->size();
@@ -73,7 +73,7 @@ std::vector<glm::dmat4> place_instances(const tinygltf::Model& model, const Plac
             local.scale = instances.scale->vec3(i);
         placed.push_back(at.to_world * to_matrix(local));
         if (!is_finite_transform(placed.back()))
-            throw scene_error(path, place_of(at.node) + ", instance " + std::to_string(i),
+            throw scene_error(path, instancing_of(at.node) + ", instance " + std::to_string(i),
                               "its transform is not finite; correct it and export again");
     }
     return placed;

@@ -6,13 +6,11 @@
 namespace hipmap {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 /// Cuts from the interval where a function that is linear along it is below zero.
 void keep_positive(Interval& interval, double at_begin, double at_end)
 {
     if (at_begin < 0 && at_end < 0)
-        interval.end = -kInfinity;
+        interval.end = -std::numeric_limits<double>::infinity();
     else if (at_begin < 0)
         interval.begin = std::max(interval.begin, at_begin / (at_begin - at_end));
     else if (at_end < 0)
@@ -47,7 +45,8 @@ std::optional<std::array<glm::dvec3, 2>> cut(const ContactFace& f, const Contact
 } // namespace
 
 ContactFace::ContactFace(const TriangleMesh& mesh, FaceId face, double error_)
-    : normal(glm::normalize(scaled_normal(mesh, face))), least_height(kInfinity), error(error_)
+    : normal(glm::normalize(scaled_normal(mesh, face))),
+      least_height(std::numeric_limits<double>::infinity()), error(error_)
 {
     for (int c = 0; c < 3; ++c) {
         corners[c] = glm::dvec3(mesh.positions[mesh.corners[face][c]]);

@@ -123,11 +123,6 @@ class Standing {
     bool flat_;
 };
 
-Bounds<glm::vec3> widened(const Bounds<glm::vec3>& box, double by)
-{
-    return {glm::vec3(glm::dvec3(box.low) - by), glm::vec3(glm::dvec3(box.high) + by)};
-}
-
 /// [F] 1: of a map that is wanted, or so near one that it may meet it, within twice what is looked
 /// through from a face.
 std::vector<std::uint8_t> faces_near(const ContactScene& scene, const FaceTree& tree,

@@ -6,11 +6,6 @@ namespace hipmap {
 
 namespace {
 
-Bounds<glm::vec3> widened(const Bounds<glm::vec3>& box, double by)
-{
-    return {glm::vec3(glm::dvec3(box.low) - by), glm::vec3(glm::dvec3(box.high) + by)};
-}
-
 std::vector<FaceId> faces_with_map(std::span<const std::uint32_t> map_of_face, FaceId first,
                                    FaceId end)
 {

@@ -17,6 +17,12 @@ inline bool meet(const Bounds<glm::vec3>& a, const Bounds<glm::vec3>& b)
            (b.low.y <= a.high.y) & (a.low.z <= b.high.z) & (b.low.z <= a.high.z);
 }
 
+/// Returns a box with each side moved outwards, scene units.
+inline Bounds<glm::vec3> widened(const Bounds<glm::vec3>& box, double by)
+{
+    return {glm::vec3(glm::dvec3(box.low) - by), glm::vec3(glm::dvec3(box.high) + by)};
+}
+
 /// A tree of boxes over faces: a complete binary tree, each node of which holds consecutive faces
 /// in the order of the tree.  Read-only once built: any number of threads may walk it.
 class FaceTree {

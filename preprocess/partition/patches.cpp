@@ -20,7 +20,7 @@ constexpr std::size_t kLeastFaces = 4;
 constexpr double kClumpFraction = 1.0 / 256;
 
 /// A part of fewer clumps is split by one thread.
-constexpr std::size_t kTaskSize = 4096;
+constexpr std::size_t kTaskClumps = 4096;
 
 double area_of(std::span<const Clump> clumps)
 {
@@ -85,7 +85,7 @@ void split(std::span<Clump> clumps, std::span<const FaceId> faces, double larges
         const std::size_t middle = halve(clumps, area);
         const auto front = [&] { split(clumps.first(middle), faces, largest, patch_of_face); };
         const auto back = [&] { split(clumps.subspan(middle), faces, largest, patch_of_face); };
-        if (clumps.size() < kTaskSize)
+        if (clumps.size() < kTaskClumps)
             front(), back();
         else
             tbb::parallel_invoke(front, back);

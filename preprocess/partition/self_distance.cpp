@@ -15,8 +15,6 @@
 namespace hipmap {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 /// The rounding bound of a point computed from a face's corners in float, per unit of the largest
 /// coordinate: three axes with seven roundings each stay below it.
 constexpr double kPositionError = 0x1p-20;
@@ -128,7 +126,7 @@ void LeafSelfDistances::find(const FaceTree::Range& leaf, SelfDistances& out)
     double radius = 0;
     for (const FaceId face : faces) {
         add_member(face);
-        if (members_.back().height < kInfinity)
+        if (members_.back().height < std::numeric_limits<double>::infinity())
             radius = std::max(radius, members_.back().height);
     }
     const bool gathered = gather(leaf, radius);

@@ -20,8 +20,8 @@ constexpr std::size_t kEmbreeFaces = 1 << 19;
 /// Light paths traced: one for so many of the pass, within bounds, and an eighth of that where rays
 /// go through the slower tree of a large mesh.
 constexpr std::uint64_t kPathsPerTraced = 64;
-constexpr std::uint64_t kFewestTraced = 1 << 15;
-constexpr std::uint64_t kMostTraced = 1 << 20;
+constexpr std::uint64_t kFewestPaths = 1 << 15;
+constexpr std::uint64_t kMostPaths = 1 << 20;
 constexpr std::uint64_t kLessOfLarge = 8;
 
 constexpr std::uint64_t kPathsPerChunk = 512;
@@ -83,7 +83,7 @@ PredictedPhotons predict_photons(const Scene& scene, const Partition& partition,
         rays = std::make_unique<EmbreeScene>(mesh);
         space.nearest = [&](const Ray& ray) { return rays->nearest(ray); };
     }
-    const std::uint64_t paths = std::clamp(photons / kPathsPerTraced, kFewestTraced, kMostTraced) /
+    const std::uint64_t paths = std::clamp(photons / kPathsPerTraced, kFewestPaths, kMostPaths) /
                                 (by_tree ? kLessOfLarge : 1);
     const double each = static_cast<double>(photons) / static_cast<double>(paths);
     out.each = each;

@@ -1,5 +1,7 @@
 #include "render/film/error_cost.h"
 
+#include "common/math/square.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,11 +12,6 @@ namespace {
 
 /// Passes that nobody waits for.
 constexpr std::uint64_t kForever = std::uint64_t{1} << 50;
-
-double square_of(double x)
-{
-    return x * x;
-}
 
 /// The square of the error that a law gives.
 double square_after(const ErrorLaw& law, double passes)

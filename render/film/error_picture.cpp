@@ -2,6 +2,7 @@
 
 #include "common/image/colour_scale.h"
 #include "common/image/srgb.h"
+#include "common/math/square.h"
 #include "render/film/image_error.h"
 
 namespace hipmap {
@@ -9,11 +10,6 @@ namespace hipmap {
 namespace {
 
 constexpr double kLeastShown = 1e-3;
-
-double square_of(double x)
-{
-    return x * x;
-}
 
 /// c of docs/error.md (3)
 double dark_square(const Film& film, const Image& image)

@@ -1,5 +1,6 @@
 #include "render/film/image_error.h"
 
+#include "common/math/square.h"
 #include "render/film/batch_statistics.h"
 
 #include <tbb/parallel_for.h>
@@ -35,11 +36,6 @@ NoiseSquare noise_square(const BatchProducts& products, const Spread& spread)
                         out.value * f_quantile(kZ, above, below)};
     }
     return out;
-}
-
-double square_of(double x)
-{
-    return x * x;
 }
 
 /// docs/error.md (18)

@@ -14,7 +14,7 @@ namespace {
 using Shares = DirectionGuide::Shares;
 
 /// Rays that a leaf of the tree has at least; one with twice as many is split.
-constexpr std::size_t kFewest = 512;
+constexpr std::size_t kFewestRays = 512;
 
 /// A grid is used where it makes the mean square of what rays find this many times smaller.
 constexpr double kLeastGain = 1.05;
@@ -115,7 +115,7 @@ class TreeBuilder {
     {
         const std::size_t here = out_.nodes.size();
         out_.nodes.push_back({});
-        if (records.size() < 2 * kFewest) {
+        if (records.size() < 2 * kFewestRays) {
             out_.nodes[here].next = static_cast<std::uint32_t>(out_.directions.size());
             out_.directions.push_back(guide_of(records));
             return;
@@ -234,7 +234,7 @@ GatherGuide learn_directions(const Partition& partition, std::vector<GatherRecor
     std::vector<GatherGuide> trees(ends.size());
     tbb::parallel_for(std::size_t{0}, ends.size(), [&](std::size_t i) {
         const std::size_t begin = i == 0 ? 0 : ends[i - 1];
-        if (ends[i] - begin < kFewest)
+        if (ends[i] - begin < kFewestRays)
             return;
         TreeBuilder builder;
         builder.build(Side(records).subspan(begin, ends[i] - begin));

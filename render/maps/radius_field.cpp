@@ -12,9 +12,6 @@ namespace hipmap {
 
 namespace {
 
-/// One photon of so many gets a radius: those between share most of their k neighbours with it.
-constexpr std::uint32_t kPhotonsEach = 4;
-
 /// Returns the part of the square of the way to the nearest photon that counts in the square of a
 /// radius, docs/photon_maps.md (10): beside dense photons, as those of a caustic, a radius that
 /// reaches them would light the dark around them.
@@ -32,7 +29,7 @@ RadiusField::Map build_radius_map(const PhotonMap& photons, std::uint32_t neighb
 {
     RadiusField::Map out;
     out.even_radius = filter_radius(area, neighbours, photons.tree.size);
-    std::vector<TreePoint> points = every_nth_photon(photons.tree, kPhotonsEach);
+    std::vector<TreePoint> points = every_nth_photon(photons.tree, kPhotonsOfRadius);
     out.sparse = photons.tree.size < neighbours;
     out.tree = build_wide_tree(points);
     out.radius.resize(points.size());

@@ -19,9 +19,6 @@ namespace {
 
 constexpr std::uint32_t kLeaf = 8;
 
-/// One pilot photon of so many gets a radius: those between share most of their neighbours with it.
-constexpr std::uint32_t kPhotonsEach = 4;
-
 /// No radius is smaller, over the widest: photons in one place have a density, too.
 constexpr float kNarrowest = 0x1p-20f;
 
@@ -169,7 +166,7 @@ VolumeRadii find_volume_radii(const std::vector<VolumePhoton>& pilot, std::uint3
     for (const VolumePhoton& photon : pilot)
         points.push_back({photon.position, static_cast<std::uint32_t>(points.size())});
     const WideTree all = build_wide_tree(points);
-    std::vector<TreePoint> some = every_nth_photon(all, kPhotonsEach);
+    std::vector<TreePoint> some = every_nth_photon(all, kPhotonsOfRadius);
     VolumeRadii out;
     out.widest = widest;
     out.tree = build_wide_tree(some);

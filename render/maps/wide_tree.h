@@ -78,6 +78,10 @@ TreeNode lowest_node(const WideTree& tree, std::uint64_t low, std::uint64_t high
 /// than 2^32.  No points: a tree that finds nothing.
 WideTree build_wide_tree(std::span<TreePoint> points);
 
+/// Of so many photons, one gets a radius by its neighbours: those between share most of these with
+/// it.
+inline constexpr std::uint32_t kPhotonsOfRadius = 4;
+
 /// Returns every n-th photon by slot, n >= 1.  Slots lie in the order of the tree, so that the
 /// result is spread as all photons are.  `photon` is the slot.
 std::vector<TreePoint> every_nth_photon(const WideTree& tree, std::uint32_t n);

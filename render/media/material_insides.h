@@ -4,6 +4,9 @@
 
 namespace hipmap {
 
+/// A line is followed through so many faces at most on its way out of a scene.
+inline constexpr int kMostFaces = 4096;
+
 /// Returns whether light enters closed meshes of the material and meets something there.  Paper and
 /// leaves that hold nothing are thin, closed or not.
 inline bool lets_light_in(const Material& material)

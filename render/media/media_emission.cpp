@@ -6,7 +6,7 @@ namespace hipmap {
 
 namespace {
 
-constexpr int kMostFaces = 4096; ///< on a line
+constexpr int kMostFacesOnLine = 4096;
 
 /// A part of a line where something emits.
 struct EmissivePart {
@@ -50,7 +50,7 @@ std::vector<EmissivePart> emissive_parts(const MediaSet& media, Ray ray)
 {
     std::vector<EmissivePart> out;
     MediumStack inside = medium_stack_at(media, ray.origin);
-    for (int faces = 0; faces < kMostFaces; ++faces) {
+    for (int faces = 0; faces < kMostFacesOnLine; ++faces) {
         const std::optional<RayHit> hit = media.rays.nearest(ray);
         if (hit)
             ray.far = hit->distance;

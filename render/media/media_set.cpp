@@ -10,8 +10,6 @@ namespace hipmap {
 
 namespace {
 
-constexpr int kMostFaces = 4096; ///< on the way out of a scene
-
 bool bounds_an_inside(const MediaSet& media, FaceId face)
 {
     return media.partition.is_closed(face) && media.has_inside[media.mesh.material_of(face)] != 0;

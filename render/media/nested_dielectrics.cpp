@@ -14,8 +14,6 @@ namespace hipmap {
 
 namespace {
 
-constexpr int kMostFaces = 4096; ///< on the way out of a scene
-
 /// The faces that bound closed dielectrics.
 struct Boundaries {
     TriangleMesh mesh;         ///< of them alone

@@ -10,7 +10,7 @@ namespace {
 constexpr float kBelowOne = 0x1.fffffep-1f;
 
 /// The place of a unit direction in the square of cosine and longitude, [0, 1)^2.
-glm::vec2 square_of(const glm::vec3& direction)
+glm::vec2 on_square(const glm::vec3& direction)
 {
     const float turn = std::atan2(direction.z, direction.x) / (2 * kPi);
     return glm::clamp(glm::vec2((1 - direction.y) / 2, turn < 0 ? turn + 1 : turn), 0.0f,
@@ -26,7 +26,7 @@ float share_of(const DirectionGuide& guide, std::size_t cell)
 
 std::size_t cell_of(const glm::vec3& direction)
 {
-    const glm::vec2 at = square_of(direction);
+    const glm::vec2 at = on_square(direction);
     return static_cast<std::size_t>(at.x * DirectionGuide::kRows) * DirectionGuide::kColumns +
            static_cast<std::size_t>(at.y * DirectionGuide::kColumns);
 }

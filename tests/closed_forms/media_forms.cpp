@@ -6,7 +6,7 @@ namespace hipmap {
 
 namespace {
 
-constexpr std::uint64_t kPhotons = 4000;
+constexpr std::uint64_t kPhotonsInMedia = 4000;
 
 ClosedForm absorbed()
 {
@@ -42,7 +42,7 @@ ClosedForm under_sky(const std::string& name, const PhaseFunction& phase)
                    tiny::cube_of(medium),
                    1,
                    PhotonsRead::media,
-                   kPhotons};
+                   kPhotonsInMedia};
     out.scene.environment = Rgb(1);
     return out;
 }
@@ -54,7 +54,7 @@ ClosedForm in_a_box()
                    tiny::emissive_box({0.7f, 0.5f, 0.3f}),
                    1,
                    PhotonsRead::media,
-                   kPhotons};
+                   kPhotonsInMedia};
     out.scene.around.scattering = {1, 2, 4};
     return out;
 }

@@ -9,7 +9,7 @@ namespace {
 /// The tetrahedron as Blender 3.4 writes it, with a point light, a camera and an empty node.
 GltfFile exported()
 {
-    GltfFile file = tetrahedron();
+    GltfFile file = tetrahedron_file();
     json& root = file.root;
     root["asset"]["generator"] = "Khronos glTF Blender I/O v3.4.50";
     root["extensions"] = {

@@ -15,14 +15,14 @@ namespace {
 
 GltfFile emissive()
 {
-    GltfFile file = tetrahedron();
+    GltfFile file = tetrahedron_file();
     file.root["materials"][0]["emissiveFactor"] = {1, 1, 1};
     return file;
 }
 
 GltfFile two_cameras()
 {
-    GltfFile file = tetrahedron();
+    GltfFile file = tetrahedron_file();
     file.root["cameras"] = {
         {{"type", "perspective"}, {"perspective", {{"yfov", 0.8}, {"znear", 0.1}}}}};
     file.root["nodes"].push_back({{"name", "front"}, {"camera", 0}});
@@ -37,7 +37,7 @@ TEST_CASE("without a camera one is supplied that sees every vertex", "[scene][ca
 {
     for (const auto& scale :
          {json{1, 1, 1}, json{100, 0.01, 1}, json{1e-5, 1e-5, 1e5}, json{0, 0, 0}}) {
-        GltfFile file = tetrahedron();
+        GltfFile file = tetrahedron_file();
         file.root["nodes"][0]["scale"] = scale;
         const LoadedScene loaded = load(file);
         REQUIRE(loaded.scene.cameras.size() == 1);
@@ -66,17 +66,17 @@ TEST_CASE("of several cameras the named one is taken", "[scene][camera]")
     options.camera = "back";
     CHECK_THROWS_WITH(load(two_cameras(), options),
                       Catch::Contains("'back'") && Catch::Contains("'front' and 'top'"));
-    CHECK_THROWS_WITH(load(tetrahedron(), options), Catch::Contains("no cameras"));
+    CHECK_THROWS_WITH(load(tetrahedron_file(), options), Catch::Contains("no cameras"));
 }
 
 TEST_CASE("only a scene without light gets a grey sky", "[scene][lights]")
 {
-    const LoadedScene dark = load(tetrahedron());
+    const LoadedScene dark = load(tetrahedron_file());
     CHECK(dark.scene.environment == Rgb(1.0f));
     CHECK(says(dark.audit.assumed, "Punctual Lights"));
     CHECK(load(emissive()).scene.environment == Rgb(0.0f));
 
-    GltfFile unworn = tetrahedron(); // an emissive material that no face wears lights nothing
+    GltfFile unworn = tetrahedron_file(); // an emissive material that no face wears lights nothing
     unworn.root["materials"].push_back({{"emissiveFactor", {1, 1, 1}}});
     CHECK(load(unworn).scene.environment == Rgb(1.0f));
 
@@ -84,12 +84,12 @@ TEST_CASE("only a scene without light gets a grey sky", "[scene][lights]")
     options.environment = Rgb(0.0f, 0.5f, 2.0f);
     CHECK(load(emissive(), options).scene.environment == Rgb(0.0f, 0.5f, 2.0f));
     options.environment = Rgb(0.0f);
-    CHECK(says(load(tetrahedron(), options).audit.warnings, "black"));
+    CHECK(says(load(tetrahedron_file(), options).audit.warnings, "black"));
 }
 
 TEST_CASE("a light without power does not count as light", "[scene][lights]")
 {
-    GltfFile file = tetrahedron();
+    GltfFile file = tetrahedron_file();
     file.root["extensions"] = {
         {"KHR_lights_punctual", {{"lights", {{{"type", "point"}, {"intensity", 0}}}}}}};
     file.root["nodes"][0]["extensions"] = {{"KHR_lights_punctual", {{"light", 0}}}};
@@ -131,7 +131,7 @@ TEST_CASE("transmissive and emissive materials are reported", "[scene]")
 
 TEST_CASE("a fingerprint follows geometry and frame and nothing else", "[scene][fingerprint]")
 {
-    const Scene scene = load(tetrahedron()).scene;
+    const Scene scene = load(tetrahedron_file()).scene;
     Scene other = scene;
     other.materials[0].base_color = Rgb(0.5f);
     other.cameras[0].position.x += 1;
@@ -156,7 +156,7 @@ TEST_CASE("a fingerprint follows geometry and frame and nothing else", "[scene][
 TEST_CASE("a fingerprint of the content follows what can be seen, not names",
           "[scene][fingerprint]")
 {
-    const Scene scene = load(tetrahedron()).scene;
+    const Scene scene = load(tetrahedron_file()).scene;
     const std::vector<std::function<void(Scene&)>> seen = {
         [](Scene& s) { s.mesh.positions[2].y = std::nextafter(s.mesh.positions[2].y, 9.0f); },
         [](Scene& s) { s.mesh.normals.push_back(glm::vec3(1)); },

@@ -32,7 +32,7 @@ void check_refused(const GltfFile& file, const std::string& place)
 
 TEST_CASE("a GLB cut anywhere is refused", "[scene][gltf][damaged]")
 {
-    const std::string whole = tetrahedron().glb();
+    const std::string whole = tetrahedron_file().glb();
     REQUIRE(loads("scene.glb", whole));
     for (std::size_t size = 0; size < whole.size(); ++size)
         CHECK_FALSE(loads("scene.glb", whole.substr(0, size)));
@@ -40,7 +40,7 @@ TEST_CASE("a GLB cut anywhere is refused", "[scene][gltf][damaged]")
 
 TEST_CASE("a GLB with any bytes changed is loaded or refused", "[scene][gltf][damaged]")
 {
-    const std::string whole = tetrahedron().glb();
+    const std::string whole = tetrahedron_file().glb();
     RandomSequence random(3, RandomStream::pictures, 0, 0);
     const auto below = [&](std::size_t n) {
         return std::min(n - 1, static_cast<std::size_t>(random.next() * static_cast<float>(n)));
@@ -58,7 +58,7 @@ TEST_CASE("a GLB with any bytes changed is loaded or refused", "[scene][gltf][da
 TEST_CASE("every number of a file replaced by every nasty one is loaded or refused",
           "[scene][gltf][damaged]")
 {
-    const GltfFile file = tetrahedron();
+    const GltfFile file = tetrahedron_file();
     const json flat = file.root.flatten();
     const std::vector<json> nasty = {-1,
                                      0,
@@ -103,7 +103,7 @@ TEST_CASE("references beyond their list are refused with their place", "[scene][
         {"/nodes/0/extensions/KHR_lights_punctual/light", "KHR_lights_punctual.light"},
     };
     for (const auto& reference : references) {
-        GltfFile file = tetrahedron();
+        GltfFile file = tetrahedron_file();
         file.root[json::json_pointer(reference.path)] = 99;
         check_refused(file, reference.place);
     }
@@ -112,19 +112,19 @@ TEST_CASE("references beyond their list are refused with their place", "[scene][
 TEST_CASE("data beyond the buffer and indices beyond the vertices are refused",
           "[scene][gltf][damaged]")
 {
-    GltfFile file = tetrahedron();
+    GltfFile file = tetrahedron_file();
     file.root["accessors"][0]["count"] = 5;
     check_refused(file, "accessors[0]");
-    file = tetrahedron();
+    file = tetrahedron_file();
     file.root["accessors"][0]["byteOffset"] = std::uint64_t{1} << 52;
     check_refused(file, "accessors[0]");
-    file = tetrahedron();
+    file = tetrahedron_file();
     file.root["bufferViews"][1]["byteLength"] = 1000;
     check_refused(file, "bufferViews[1]");
-    file = tetrahedron();
+    file = tetrahedron_file();
     file.root["meshes"][0]["primitives"][0]["indices"] = file.add_indices({0, 1, 4});
     check_refused(file, "face 0: names vertex 4 of 4");
-    file = tetrahedron();
+    file = tetrahedron_file();
     file.root["meshes"][0]["primitives"][0]["attributes"]["POSITION"] = file.add_vectors(
         {0, 0, 0, 1, 0, 0, 0, std::numeric_limits<float>::quiet_NaN(), 0, 0, 0, 1});
     check_refused(file, "vertex 2");
@@ -133,7 +133,7 @@ TEST_CASE("data beyond the buffer and indices beyond the vertices are refused",
 TEST_CASE("loops, two parents and transforms that are not affine are refused",
           "[scene][gltf][damaged]")
 {
-    GltfFile file = tetrahedron();
+    GltfFile file = tetrahedron_file();
     file.root["nodes"][0]["children"] = {0};
     check_refused(file, "nodes[0]");
     file.root["nodes"] = {
@@ -143,10 +143,10 @@ TEST_CASE("loops, two parents and transforms that are not affine are refused",
     file.root.erase("scenes");
     file.root.erase("scene");
     check_refused(file, "loop");
-    file = tetrahedron();
+    file = tetrahedron_file();
     file.root["nodes"][0]["matrix"] = {1, 0, 0, 1, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
     check_refused(file, "nodes[0]");
-    file = tetrahedron();
+    file = tetrahedron_file();
     file.root["nodes"][0]["scale"] = {1e308, 1, 1};
     file.root["nodes"].push_back({{"scale", {1e308, 1, 1}}, {"children", {0}}});
     file.root["scenes"][0]["nodes"] = {1};
@@ -155,7 +155,7 @@ TEST_CASE("loops, two parents and transforms that are not affine are refused",
 
 TEST_CASE("a deep chain of nodes loads and deep JSON is refused", "[scene][gltf][damaged]")
 {
-    GltfFile file = tetrahedron();
+    GltfFile file = tetrahedron_file();
     constexpr std::size_t kDepth = 5000;
     file.root["nodes"] = json::array();
     for (std::size_t i = 0; i < kDepth; ++i)
@@ -174,12 +174,12 @@ TEST_CASE("a deep chain of nodes loads and deep JSON is refused", "[scene][gltf]
 TEST_CASE("unknown required extensions and other versions are refused by name",
           "[scene][gltf][damaged]")
 {
-    GltfFile file = tetrahedron();
+    GltfFile file = tetrahedron_file();
     file.root["extensionsRequired"] = {"ACME_rounded_edges"};
     check_refused(file, "'ACME_rounded_edges'");
     file.root["extensionsRequired"] = {"KHR_meshopt_compression"};
     check_refused(file, "export without compression");
-    file = tetrahedron();
+    file = tetrahedron_file();
     file.root["asset"]["version"] = "3.0";
     check_refused(file, "asset.version");
     file.root["asset"] = {{"version", "2.0"}, {"minVersion", "3.0"}};
@@ -190,7 +190,7 @@ TEST_CASE("buffers are opened beside the scene and nowhere else", "[scene][gltf]
 {
     const TemporaryFolder folder;
     std::filesystem::create_directory(folder / "inside");
-    const GltfFile file = tetrahedron();
+    const GltfFile file = tetrahedron_file();
     write_text(folder / "data.bin", file.bytes);
     write_text(folder / "inside/data.bin", file.bytes);
     const auto load_with_uri = [&](const std::string& uri) {

@@ -34,7 +34,7 @@ const std::vector<float> kValues = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 0};
 
 GltfFile smoky()
 {
-    GltfFile file = tetrahedron();
+    GltfFile file = tetrahedron_file();
     file.root["materials"][0]["extras"] = {
         {"hipmap", {{"medium", {{"scattering", {1, 1, 1}}, {"density", "smoke.vol"}}}}}};
     return file;

@@ -11,8 +11,6 @@ namespace hipmap::tiny {
 
 namespace {
 
-constexpr double kPiDouble = std::numbers::pi;
-
 struct Keys {
     std::string path;
     std::vector<float> times, values;
@@ -55,7 +53,7 @@ void check_near(const glm::dvec3& a, const glm::dvec3& b)
 
 TEST_CASE("a linear translation passes its keys and the middle, and stays at its ends", "[scene]")
 {
-    GltfFile file = tetrahedron();
+    GltfFile file = tetrahedron_file();
     animate(file, 0, {"translation", {1, 3}, {0, 0, 0, 4, 2, -6}});
     check_near(tip_at(file, 0), {1, 0, 0});
     check_near(tip_at(file, 1), {1, 0, 0});
@@ -66,7 +64,7 @@ TEST_CASE("a linear translation passes its keys and the middle, and stays at its
 
 TEST_CASE("a step holds each key until the next", "[scene]")
 {
-    GltfFile file = tetrahedron();
+    GltfFile file = tetrahedron_file();
     animate(file, 0, {"translation", {0, 1, 2}, {0, 0, 0, 1, 0, 0, 7, 0, 0}, "STEP"});
     check_near(tip_at(file, 0.999), {1, 0, 0});
     check_near(tip_at(file, 1), {2, 0, 0});
@@ -77,10 +75,10 @@ TEST_CASE("a linear rotation turns evenly, the short way whatever the quaternion
 {
     const auto half = static_cast<float>(std::numbers::sqrt2 / 2);
     for (const float sign : {1.0f, -1.0f}) {
-        GltfFile file = tetrahedron(); // a quarter turn about y
+        GltfFile file = tetrahedron_file(); // a quarter turn about y
         animate(file, 0, {"rotation", {0, 1}, {0, 0, 0, 1, 0, sign * half, 0, sign * half}});
         for (const double part : {0.0, 0.25, 1.0 / 3, 1.0}) {
-            const double angle = part * kPiDouble / 2;
+            const double angle = part * std::numbers::pi / 2;
             check_near(tip_at(file, part), {std::cos(angle), 0, -std::sin(angle)});
         }
     }
@@ -88,7 +86,7 @@ TEST_CASE("a linear rotation turns evenly, the short way whatever the quaternion
 
 TEST_CASE("a cubic spline is Hermite's: s^2 by its tangents", "[scene]")
 {
-    GltfFile file = tetrahedron(); // x = t^2 / 2 over 2 s: slopes 0 and 2
+    GltfFile file = tetrahedron_file(); // x = t^2 / 2 over 2 s: slopes 0 and 2
     animate(file, 0,
             {"translation",
              {0, 2},
@@ -100,7 +98,7 @@ TEST_CASE("a cubic spline is Hermite's: s^2 by its tangents", "[scene]")
 
 TEST_CASE("what hangs on a node that moves comes along: meshes, lights, cameras", "[scene]")
 {
-    GltfFile file = tetrahedron();
+    GltfFile file = tetrahedron_file();
     file.root["extensions"] = {
         {"KHR_lights_punctual", {{"lights", {{{"type", "point"}, {"intensity", 683}}}}}}};
     file.root["cameras"] = {
@@ -124,7 +122,7 @@ TEST_CASE("what hangs on a node that moves comes along: meshes, lights, cameras"
 TEST_CASE("all frames have one frame of coordinates, so what stands still keeps its bits",
           "[scene]")
 {
-    GltfFile file = tetrahedron();
+    GltfFile file = tetrahedron_file();
     file.root["nodes"].push_back({{"name", "runner"}, {"mesh", 0}});
     file.root["scenes"][0]["nodes"] = {0, 1};
     animate(file, 1, {"translation", {0, 1, 2}, {0, 0, 0, 40, 3, 0, 0, -9, 0}});
@@ -141,7 +139,7 @@ TEST_CASE("all frames have one frame of coordinates, so what stands still keeps 
 
 TEST_CASE("an excluded object does not widen the frame", "[scene]")
 {
-    GltfFile file = tetrahedron();
+    GltfFile file = tetrahedron_file();
     file.root["nodes"].push_back({{"name", "runner"}, {"mesh", 0}});
     file.root["scenes"][0]["nodes"] = {0, 1};
     animate(file, 1, {"translation", {0, 1}, {0, 0, 0, 40, 0, 0}});
@@ -153,13 +151,13 @@ TEST_CASE("an excluded object does not widen the frame", "[scene]")
 
 TEST_CASE("the audit says what moves, and that it is not asked for", "[scene]")
 {
-    GltfFile file = tetrahedron();
+    GltfFile file = tetrahedron_file();
     animate(file, 0, {"translation", {0.5f, 1}, {0, 0, 0, 4, 0, 0}});
     CHECK(says(load(file).audit.assumed,
                "animation 'go translation' moves 'thing' from 0.5 to 1 s: showing the rest pose"));
     CHECK(says(load_at(file, 0.75).audit.found, "this frame is at 0.75 s"));
     CHECK(world(load(file).scene, 2).x == 1.0);
-    CHECK(says(load_at(tetrahedron(), 1).audit.warnings, "the file has no animation"));
+    CHECK(says(load_at(tetrahedron_file(), 1).audit.warnings, "the file has no animation"));
 
     animate(file, 0, {"translation", {0, 1}, {5, 5, 5, 5, 5, 5}});
     CHECK(says(load_at(file, 0).audit.assumed, "moves the same nodes as an earlier one"));
@@ -168,7 +166,7 @@ TEST_CASE("the audit says what moves, and that it is not asked for", "[scene]")
 
 TEST_CASE("damaged animations are refused by their place", "[scene]")
 {
-    GltfFile good = tetrahedron();
+    GltfFile good = tetrahedron_file();
     animate(good, 0, {"translation", {0, 1, 2}, {0, 0, 0, 1, 0, 0, 2, 0, 0}});
     const auto refuses = [&](const char* pointer, const json& value, const char* naming) {
         GltfFile file = good;
@@ -188,10 +186,10 @@ TEST_CASE("damaged animations are refused by their place", "[scene]")
     refuses("/nodes/0/matrix",
             json(std::vector<int>{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}), "nodes[0]");
 
-    GltfFile falling = tetrahedron();
+    GltfFile falling = tetrahedron_file();
     animate(falling, 0, {"translation", {0, 2, 1}, {0, 0, 0, 1, 0, 0, 2, 0, 0}});
     CHECK_THROWS_WITH(load(falling), Catch::Contains("times that decrease"));
-    GltfFile far = tetrahedron();
+    GltfFile far = tetrahedron_file();
     animate(far, 0, {"translation", {0, 1}, {0, 0, 0, NAN, 0, 0}});
     CHECK_THROWS_WITH(load(far), Catch::Contains("not finite"));
 }

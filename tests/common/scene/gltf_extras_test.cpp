@@ -19,7 +19,7 @@ json extras(const json& values, bool as_text)
 /// A tetrahedron of 2 m (so that a scene unit is 2 m), a light, a sun, a camera and an empty node.
 GltfFile furnished()
 {
-    GltfFile file = tetrahedron();
+    GltfFile file = tetrahedron_file();
     file.root["extensions"]["KHR_lights_punctual"]["lights"] = {
         {{"type", "point"}, {"intensity", 10}}, {{"type", "directional"}, {"intensity", 10}}};
     file.root["cameras"] = {

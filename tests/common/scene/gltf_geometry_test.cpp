@@ -51,7 +51,7 @@ TEST_CASE("a chain of nodes places vertices as the product of its transforms", "
 {
     RandomSequence random(7, RandomStream::pictures, 0, 0);
     for (int round = 0; round < 50; ++round) {
-        GltfFile file = tetrahedron();
+        GltfFile file = tetrahedron_file();
         glm::dmat4 expected(1.0);
         file.root["nodes"] = json::array();
         for (int depth = 0; depth < 3; ++depth) {
@@ -88,7 +88,7 @@ TEST_CASE("the frame centres the box and makes its longest side at most 1 and mo
           "[scene]")
 {
     for (const double size : {1e-100, 1e-6, 0.3, 1.0, 1.0000001, 2.0, 1e6, 1e100}) {
-        GltfFile file = tetrahedron();
+        GltfFile file = tetrahedron_file();
         file.root["nodes"][0]["scale"] = {size, size / 2, size / 3};
         file.root["nodes"][0]["translation"] = {7 * size, -size, size};
         const Scene scene = load(file).scene;
@@ -108,7 +108,7 @@ TEST_CASE("the frame centres the box and makes its longest side at most 1 and mo
 
 TEST_CASE("a model moved to 1e6 m by its node keeps its shape", "[scene][gltf]")
 {
-    GltfFile near = tetrahedron(), far = tetrahedron();
+    GltfFile near = tetrahedron_file(), far = tetrahedron_file();
     far.root["nodes"][0]["translation"] = {1e6, -1e6, 1e6};
     const Scene a = load(near).scene, b = load(far).scene;
     REQUIRE(a.mesh.positions.size() == b.mesh.positions.size());
@@ -168,25 +168,25 @@ TEST_CASE("triangles, strips and fans with and without indices give the same sur
 TEST_CASE("every index type, stride and encoding of positions gives the same faces",
           "[scene][gltf]")
 {
-    const std::vector<glm::dvec3> plain = corner_positions(load(tetrahedron()).scene);
+    const std::vector<glm::dvec3> plain = corner_positions(load(tetrahedron_file()).scene);
 
     SECTION("8-bit indices")
     {
-        GltfFile file = tetrahedron();
+        GltfFile file = tetrahedron_file();
         file.root["meshes"][0]["primitives"][0]["indices"] = file.add_accessor(
             std::vector<std::uint8_t>{0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3}, "SCALAR", 1, 5121);
         CHECK(corner_positions(load(file).scene) == plain);
     }
     SECTION("32-bit indices")
     {
-        GltfFile file = tetrahedron();
+        GltfFile file = tetrahedron_file();
         file.root["meshes"][0]["primitives"][0]["indices"] = file.add_accessor(
             std::vector<std::uint32_t>{0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3}, "SCALAR", 1, 5125);
         CHECK(corner_positions(load(file).scene) == plain);
     }
     SECTION("interleaved")
     {
-        GltfFile file = tetrahedron();
+        GltfFile file = tetrahedron_file();
         const int positions = file.add_vectors(
             {0, 0, 0, 9, 9, 9, 1, 0, 0, 9, 9, 9, 0, 1, 0, 9, 9, 9, 0, 0, 1, 9, 9, 9});
         file.root["accessors"][static_cast<std::size_t>(positions)]["count"] = 4;
@@ -196,7 +196,7 @@ TEST_CASE("every index type, stride and encoding of positions gives the same fac
     }
     SECTION("sparse without a base")
     {
-        GltfFile file = tetrahedron();
+        GltfFile file = tetrahedron_file();
         file.add_accessor(std::vector<std::uint16_t>{1, 2, 3}, "SCALAR", 1, 5123);
         file.add_vectors({1, 0, 0, 0, 1, 0, 0, 0, 1});
         const std::size_t views = file.root["bufferViews"].size();
@@ -215,7 +215,7 @@ TEST_CASE("every index type, stride and encoding of positions gives the same fac
     }
     SECTION("quantised")
     {
-        GltfFile file = tetrahedron();
+        GltfFile file = tetrahedron_file();
         const int positions = file.add_accessor(
             std::vector<std::int16_t>{0, 0, 0, 32767, 0, 0, 0, 32767, 0, 0, 0, 32767}, "VEC3", 3,
             5122);
@@ -228,7 +228,7 @@ TEST_CASE("every index type, stride and encoding of positions gives the same fac
 
 TEST_CASE("instances bear their nodes' names and primitives their materials", "[scene][gltf]")
 {
-    GltfFile file = tetrahedron();
+    GltfFile file = tetrahedron_file();
     file.root["nodes"].push_back({{"name", "other"}, {"mesh", 0}, {"translation", {3, 0, 0}}});
     file.root["scenes"][0]["nodes"] = {0, 1};
     file.root["materials"].push_back({{"name", "lacquer"}});
@@ -247,7 +247,7 @@ TEST_CASE("instances bear their nodes' names and primitives their materials", "[
 TEST_CASE("vertices that no face uses are left out of the box, degenerate faces stay",
           "[scene][gltf]")
 {
-    GltfFile file = tetrahedron();
+    GltfFile file = tetrahedron_file();
     file.root["meshes"][0]["primitives"][0]["attributes"]["POSITION"] =
         file.add_vectors({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, -1e30f, 1e30f, 0});
     file.root["meshes"][0]["primitives"][0]["indices"] =
@@ -261,7 +261,7 @@ TEST_CASE("vertices that no face uses are left out of the box, degenerate faces 
 
 TEST_CASE("the default scene is taken and, without scenes, all root nodes", "[scene][gltf]")
 {
-    GltfFile file = tetrahedron();
+    GltfFile file = tetrahedron_file();
     file.root["nodes"].push_back({{"name", "second"}, {"mesh", 0}});
     file.root["scenes"] = {{{"nodes", {0}}}, {{"nodes", {1}}, {"name", "Attic"}}};
     file.root["scene"] = 1;
@@ -276,7 +276,7 @@ TEST_CASE("the default scene is taken and, without scenes, all root nodes", "[sc
 
 TEST_CASE("the same file gives the same bits however its buffer is stored", "[scene][gltf]")
 {
-    const GltfFile file = tetrahedron();
+    const GltfFile file = tetrahedron_file();
     const TemporaryFolder folder;
     GltfFile separate = file;
     separate.root["buffers"] = {{{"byteLength", file.bytes.size()}, {"uri", "my%20data+1.bin"}}};

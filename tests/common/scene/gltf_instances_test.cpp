@@ -20,7 +20,7 @@ json& instance_attributes(GltfFile& file)
 /// A tetrahedron that stands in two places, under a node that is moved and stretched.
 GltfFile two_instances()
 {
-    GltfFile file = tetrahedron();
+    GltfFile file = tetrahedron_file();
     file.root["extensionsRequired"] = {"EXT_mesh_gpu_instancing"};
     file.root["nodes"][0]["scale"] = {1, 2, 1};
     file.root["nodes"][0]["translation"] = {0, 0, 7};
@@ -84,7 +84,7 @@ TEST_CASE("instances whose accessors disagree or are not finite are refused",
 TEST_CASE("more instances than faces can be counted are refused before they are made",
           "[scene][gltf][instances][damaged]")
 {
-    GltfFile file = tetrahedron();
+    GltfFile file = tetrahedron_file();
     const std::size_t corners = 120000;
     file.root["meshes"][0]["primitives"][0]["indices"] =
         file.add_indices(std::vector<std::uint16_t>(corners, 1));
@@ -99,7 +99,7 @@ namespace {
 /// A tetrahedron in many places: turned and scaled, mirrored, scaled unevenly, and much larger.
 GltfFile many_instances()
 {
-    GltfFile file = tetrahedron();
+    GltfFile file = tetrahedron_file();
     std::vector<float> places, turns, scales;
     for (int i = 0; i < 12; ++i) {
         const glm::quat turn =
@@ -179,7 +179,7 @@ TEST_CASE("instances are stored where something tells them apart", "[scene][gltf
 
 TEST_CASE("nodes that use one mesh are copies with objects of their own", "[scene][gltf][copies]")
 {
-    GltfFile file = tetrahedron();
+    GltfFile file = tetrahedron_file();
     for (int i = 0; i < 3; ++i) {
         file.root["nodes"].push_back({{"mesh", 0},
                                       {"name", std::string("n").append(std::to_string(i))},

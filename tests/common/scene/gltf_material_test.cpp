@@ -12,7 +12,7 @@ namespace {
 /// The one material of a tetrahedron whose longest side is `size` metres.
 LoadedScene load_material(const json& material, double size = 1.0)
 {
-    GltfFile file = tetrahedron();
+    GltfFile file = tetrahedron_file();
     file.root["nodes"][0]["scale"] = {size, size, size};
     file.root["materials"] = json::array({material});
     return load(file);
@@ -218,7 +218,7 @@ TEST_CASE("a lost node material and a missing material are spoken of", "[scene][
         load_material({{"name", "steel"}, {"pbrMetallicRoughness", {{"roughnessFactor", 0.5}}}});
     CHECK_FALSE(says(kept.audit.warnings, "lost"));
 
-    GltfFile bare = tetrahedron();
+    GltfFile bare = tetrahedron_file();
     bare.root["meshes"][0]["primitives"][0].erase("material");
     bare.root.erase("materials");
     const LoadedScene loaded = load(bare);
@@ -229,7 +229,7 @@ TEST_CASE("a lost node material and a missing material are spoken of", "[scene][
 
 TEST_CASE("what is in a file but not read gets one warning by name", "[scene][gltf]")
 {
-    GltfFile file = tetrahedron();
+    GltfFile file = tetrahedron_file();
     json& root = file.root;
     root["images"] = {{{"uri", "nowhere.png"}}};
     root["textures"] = {{{"source", 0}}};

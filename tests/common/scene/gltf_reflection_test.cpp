@@ -10,7 +10,7 @@ namespace {
 /// The tetrahedron in a material with such extras.
 GltfFile with_extras(const json& hipmap)
 {
-    GltfFile file = tetrahedron();
+    GltfFile file = tetrahedron_file();
     file.root["materials"][0]["extras"]["hipmap"] = hipmap;
     return file;
 }
@@ -48,7 +48,7 @@ TEST_CASE("reflection models are read from extras as an object and as JSON text"
     CHECK(lafortune.reflection_model == ReflectionModel::lafortune);
     CHECK(lafortune.lobe_exponent == 9.0f);
     CHECK(lafortune.lafortune_coefficients == glm::vec3(-1, 0.25f, 0.5f)); // only ratios count
-    CHECK(load(tetrahedron()).scene.materials.at(0).reflection_model ==
+    CHECK(load(tetrahedron_file()).scene.materials.at(0).reflection_model ==
           ReflectionModel::metallic_roughness);
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 GltfFile glossy(const json& values)
 {
-    GltfFile file = tetrahedron();
+    GltfFile file = tetrahedron_file();
     file.root["extensionsRequired"] = {kSpecularGlossiness};
     file.root["extensionsUsed"] = {kSpecularGlossiness};
     file.root["materials"][0]["pbrMetallicRoughness"] = {{"baseColorFactor", {0, 1, 0, 1}}};
@@ -18,7 +18,7 @@ GltfFile glossy(const json& values)
     return file;
 }
 
-void append_bytes(void* to, void* data, int size)
+void append_encoded(void* to, void* data, int size)
 {
     static_cast<std::string*>(to)->append(static_cast<const char*>(data),
                                           static_cast<std::size_t>(size));
@@ -28,7 +28,7 @@ void append_bytes(void* to, void* data, int size)
 void add_pixel(GltfFile& file, const std::array<unsigned char, 4>& rgba)
 {
     std::string png;
-    stbi_write_png_to_func(append_bytes, &png, 1, 1, 4, rgba.data(), 4);
+    stbi_write_png_to_func(append_encoded, &png, 1, 1, 4, rgba.data(), 4);
     const int accessor =
         file.add_accessor(std::vector<char>(png.begin(), png.end()), "SCALAR", 1, 5121);
     file.root["images"] = {{{"bufferView", file.root["accessors"][accessor]["bufferView"]},

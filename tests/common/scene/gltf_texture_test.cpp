@@ -51,7 +51,7 @@ std::string base64(const std::string& bytes)
 /// A tetrahedron with the material; texture 0 shows the texture, which lies in the buffer.
 GltfFile textured(const json& material, const std::string& picture)
 {
-    GltfFile file = tetrahedron();
+    GltfFile file = tetrahedron_file();
     file.root["bufferViews"].push_back(
         {{"buffer", 0}, {"byteOffset", file.bytes.size()}, {"byteLength", picture.size()}});
     file.bytes += picture;

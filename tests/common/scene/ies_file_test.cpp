@@ -12,8 +12,6 @@ namespace hipmap::tiny {
 
 namespace {
 
-constexpr double kPiDouble = std::numbers::pi;
-
 /// A file whose lines after TILT are `numbers`.
 std::string ies(const std::string& numbers, const std::string& tilt = "NONE")
 {
@@ -47,7 +45,7 @@ void check_around(const std::vector<int>& azimuths, const std::vector<double>& d
     REQUIRE(web.azimuth.size() == degrees.size());
     REQUIRE(web.candela.size() == 2 * degrees.size());
     for (std::size_t i = 0; i < degrees.size(); ++i) {
-        CHECK(web.azimuth[i] == Approx(degrees[i] * kPiDouble / 180));
+        CHECK(web.azimuth[i] == Approx(degrees[i] * std::numbers::pi / 180));
         CHECK(web.candela[i] == candela[i]);
         CHECK(web.candela[degrees.size() + i] == 10 * candela[i]);
     }
@@ -57,7 +55,7 @@ void check_around(const std::vector<int>& azimuths, const std::vector<double>& d
 /// down, with extras.
 GltfFile under_light(const char* type, const json& extras)
 {
-    GltfFile file = tetrahedron();
+    GltfFile file = tetrahedron_file();
     file.root["extensions"]["KHR_lights_punctual"]["lights"] = {
         {{"type", type}, {"intensity", 5}, {"color", {1, 0.5, 0}}, {"spot", json::object()}}};
     const double half = std::sqrt(0.5);
@@ -85,9 +83,9 @@ TEST_CASE("ies: intensities are read with their factors", "[scene][ies]")
     const PhotometricWeb web =
         read_text(ies("1 1000 2 3 1 1 2 0.1 0.2 0.3\n0.5 1.5 60\n0 30 90\n0\n100 +80 2e1\n"));
     REQUIRE(web.polar.size() == 3);
-    CHECK(web.polar[1] == Approx(kPiDouble / 6));
-    CHECK(web.polar[2] == Approx(kPiDouble / 2));
-    CHECK(web.azimuth == std::vector<double>{0, 2 * kPiDouble});
+    CHECK(web.polar[1] == Approx(std::numbers::pi / 6));
+    CHECK(web.polar[2] == Approx(std::numbers::pi / 2));
+    CHECK(web.azimuth == std::vector<double>{0, 2 * std::numbers::pi});
     const std::vector<double> expected = {150, 150, 120, 120, 30, 30};
     for (std::size_t i = 0; i < expected.size(); ++i)
         CHECK(web.candela.at(i) == Approx(expected[i]));

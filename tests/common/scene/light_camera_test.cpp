@@ -10,12 +10,10 @@ namespace hipmap::tiny {
 
 namespace {
 
-constexpr double kPiDouble = std::numbers::pi;
-
 /// A tetrahedron and a light on a node of its own.
 GltfFile with_light(const json& light, const json& node = json::object())
 {
-    GltfFile file = tetrahedron();
+    GltfFile file = tetrahedron_file();
     file.root["extensionsRequired"] = {"KHR_lights_punctual"};
     file.root["extensions"] = {{"KHR_lights_punctual", {{"lights", json::array({light})}}}};
     json holder = {{"name", "lamp"}, {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}};
@@ -27,7 +25,7 @@ GltfFile with_light(const json& light, const json& node = json::object())
 
 GltfFile with_camera(const json& camera, const json& node = json::object())
 {
-    GltfFile file = tetrahedron();
+    GltfFile file = tetrahedron_file();
     file.root["cameras"] = json::array({camera});
     json holder = {{"name", "eye"}, {"camera", 0}};
     holder.update(node);
@@ -57,8 +55,8 @@ TEST_CASE("Blender's three lighting modes give the same light", "[scene][lights]
     const struct {
         LightUnits units;
         double point, sun;
-    } modes[] = {{LightUnits::spec, watts / (4 * kPiDouble) * 683, strength * 683},
-                 {LightUnits::compat, watts / (4 * kPiDouble), strength},
+    } modes[] = {{LightUnits::spec, watts / (4 * std::numbers::pi) * 683, strength * 683},
+                 {LightUnits::compat, watts / (4 * std::numbers::pi), strength},
                  {LightUnits::raw, watts, strength}};
     for (const auto& mode : modes) {
         for (const char* kind : {"point", "spot"}) {
@@ -70,8 +68,8 @@ TEST_CASE("Blender's three lighting modes give the same light", "[scene][lights]
             const glm::dvec3 intensity = std::string(kind) == "point"
                                              ? std::get<ScenePointLight>(light).intensity
                                              : std::get<SceneSpotLight>(light).intensity;
-            CHECK(intensity.x == Approx(watts / (4 * kPiDouble)));
-            CHECK(intensity.y == Approx(watts / (8 * kPiDouble)));
+            CHECK(intensity.x == Approx(watts / (4 * std::numbers::pi)));
+            CHECK(intensity.y == Approx(watts / (8 * std::numbers::pi)));
             CHECK(intensity.z == 0);
         }
         const auto sun = std::get<SceneSunLight>(
@@ -109,7 +107,7 @@ TEST_CASE("lights emit along their node's -Z and its scale means nothing", "[sce
 
 TEST_CASE("a spot always has room to fall off between its cones", "[scene][lights]")
 {
-    for (const double outer : {1e-6, 0.3, kPiDouble / 4, 1.5707963705062866})
+    for (const double outer : {1e-6, 0.3, std::numbers::pi / 4, 1.5707963705062866})
         for (const double blend : {0.0, 1e-9, 0.5, 1.0}) {
             const auto spot = std::get<SceneSpotLight>(only_light(with_light(
                 {{"type", "spot"},

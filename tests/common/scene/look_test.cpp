@@ -14,7 +14,7 @@ constexpr const char* kBlender42 = "Khronos glTF Blender I/O v4.2.60";
 
 GltfFile written_by(const json& generator)
 {
-    GltfFile file = tetrahedron();
+    GltfFile file = tetrahedron_file();
     file.root["asset"]["generator"] = generator;
     return file;
 }
@@ -74,7 +74,7 @@ Material bare_material_of(const json& generator)
 
 TEST_CASE("look: that of the program and version that wrote the file", "[scene][look]")
 {
-    CHECK(load(tetrahedron()).scene.look == Look::gltf);
+    CHECK(load(tetrahedron_file()).scene.look == Look::gltf);
     CHECK(look_of("Khronos glTF Blender I/O v1.8.19") == Look::blender_3_4);
     CHECK(look_of(kBlender34) == Look::blender_3_4);
     CHECK(look_of("Khronos glTF Blender I/O v3.5.30") == Look::blender_3_6);
@@ -102,7 +102,7 @@ TEST_CASE("look: what was asked for, of the version that wrote the file", "[scen
 TEST_CASE("look: the audit names one that is not glTF's", "[scene][look]")
 {
     CHECK(says(load(written_by(kBlender34)).audit.assumed, "Blender up to 3.4 (--look gltf"));
-    CHECK_FALSE(says(load(tetrahedron()).audit.assumed, "--look"));
+    CHECK_FALSE(says(load(tetrahedron_file()).audit.assumed, "--look"));
 }
 
 TEST_CASE("look: materials of each version", "[scene][look]")

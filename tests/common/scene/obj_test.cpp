@@ -28,7 +28,7 @@ LoadedScene load_with_mtl(const std::string& mtl)
     return load_scene(folder / "scene.obj", {});
 }
 
-Material material_of(const std::string& mtl)
+Material only_material(const std::string& mtl)
 {
     const LoadedScene loaded = load_with_mtl(mtl);
     REQUIRE(loaded.scene.materials.size() == 1);
@@ -216,38 +216,38 @@ TEST_CASE("material files outside the scene's folder are not opened", "[scene][o
 
 TEST_CASE("MTL materials become metallic-roughness ones", "[scene][obj]")
 {
-    const Material diffuse = material_of("Kd 0.2 0.4 0.6\nKe 1 2 3\nKs 0 0 0\nNs 100\n");
+    const Material diffuse = only_material("Kd 0.2 0.4 0.6\nKe 1 2 3\nKs 0 0 0\nNs 100\n");
     CHECK(diffuse.base_color == Rgb(0.2f, 0.4f, 0.6f));
     CHECK(diffuse.emission == Rgb(1, 2, 3));
     CHECK(diffuse.metallic == 0.0f);
     CHECK(diffuse.specular == 0.0f);
     CHECK(diffuse.double_sided);
 
-    const Material glossy = material_of("Kd 1 1 1\nKs 0.5 0.5 0.5\nNs 48\n");
+    const Material glossy = only_material("Kd 1 1 1\nKs 0.5 0.5 0.5\nNs 48\n");
     CHECK(glossy.specular == 1.0f);
     CHECK(glossy.roughness * glossy.roughness == Approx(std::sqrt(2.0 / 50)));
 
-    const Material mirror = material_of("Kd 0 0 0\nKs 0.9 0.8 0.7\nillum 3\n");
+    const Material mirror = only_material("Kd 0 0 0\nKs 0.9 0.8 0.7\nillum 3\n");
     CHECK(mirror.metallic == 1.0f);
     CHECK(mirror.roughness == 0.0f);
     CHECK(mirror.base_color == Rgb(0.9f, 0.8f, 0.7f));
 
-    const Material physical = material_of("Kd 1 1 1\nKs 0.5 0.5 0.5\nPr 0.3\nPm 0.6\nillum 3\n");
+    const Material physical = only_material("Kd 1 1 1\nKs 0.5 0.5 0.5\nPr 0.3\nPm 0.6\nillum 3\n");
     CHECK(physical.roughness == 0.3f);
     CHECK(physical.metallic == 0.6f);
 }
 
 TEST_CASE("MTL's ways of saying transparent become transmission", "[scene][obj]")
 {
-    const Material glass = material_of("Kd 0 0 0\nNi 1.33\nillum 7\n");
+    const Material glass = only_material("Kd 0 0 0\nNi 1.33\nillum 7\n");
     CHECK(glass.transmission == 1.0f);
     CHECK(glass.ior == 1.33f);
     CHECK(glass.base_color == Rgb(1.0f));
     CHECK(glass.roughness == 0.0f);
-    CHECK(material_of("Kd 1 1 1\nd 0.25\n").transmission == 0.75f);
-    CHECK(material_of("Kd 1 1 1\nTf 0.5 1 0.5\n").base_color == Rgb(0.5f, 1.0f, 0.5f));
-    CHECK(material_of("Kd 1 1 1\nTf 1 1 1\nillum 2\n").transmission == 0.0f);
-    CHECK(material_of("Kd 1 1 1\nNi 1.45\nillum 2\n").transmission == 0.0f);
+    CHECK(only_material("Kd 1 1 1\nd 0.25\n").transmission == 0.75f);
+    CHECK(only_material("Kd 1 1 1\nTf 0.5 1 0.5\n").base_color == Rgb(0.5f, 1.0f, 0.5f));
+    CHECK(only_material("Kd 1 1 1\nTf 1 1 1\nillum 2\n").transmission == 0.0f);
+    CHECK(only_material("Kd 1 1 1\nNi 1.45\nillum 2\n").transmission == 0.0f);
 }
 
 TEST_CASE("a light without Ke and a textured MTL material are warned of", "[scene][obj]")

@@ -11,7 +11,7 @@ namespace hipmap::tiny {
 
 namespace {
 
-void append_bytes(void* to, void* data, int size)
+void append_png(void* to, void* data, int size)
 {
     static_cast<std::string*>(to)->append(static_cast<const char*>(data),
                                           static_cast<std::size_t>(size));
@@ -22,7 +22,7 @@ std::string png_of(const std::vector<unsigned char>& rgba)
 {
     std::string png;
     const int width = static_cast<int>(rgba.size() / 4);
-    stbi_write_png_to_func(append_bytes, &png, width, 1, 4, rgba.data(), 4 * width);
+    stbi_write_png_to_func(append_png, &png, width, 1, 4, rgba.data(), 4 * width);
     return png;
 }
 

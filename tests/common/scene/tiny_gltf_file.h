@@ -6,7 +6,7 @@ namespace hipmap::tiny {
 
 /// A tetrahedron with corners at the origin and one along each axis, wound outwards; node 0,
 /// mesh 0, material 0.
-inline GltfFile tetrahedron()
+inline GltfFile tetrahedron_file()
 {
     GltfFile file;
     const int positions = file.add_vectors({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1});

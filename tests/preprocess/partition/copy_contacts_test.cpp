@@ -17,7 +17,7 @@ using tiny::with_copies;
 namespace {
 
 /// A floor of 4 x 4 about the origin in y = 0, facing up.
-TriangleMesh floor_quad()
+TriangleMesh floor_of_copies()
 {
     return tiny::make_mesh({{-2, 0, -2}, {-2, 0, 2}, {2, 0, 2}, {2, 0, -2}},
                            {{0, 1, 2}, {0, 2, 3}});
@@ -110,7 +110,7 @@ TEST_CASE("copies: boxes on a floor bound its map, and each has maps of its own"
           "[partition][copies]")
 {
     const Both result = both(with_copies(
-        floor_quad(), box(),
+        floor_of_copies(), box(),
         {place_at({1.2, 0, 0.1}), place_at({2.5, 0, 0.4}, 30), place_at({0, 0, 2.5}, 77, 1.3)}));
     check_same(result);
     CHECK(result.copied.apart.empty());
@@ -124,7 +124,7 @@ TEST_CASE("copies: boxes on a floor bound its map, and each has maps of its own"
 TEST_CASE("copies: what cuts through others bounds the maps of those alone", "[partition][copies]")
 {
     const Both result = both(with_copies(
-        floor_quad(), ball(),
+        floor_of_copies(), ball(),
         {place_at({0.45, 0.03, 0.1}, 10), place_at({0.9, 0.02, 0}, 50, 1.1, {1, 0.2, 0}),
          place_at({2, 1, 2}), place_at({1.5, 0.1, 1.4}, 120, 0.8, {1, 1, 3})}));
     check_same(result);
@@ -146,7 +146,7 @@ TEST_CASE("copies: those that go on across a seam are set apart, and the others 
     // shares an edge with the fourth but for a corner, the sixth stands on the first.
     TriangleMesh tile = tiny::quad();
     const Both result =
-        both(with_copies(floor_quad(), tile,
+        both(with_copies(floor_of_copies(), tile,
                          {place_at({1, 0.25, 0}), place_at({0.5, -0.5, 0}), place_at({0, 0, 5}, 20),
                           place_at({3, 3, 3}), place_at({0.3, 0.2, 0}, 90)}));
     check_same(result);
@@ -157,7 +157,7 @@ TEST_CASE("copies: those that go on across a seam are set apart, and the others 
 TEST_CASE("copies: those that share an edge bit for bit are set apart", "[partition][copies]")
 {
     const Both result =
-        both(with_copies(floor_quad(), tiny::quad(),
+        both(with_copies(floor_of_copies(), tiny::quad(),
                          {place_at({1, 0, 0}), place_at({0, 0, -1}, -90, 1, {0, 1, 0}),
                           place_at({0, 3, 0}), place_at({-5, 3, 0}, 45)}));
     check_same(result);
@@ -168,7 +168,7 @@ TEST_CASE("copies: those that share an edge bit for bit are set apart", "[partit
 TEST_CASE("copies: many in one place are set apart", "[partition][copies]")
 {
     const Both result = both(with_copies(
-        floor_quad(), ball(),
+        floor_of_copies(), ball(),
         {place_at({0, 0, 0}), place_at({0, 0, 0}), place_at({0, 0, 0}), place_at({2, 2, 2}, 3)}));
     check_same(result);
     CHECK(result.copied.apart.size() == 4);
@@ -179,8 +179,9 @@ TEST_CASE("copies: welding over a distance stores them all", "[partition][copies
 {
     PartitionOptions options;
     options.weld_distance = 0.001;
-    const Both result = both(
-        with_copies(floor_quad(), ball(), {place_at({1, 2, 0}), place_at({2, 0, 3})}), options);
+    const Both result =
+        both(with_copies(floor_of_copies(), ball(), {place_at({1, 2, 0}), place_at({2, 0, 3})}),
+             options);
     check_same(result);
     CHECK(result.copied.copies.empty());
     CHECK(result.copied.apart == std::vector<std::uint32_t>{0, 1, 2});
@@ -191,9 +192,9 @@ TEST_CASE("copies: the partition does not depend on the order of copies", "[part
     std::vector<Similarity> places{place_at({0.45, 0.03, 0.1}, 10),
                                    place_at({0.9, 0.02, 0}, 50, 1.1), place_at({2, 0, 2}),
                                    place_at({1.5, 0.1, 1.4}, 120, 0.8)};
-    const Both one = both(with_copies(floor_quad(), ball(), places));
+    const Both one = both(with_copies(floor_of_copies(), ball(), places));
     std::ranges::reverse(places);
-    const Both other = both(with_copies(floor_quad(), ball(), places));
+    const Both other = both(with_copies(floor_of_copies(), ball(), places));
     CHECK(one.copied.own_contacts.size() == other.copied.own_contacts.size());
     CHECK(lengths(one.copied)[0] == Approx(lengths(other.copied)[0]).epsilon(1e-5));
 }

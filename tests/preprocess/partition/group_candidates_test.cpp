@@ -16,7 +16,7 @@ using namespace hipmap;
 
 namespace {
 
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr float kEndless = std::numeric_limits<float>::infinity();
 
 /// The point of a face that is nearest to `point`.
 glm::dvec3 nearest_point(const TriangleMesh& mesh, FaceId face, const glm::dvec3& point)
@@ -40,7 +40,7 @@ glm::dvec3 nearest_point(const TriangleMesh& mesh, FaceId face, const glm::dvec3
 }
 
 /// A mesh and its partition.
-struct Case {
+struct GroupCase {
     std::string name;
     TriangleMesh mesh;
     Partition partition;
@@ -58,7 +58,7 @@ struct Case {
     }
 };
 
-Case make_case(std::string name, const TriangleMesh& mesh, double angle_deg = 30)
+GroupCase make_case(std::string name, const TriangleMesh& mesh, double angle_deg = 30)
 {
     const PartitionOptions options{.angle_threshold = angle_deg * glm::pi<double>() / 180};
     return {std::move(name), mesh, build_partition(tiny::make_scene(mesh), options).partition};
@@ -73,7 +73,7 @@ TriangleMesh crumpled(std::uint32_t cells, float height, std::uint64_t seed)
 }
 
 /// Meshes fine enough for groups, on which a shared map comes near itself in many ways.
-Case random_case(std::uint64_t seed)
+GroupCase random_group_case(std::uint64_t seed)
 {
     RandomSequence random(seed, RandomStream::pictures, 0, 1);
     const auto cells = 8 + static_cast<std::uint32_t>(8 * random.next());
@@ -95,7 +95,7 @@ Case random_case(std::uint64_t seed)
     return make_case(name, mesh, random.next() < 0.3f ? 30 : 179);
 }
 
-struct Tally {
+struct GroupTally {
     int finished = 0; ///< searches of a group that ended within the limiting radius
     int wrong = 0;    ///< of them, those that a search of the shared map contradicts
     int wider = 0;    ///< wrong ones of the same within a radius that is one half larger
@@ -103,7 +103,7 @@ struct Tally {
 
 /// Looks for the k nearest of photons spread over the group, and of one where each face outside it
 /// comes nearest.
-void compare_searches(const Case& c, FaceId face, RandomSequence& random, Tally& tally)
+void compare_searches(const GroupCase& c, FaceId face, RandomSequence& random, GroupTally& tally)
 {
     const glm::vec3 point = c.point_on(face, random);
     std::vector<glm::vec3> photons;
@@ -120,7 +120,7 @@ void compare_searches(const Case& c, FaceId face, RandomSequence& random, Tally&
     }
     const auto k = 1 + static_cast<std::size_t>(5 * random.next());
     const auto shared =
-        brute_force::k_nearest(photons, point, k, kInfinity, [](auto) { return true; });
+        brute_force::k_nearest(photons, point, k, kEndless, [](auto) { return true; });
     const auto finished = [&](float radius, int& wrong) {
         const auto found =
             brute_force::k_nearest(photons, point, k, std::nextafter(radius, 0.0f),
@@ -143,7 +143,7 @@ std::vector<FaceId> grouped_faces(const Partition& partition)
 }
 
 /// Of the centre of a face from the faces of its map outside its group.
-double true_distance(const Case& c, FaceId face)
+double true_distance(const GroupCase& c, FaceId face)
 {
     const glm::dvec3 centre = face_centre(c.mesh, face);
     double least = std::numeric_limits<double>::infinity();
@@ -153,7 +153,7 @@ double true_distance(const Case& c, FaceId face)
     return least;
 }
 
-std::vector<double> areas_of_groups(const Case& c)
+std::vector<double> areas_of_groups(const GroupCase& c)
 {
     std::vector<double> areas(c.partition.group_count, 0.0);
     for (const FaceId face : grouped_faces(c.partition))
@@ -166,9 +166,9 @@ std::vector<double> areas_of_groups(const Case& c)
 TEST_CASE("exact_group_radius: a search within it finds what the shared map holds",
           "[partition][property]")
 {
-    Tally tally;
+    GroupTally tally;
     for (std::uint64_t seed = 0; seed < 240; ++seed) {
-        const Case c = random_case(seed);
+        const GroupCase c = random_group_case(seed);
         const std::vector<FaceId> faces = grouped_faces(c.partition);
         RandomSequence random(seed, RandomStream::eye_paths, 0, 0);
         for (int query = 0; query < 40 && !faces.empty(); ++query) {
@@ -190,7 +190,7 @@ TEST_CASE(
 {
     int faces = 0;
     for (std::uint64_t seed = 0; seed < 24; ++seed) {
-        const Case c = random_case(seed);
+        const GroupCase c = random_group_case(seed);
         const std::vector<double> areas = areas_of_groups(c);
         for (const FaceId face : grouped_faces(c.partition)) {
             const double truth = true_distance(c, face);
@@ -209,7 +209,7 @@ TEST_CASE(
 TEST_CASE("find_group_candidates: a fine square is 64 squares, clear to their rims", "[partition]")
 {
     constexpr std::uint32_t kCells = 64;
-    const Case c = make_case(
+    const GroupCase c = make_case(
         "grid", tiny::bent_grid(kCells, kCells, [](glm::vec2 p) { return glm::vec3(p, 0); }));
     REQUIRE(c.partition.group_count == 64);
     std::vector<float> largest(64, 0.0f);
@@ -235,8 +235,8 @@ TEST_CASE("find_group_candidates: a fine square is 64 squares, clear to their ri
 TEST_CASE("find_group_candidates: a fine globe is 64 groups of like area", "[partition]")
 {
     const bool leaves_stay_whole = GENERATE(false, true);
-    const Case c = make_case("globe", leaves_stay_whole ? tiny::uv_sphere(600, 240)
-                                                        : tiny::uv_sphere(126, 80));
+    const GroupCase c = make_case("globe", leaves_stay_whole ? tiny::uv_sphere(600, 240)
+                                                             : tiny::uv_sphere(126, 80));
     CHECK(c.partition.group_count == 64);
     CHECK(grouped_faces(c.partition).size() == c.mesh.face_count()); // small ones at the poles too
     for (const double area : areas_of_groups(c))
@@ -251,7 +251,7 @@ TEST_CASE("find_group_candidates: a fine globe is 64 groups of like area", "[par
 TEST_CASE("find_group_candidates: both sides of a thin shell are in one group", "[partition]")
 {
     constexpr float kThickness = 0.001f;
-    const Case c = make_case("shell", tiny::thin_shell(96, kThickness), 179);
+    const GroupCase c = make_case("shell", tiny::thin_shell(96, kThickness), 179);
     REQUIRE(c.partition.map_count == 1);
     REQUIRE(c.partition.group_count >= 48);
     for (const FaceId face : grouped_faces(c.partition))
@@ -263,7 +263,7 @@ TEST_CASE("find_group_candidates: both sides of a thin shell are in one group", 
 TEST_CASE("find_group_candidates: faces that are large in their map are in no group", "[partition]")
 {
     const auto place = [](glm::vec2 p) { return glm::vec3(glm::pow(p, glm::vec2(6)), 0); };
-    const Case growing = make_case("growing squares", tiny::bent_grid(24, 24, place));
+    const GroupCase growing = make_case("growing squares", tiny::bent_grid(24, 24, place));
     CHECK(growing.partition.group_count > 0);
     CHECK(growing.partition.group_of_face.back() == kNone); // larger than a patch
     for (const double area : areas_of_groups(growing))
@@ -277,7 +277,7 @@ TEST_CASE("find_group_candidates: faces that are large in their map are in no gr
 TEST_CASE("find_group_candidates: patches too narrow for the fewest photons are none",
           "[partition]")
 {
-    const Case c =
+    const GroupCase c =
         make_case("strips", tiny::bent_grid(512, 1, [](glm::vec2 p) { return glm::vec3(p, 0); }));
     CHECK(c.partition.group_count == 0);
     CHECK(exact_group_radius(c.mesh, c.partition, 300, {0.5f, 0.5f, 0}) == 0);

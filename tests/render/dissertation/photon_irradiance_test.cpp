@@ -14,7 +14,7 @@ using namespace hipmap;
 namespace {
 
 /// Photons that fall on the sides they are stored on.
-std::vector<Photon> scatter_photons(const TriangleMesh& mesh, std::size_t count)
+std::vector<Photon> scatter_evenly(const TriangleMesh& mesh, std::size_t count)
 {
     std::vector<Photon> photons;
     for (std::size_t i = 0; i < count; ++i) {
@@ -60,7 +60,7 @@ TEST_CASE("photon irradiance: at the photons the estimate, elsewhere that of the
         for (const MapMode mode : {MapMode::global, MapMode::shared, MapMode::hierarchical}) {
             const IrradianceOptions options{3, mode == MapMode::shared};
             const DissertationMaps built = build_dissertation_maps(
-                scatter_photons(ready->scene.mesh, 2000), surfaces, {20}, {mode, 100});
+                scatter_evenly(ready->scene.mesh, 2000), surfaces, {20}, {mode, 100});
             const PhotonMaps& maps = built.shared;
             const PhotonIrradiance cache = estimate_at_photons(built, surfaces, options);
             REQUIRE(cache.maps.size() == maps.maps.size());
@@ -116,7 +116,7 @@ TEST_CASE("photon irradiance: the same at any thread count", "[dissertation]")
     const auto ready = tiny::ready(tiny::make_scene(tiny::cube()));
     const MapSurfaces surfaces(ready->scene.mesh, ready->partition);
     const DissertationMaps maps = build_dissertation_maps(
-        scatter_photons(ready->scene.mesh, 20'000), surfaces, {20}, {MapMode::hierarchical, 100});
+        scatter_evenly(ready->scene.mesh, 20'000), surfaces, {20}, {MapMode::hierarchical, 100});
     std::vector<PhotonIrradiance> caches;
     for (const std::size_t threads : {1, 3}) {
         const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);

@@ -25,7 +25,7 @@ Scene modelled_floor(ReflectionModel model)
     return scene;
 }
 
-EffectPlan plan_of(const Scene& scene, const EffectOptions& options = {})
+EffectPlan planned(const Scene& scene, const EffectOptions& options = {})
 {
     return plan_effects(scene, build_partition(scene, {}).partition, options);
 }
@@ -39,27 +39,27 @@ const PlannedEffect& models_in(const EffectPlan& plan)
 
 TEST_CASE("effect plan: reflection models are named with what they call for", "[effects]")
 {
-    const EffectPlan phong = plan_of(modelled_floor(ReflectionModel::phong));
+    const EffectPlan phong = planned(modelled_floor(ReflectionModel::phong));
     CHECK(list_effects(phong) == "soft-shadows, indirect, glossy, caustics, reflection-models");
     CHECK(describe(models_in(phong)) ==
           "reflection-models: on; 'floor' use the reflection model of "
           "Phong; costs another formula at each hit");
     const Scene foil = modelled_floor(ReflectionModel::schlick);
-    CHECK(list_effects(plan_of(foil)) ==
+    CHECK(list_effects(planned(foil)) ==
           "soft-shadows, indirect, mirror, glossy, caustics, reflection-models");
     Scene brushed = foil;
     brushed.mesh.attributes.tangents.assign(brushed.mesh.positions.size(), glm::vec4(1, 0, 0, 1));
-    CHECK(plan_of(brushed).has(Effect::anisotropy));
+    CHECK(planned(brushed).has(Effect::anisotropy));
     for (const auto& [model, author] : {std::pair(ReflectionModel::ward, "Ward"),
                                         std::pair(ReflectionModel::lafortune, "Lafortune")}) {
         Scene directed = modelled_floor(model);
-        CHECK(models_in(plan_of(directed)).reason ==
+        CHECK(models_in(planned(directed)).reason ==
               std::string("'floor' use the reflection model of ") + author);
-        CHECK_FALSE(plan_of(directed).has(Effect::anisotropy));
+        CHECK_FALSE(planned(directed).has(Effect::anisotropy));
         directed.mesh.attributes.tangents = brushed.mesh.attributes.tangents;
-        CHECK(plan_of(directed).has(Effect::anisotropy));
+        CHECK(planned(directed).has(Effect::anisotropy));
     }
-    CHECK_FALSE(models_in(plan_of(modelled_floor(ReflectionModel::metallic_roughness))).on);
+    CHECK_FALSE(models_in(planned(modelled_floor(ReflectionModel::metallic_roughness))).on);
 }
 
 TEST_CASE("effect plan: without reflection models materials are glTF's", "[effects]")
@@ -67,11 +67,11 @@ TEST_CASE("effect plan: without reflection models materials are glTF's", "[effec
     EffectOptions options;
     options.switches = parse_effect_switches("-reflection-models,-anisotropy");
     Scene scene = modelled_floor(ReflectionModel::schlick);
-    drop_effects(scene, plan_of(scene, options));
+    drop_effects(scene, planned(scene, options));
     CHECK(scene.materials[0].reflection_model == ReflectionModel::metallic_roughness);
     CHECK(scene.materials[0].isotropy == 1.0f);
     CHECK(scene.materials[0].ward_slopes.x == Approx(0.2f));
     CHECK(scene.materials[0].ward_slopes.x == scene.materials[0].ward_slopes.y);
     CHECK(scene.materials[0].lafortune_coefficients == glm::vec3(-0.75f, -0.75f, 1));
-    CHECK(list_effects(plan_of(scene)) == "soft-shadows, indirect");
+    CHECK(list_effects(planned(scene)) == "soft-shadows, indirect");
 }

@@ -20,8 +20,8 @@ Material flint(float roughness)
 
 using Channels = std::array<RunningMean, 3>;
 
-/// Means of the channels over the image, and the same by narrower radii.
-struct Means {
+/// ColourMeans of the channels over the image, and the same by narrower radii.
+struct ColourMeans {
     Channels radiance, narrower;
 };
 
@@ -35,7 +35,8 @@ void add(const Image& image, Channels& to)
     }
 }
 
-Means render(const Scene& scene, Integrator integrator, std::size_t samples, std::uint64_t passes)
+ColourMeans render(const Scene& scene, Integrator integrator, std::size_t samples,
+                   std::uint64_t passes)
 {
     const auto ready = tiny::ready(scene);
     RenderOptions options;
@@ -46,7 +47,7 @@ Means render(const Scene& scene, Integrator integrator, std::size_t samples, std
     options.dissertation.mode = MapMode::shared;
     RenderStatistics ignored;
     const PassSource source = make_pass_source(*ready->render, options, ignored);
-    Means out;
+    ColourMeans out;
     for (std::uint64_t pass = 0; pass < passes; ++pass) {
         const RenderedPass rendered = source.render(pass, {});
         add(rendered.images.radiance, out.radiance);
@@ -69,7 +70,7 @@ TEST_CASE("dispersion: in even light glass of any colour is not seen", "[integra
 {
     Scene scene = tiny::emissive_box(Rgb(0.5f));
     tiny::add(scene, ball(), flint(0));
-    const Means paths = render(scene, Integrator::path, 16, 8);
+    const ColourMeans paths = render(scene, Integrator::path, 16, 8);
     for (const RunningMean& channel : paths.radiance)
         CHECK(std::abs(channel.z_score(1)) < kMostZ);
 }
@@ -78,9 +79,9 @@ TEST_CASE("dispersion: rough glass loses no more in any colour than without", "[
 {
     Scene scene = tiny::emissive_box(Rgb(0.5f));
     tiny::add(scene, ball(), flint(0.3f));
-    const Means paths = render(scene, Integrator::path, 16, 12);
+    const ColourMeans paths = render(scene, Integrator::path, 16, 12);
     scene.materials.back().dispersion = 0;
-    const Means plain = render(scene, Integrator::path, 16, 12);
+    const ColourMeans plain = render(scene, Integrator::path, 16, 12);
     for (int c = 0; c < 3; ++c) {
         const double noise =
             std::hypot(paths.radiance[c].standard_error(), plain.radiance[c].standard_error());
@@ -94,8 +95,8 @@ TEST_CASE("dispersion: maps find the colours that paths find", "[integrator]")
     Scene scene = tiny::box(tiny::diffuse({0.7f, 0.6f, 0.5f}));
     tiny::add(scene, ball(), flint(0));
     tiny::add(scene, tiny::floor_at(0.45f, -0.3f), tiny::emissive(Rgb(5)));
-    const Means gathered = render(scene, Integrator::progressive, 16, 24);
-    const Means paths = render(scene, Integrator::path, 150, 24);
+    const ColourMeans gathered = render(scene, Integrator::progressive, 16, 24);
+    const ColourMeans paths = render(scene, Integrator::path, 150, 24);
     for (int c = 0; c < 3; ++c) {
         INFO("channel " << c);
         const RunningMean& ours = gathered.radiance[c];

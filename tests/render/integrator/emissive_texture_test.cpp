@@ -31,7 +31,7 @@ Scene half_lit_floor()
     return scene;
 }
 
-constexpr double kRadiance = 2, kHalf = 0.2, kHeight = 0.3;
+constexpr double kRadiance = 2, kHalf = 0.2, kLampHeight = 0.3;
 
 } // namespace
 
@@ -47,7 +47,7 @@ TEST_CASE("emissive textures: the floor has the light of the half that emits", "
         mean.add(trace_path(*ready->render, ray, random).y);
     }
     // Two of the four squares around the point above.
-    const double irradiance = kRadiance * 2 * corner_rectangle(kHalf, kHalf, kHeight);
+    const double irradiance = kRadiance * 2 * corner_rectangle(kHalf, kHalf, kLampHeight);
     CHECK(std::abs(mean.z_score(0.5 / kPi * irradiance)) < kMostZ);
     CHECK(mean.standard_error() < 0.01 * mean.mean());
 }
@@ -75,7 +75,7 @@ TEST_CASE("emissive textures: photons bring the floor the power emitted to it", 
         for (int j = 0; j < kSide; ++j) {
             const double x = (i + 0.5) / kSide - 0.5, z = (j + 0.5) / kSide - 0.5;
             const auto corner = [&](double to_x, double to_z) {
-                return corner_rectangle(to_x - x, to_z - z, kHeight);
+                return corner_rectangle(to_x - x, to_z - z, kLampHeight);
             };
             power += kRadiance / (kSide * kSide) *
                      (corner(kHalf, kHalf) - corner(0, kHalf) - corner(kHalf, -kHalf) +

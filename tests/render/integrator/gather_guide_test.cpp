@@ -37,17 +37,17 @@ RenderOptions small_options(GatherDirections gather)
     return options;
 }
 
-struct Means {
+struct GatheredMeans {
     RunningMean radiance;
     RunningMean noise; ///< square of the relative difference of a pixel between two passes
 };
 
-Means mean_of_passes(const tiny::ReadyScene& ready, GatherDirections gather)
+GatheredMeans mean_of_passes(const tiny::ReadyScene& ready, GatherDirections gather)
 {
     RenderStatistics ignored;
     const RenderOptions options = small_options(gather);
     const PassSource source = make_pass_source(*ready.render, options, ignored);
-    Means out;
+    GatheredMeans out;
     Image last;
     for (std::uint64_t pass = 0; pass < 24; ++pass) {
         const Image now = source.render(pass, {}).images.radiance;
@@ -126,8 +126,8 @@ TEST_CASE("gather guide: there is none where lobes are as good, or nothing is kn
 TEST_CASE("gather guide: the image is that of rays by the lobes, with less noise", "[integrator]")
 {
     const auto room = tiny::ready(room_below_a_lid());
-    const Means guided = mean_of_passes(*room, GatherDirections::guided);
-    const Means by_lobes = mean_of_passes(*room, GatherDirections::by_lobes);
+    const GatheredMeans guided = mean_of_passes(*room, GatherDirections::guided);
+    const GatheredMeans by_lobes = mean_of_passes(*room, GatherDirections::by_lobes);
     const double noise =
         std::hypot(guided.radiance.standard_error(), by_lobes.radiance.standard_error());
     CHECK(std::abs(guided.radiance.mean() - by_lobes.radiance.mean()) < kMostZ * noise);

@@ -36,8 +36,8 @@ Ray aslant()
 }
 
 /// Light that one ray of the lobes finds; `weighed` leaves out the share of the light samples.
-Rgb found_by(const RenderScene& scene, const Interaction& at, Lobes lobes, bool weighed,
-             RandomSequence& random)
+Rgb found_on_gloss(const RenderScene& scene, const Interaction& at, Lobes lobes, bool weighed,
+                   RandomSequence& random)
 {
     const ScatterSample sample = sample_scatter(at, lobes, random);
     if (is_black(sample.weight))
@@ -131,11 +131,11 @@ TEST_CASE("glossy light: sampling lights and lobes together is sampling lobes al
         Rgb both = light_sampled_light(*ready->render, at, {1, 1}, random), lobes(0.0f);
         if (at.gathers()) {
             both += bsdf_sampled_light(*ready->render, at, random);
-            lobes += found_by(*ready->render, at, Lobes::gathered, false, random);
+            lobes += found_on_gloss(*ready->render, at, Lobes::gathered, false, random);
         }
         if (at.follows()) {
-            both += found_by(*ready->render, at, Lobes::followed, true, random);
-            lobes += found_by(*ready->render, at, Lobes::followed, false, random);
+            both += found_on_gloss(*ready->render, at, Lobes::followed, true, random);
+            lobes += found_on_gloss(*ready->render, at, Lobes::followed, false, random);
         }
         together.add(both.x);
         alone.add(lobes.x);

@@ -1,3 +1,4 @@
+#include "tests/render/integrator/all_integrators.h"
 #include "tests/support/means_of_images.h"
 #include "tests/support/tiny_rooms.h"
 
@@ -8,8 +9,6 @@
 using namespace hipmap;
 
 namespace {
-
-constexpr Integrator kAll[] = {Integrator::path, Integrator::progressive, Integrator::direct};
 
 /// Transmittance and reflectance of layers that light may cross many times.
 struct Onion {
@@ -93,7 +92,7 @@ TEST_CASE("nested dielectrics: light through overlapping slabs, either of which 
     for (const float above : {0.0f, 1.0f})
         for (const bool light_above : {false, true}) {
             const auto ready = tiny::ready(slabs(above, light_above));
-            for (const Integrator integrator : kAll) {
+            for (const Integrator integrator : kAllIntegrators) {
                 const RunningMean found = means_of(*ready, small_picture(integrator), 24);
                 INFO(found.mean() << " +- " << found.standard_error() << ", priority " << above);
                 CHECK(std::abs(found.mean() - all.through) <

@@ -1,4 +1,5 @@
 #include "render/integrator/integrators.h"
+#include "tests/render/integrator/all_integrators.h"
 #include "tests/support/mean_luminance.h"
 #include "tests/support/mirror_shaft.h"
 #include "tests/support/render_image.h"
@@ -10,8 +11,6 @@
 using namespace hipmap;
 
 namespace {
-
-constexpr Integrator kAll[] = {Integrator::path, Integrator::progressive, Integrator::direct};
 
 struct Effort {
     std::uint64_t passes = 16;
@@ -39,7 +38,7 @@ RunningMean measure(const Scene& scene, Integrator integrator, const Effort& eff
 /// By every integrator: `expected`, but for probability and a bias of 1 part in 200.
 void check_mean(const Scene& scene, double expected, const Effort& effort)
 {
-    for (const Integrator integrator : kAll) {
+    for (const Integrator integrator : kAllIntegrators) {
         const RunningMean found = measure(scene, integrator, effort);
         INFO("integrator " << int(integrator) << ": " << found.mean() << " +- "
                            << found.standard_error() << ", expected " << expected);

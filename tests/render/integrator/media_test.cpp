@@ -1,5 +1,6 @@
 #include "common/math/random.h"
 #include "render/integrator/integrators.h"
+#include "tests/render/integrator/all_integrators.h"
 #include "tests/support/mean_luminance.h"
 #include "tests/support/render_image.h"
 #include "tests/support/statistics.h"
@@ -30,8 +31,6 @@ std::shared_ptr<const DensityGrid> denser_above()
     out->values = {0, 0, 1, 1, 4, 4, 0, 0, 1, 1, 4, 4};
     return out;
 }
-
-constexpr Integrator kAll[] = {Integrator::path, Integrator::progressive, Integrator::direct};
 
 /// Mean of the channels of small pictures, by passes that do not depend on each other.
 RunningMean measure(const Scene& scene, Integrator integrator, std::uint64_t passes = 16,
@@ -85,14 +84,14 @@ TEST_CASE("media: light is absorbed as Beer and Lambert say", "[integrator][medi
     double expected = 0;
     for (int c = 0; c < 3; ++c)
         expected += 2 * std::exp(-double{medium.absorption[c]}) / 3;
-    for (const Integrator integrator : kAll)
+    for (const Integrator integrator : kAllIntegrators)
         check(measure(scene, integrator, 2), expected, 1e-4);
     medium.density = denser_above();
     scene.materials[0] = tiny::fog(medium);
     expected = 0;
     for (int c = 0; c < 3; ++c)
         expected += 2 * std::exp(-1.5 * double{medium.absorption[c]}) / 3;
-    for (const Integrator integrator : kAll)
+    for (const Integrator integrator : kAllIntegrators)
         check(measure(scene, integrator, 2), expected, 1e-4);
 }
 
@@ -101,10 +100,10 @@ TEST_CASE("media: an emissive slab sends e/a (1 - exp(-a d))", "[integrator][med
     Medium medium;
     medium.absorption = Rgb(2);
     medium.emission = Rgb(3);
-    for (const Integrator integrator : kAll)
+    for (const Integrator integrator : kAllIntegrators)
         check(measure(tiny::cube_of(medium), integrator, 2), 1.5 * (1 - std::exp(-2.0)), 1e-4);
     medium.density = denser_above();
-    for (const Integrator integrator : kAll)
+    for (const Integrator integrator : kAllIntegrators)
         check(measure(tiny::cube_of(medium), integrator, 2), 1.5 * (1 - std::exp(-3.0)), 1e-4);
 }
 
@@ -116,7 +115,7 @@ TEST_CASE("media: a slab thinner than the camera's clipping distance is as any o
     medium.emission = Rgb(3);
     Scene scene = tiny::cube_of(medium);
     scene.cameras[0].near_clip = 1.2f;
-    for (const Integrator integrator : kAll)
+    for (const Integrator integrator : kAllIntegrators)
         check(measure(scene, integrator, 2), 1.5 * (1 - std::exp(-2.0)), 1e-4);
 }
 
@@ -130,19 +129,19 @@ TEST_CASE("media: with an albedo of one nothing is seen under an even sky", "[in
         medium.phase = phase;
         Scene scene = tiny::cube_of(medium);
         scene.environment = Rgb(1);
-        for (const Integrator integrator : kAll)
+        for (const Integrator integrator : kAllIntegrators)
             check(measure(scene, integrator), 1, 0.03);
     }
     medium.density = any_density();
     Scene smoke = tiny::cube_of(medium);
     smoke.environment = Rgb(1);
-    for (const Integrator integrator : kAll)
+    for (const Integrator integrator : kAllIntegrators)
         check(measure(smoke, integrator), 1, 0.03);
     Scene milk = tiny::cube_of(medium); // within glass
     milk.environment = Rgb(1);
     milk.materials[0] = tiny::glass(1.5f);
     milk.materials[0].scattering = medium.scattering;
-    for (const Integrator integrator : kAll)
+    for (const Integrator integrator : kAllIntegrators)
         check(measure(milk, integrator), 1, 0.03);
 }
 
@@ -150,7 +149,7 @@ TEST_CASE("media: fog that absorbs nothing changes nothing in a furnace", "[inte
 {
     Scene scene = tiny::furnace();
     scene.around.scattering = {1, 2, 4};
-    for (const Integrator integrator : kAll)
+    for (const Integrator integrator : kAllIntegrators)
         check(measure(scene, integrator), 1, 0.02);
 }
 

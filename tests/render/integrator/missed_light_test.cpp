@@ -40,7 +40,7 @@ Scene keyhole()
     return scene;
 }
 
-RenderOptions small_options(std::uint64_t photons)
+RenderOptions by_power_options(std::uint64_t photons)
 {
     RenderOptions options;
     options.integrator = Integrator::progressive;
@@ -51,13 +51,13 @@ RenderOptions small_options(std::uint64_t photons)
 }
 
 /// Passes of an image, and what they missed.
-struct Rendered {
+struct RenderedPasses {
     MissedLight missed;
     std::optional<ImageError> error;
     SeenClasses counts;
 };
 
-Rendered render(const RenderScene& scene, const RenderOptions& options, std::uint64_t passes)
+RenderedPasses render(const RenderScene& scene, const RenderOptions& options, std::uint64_t passes)
 {
     RenderStatistics statistics;
     const PassSource source = make_pass_source(scene, options, statistics);
@@ -99,9 +99,9 @@ TEST_CASE("unseen light: a light behind a keyhole is warned of while it is unsee
     constexpr std::uint64_t kPasses = 4;
     int unseen = 0, warned = 0;
     for (std::uint64_t seed = 0; seed < 100; ++seed) {
-        RenderOptions options = small_options(500);
+        RenderOptions options = by_power_options(500);
         options.seed = seed;
-        const Rendered rendered = render(*ready->render, options, kPasses);
+        const RenderedPasses rendered = render(*ready->render, options, kPasses);
         if (paths_into_room(*ready->render, options, kPasses) > 1)
             continue;
         ++unseen;
@@ -117,15 +117,15 @@ TEST_CASE("unseen light: a keyhole that many light paths found, and a room, are 
 {
     const auto check = [](const Scene& scene, RenderOptions options) {
         const auto ready = tiny::ready(scene);
-        const Rendered rendered = render(*ready->render, options, 4);
+        const RenderedPasses rendered = render(*ready->render, options, 4);
         REQUIRE(rendered.missed.unseen);
         CHECK(rendered.missed.unseen->most < 0.01);
         CHECK(!is_much(*rendered.missed.unseen, rendered.error));
     };
-    RenderOptions guided = small_options(20000);
+    RenderOptions guided = by_power_options(20000);
     guided.emission = Emission::guided;
     check(keyhole(), guided);
-    check(tiny::room(), small_options(20000));
+    check(tiny::room(), by_power_options(20000));
 }
 
 TEST_CASE("unseen light: the counts of an image do not depend on the number of threads",
@@ -135,9 +135,9 @@ TEST_CASE("unseen light: the counts of an image do not depend on the number of t
     const auto rendered = [&](int threads) {
         const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                         static_cast<std::size_t>(threads));
-        return render(*ready->render, small_options(5000), 2);
+        return render(*ready->render, by_power_options(5000), 2);
     };
-    const Rendered one = rendered(1), seven = rendered(7);
+    const RenderedPasses one = rendered(1), seven = rendered(7);
     CHECK(count_paths(one.counts) == count_paths(seven.counts));
     CHECK(one.counts.worth == seven.counts.worth);
     CHECK(one.missed.unseen->most == seven.missed.unseen->most);

@@ -56,7 +56,7 @@ RenderOptions small_options(Emission emission)
     return options;
 }
 
-struct Means {
+struct EmittedMeans {
     RunningMean radiance, narrower;
     RunningMean noise; ///< mean square of the difference of a pixel between two passes
 
@@ -64,12 +64,12 @@ struct Means {
     double bias() const { return 2 * std::abs(radiance.mean() - narrower.mean()); }
 };
 
-Means mean_of_passes(const tiny::ReadyScene& ready, Emission emission)
+EmittedMeans mean_of_passes(const tiny::ReadyScene& ready, Emission emission)
 {
     RenderStatistics ignored;
     const RenderOptions options = small_options(emission);
     const PassSource source = make_pass_source(*ready.render, options, ignored);
-    Means out;
+    EmittedMeans out;
     Image last;
     for (std::uint64_t pass = 0; pass < 24; ++pass) {
         const RenderedPass rendered = source.render(pass, {});
@@ -89,15 +89,15 @@ Means mean_of_passes(const tiny::ReadyScene& ready, Emission emission)
 
 TEST_CASE("photon guides: the image is that of emission by power", "[integrator]")
 {
-    const auto same = [](const Means& a, const Means& b) {
+    const auto same = [](const EmittedMeans& a, const EmittedMeans& b) {
         const double noise = std::hypot(a.radiance.standard_error(), b.radiance.standard_error());
         const double most = a.bias() + b.bias() + kMostZ * noise;
         CHECK(std::abs(a.radiance.mean() - b.radiance.mean()) < most);
         CHECK(most < 0.1 * b.radiance.mean());
     };
     const auto plain = tiny::ready(box_on_a_plain());
-    const Means guided = mean_of_passes(*plain, Emission::guided);
-    const Means by_power = mean_of_passes(*plain, Emission::by_power);
+    const EmittedMeans guided = mean_of_passes(*plain, Emission::guided);
+    const EmittedMeans by_power = mean_of_passes(*plain, Emission::by_power);
     same(guided, by_power);
     CHECK(guided.noise.mean() < 0.5 * by_power.noise.mean());
     const auto rooms = tiny::ready(two_rooms());

@@ -1,5 +1,6 @@
 #include "render/lobes/lafortune.h"
 #include "render/lobes/phong.h"
+#include "tests/render/lobes/view_from.h"
 #include "tests/support/lit_surface.h"
 
 #include <catch2/catch.hpp>
@@ -7,11 +8,6 @@
 using namespace hipmap;
 
 namespace {
-
-LobeView view_from(const glm::vec3& out)
-{
-    return {.normal = {0, 0, 1}, .out = out, .cosine = out.z, .tangent = {1, 0, 0}};
-}
 
 double share_sent(const Lafortune& lobe, const LobeView& view)
 {

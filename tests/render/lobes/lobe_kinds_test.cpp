@@ -44,7 +44,7 @@ std::array<bool, sizeof...(kind)> which_spread(std::index_sequence<kind...>)
     return {SpreadLobe<std::variant_alternative_t<kind, Lobe>>...};
 }
 
-LobeView view_from(const glm::vec3& out, bool solid = true)
+LobeView view_through(const glm::vec3& out, bool solid = true)
 {
     return {{0, 0, 1}, out, out.z, {0.6f, 0.8f, 0}, 1.5f, solid};
 }
@@ -58,7 +58,7 @@ const glm::vec3 kOuts[] = {glm::normalize(glm::vec3(0.1f, 0, 1)),
 TEST_CASE("Oren-Nayar: closed values, and brighter back towards the light", "[lobes]")
 {
     const OrenNayar smooth{Rgb(0.5f), {0}}, rough{Rgb(0.5f), {1}};
-    const LobeView above = view_from({0, 0, 1}), aslant = view_from({0.8f, 0, 0.6f});
+    const LobeView above = view_through({0, 0, 1}), aslant = view_through({0.8f, 0, 0.6f});
     const float scale = 1 / (1 + 0.5f - 2 / (3 * kPi));
     CHECK(smooth.shape(aslant, {-0.8f, 0, 0.6f}) == 1);
     CHECK(rough.shape(above, {0, 0, 1}) == Approx(scale));
@@ -81,7 +81,7 @@ TEST_CASE("lobes: the mean weight is the integral of f, and the pdf that of the 
 {
     for (const Lobe& lobe : kLobes)
         for (const glm::vec3& out : kOuts) {
-            const LobeView view = view_from(out);
+            const LobeView view = view_through(out);
             double integral = 0, density = 0;
             tiny::over_sphere(250, [&](const glm::vec3& in, double solid_angle) {
                 if (in.z < 0 && !transmits(lobe))
@@ -109,7 +109,7 @@ TEST_CASE("lobes: a weight drawn is f cos over the pdf", "[lobes]")
     for (const Lobe& lobe : kLobes)
         for (std::uint64_t i = 0; i < 300; ++i) {
             RandomSequence random(7, RandomStream::pictures, 0, i);
-            const LobeView view = view_from(kOuts[i % 3]);
+            const LobeView view = view_through(kOuts[i % 3]);
             const LobeSample drawn = sample(lobe, view, random);
             if (is_black(drawn.weight))
                 continue;
@@ -131,8 +131,8 @@ TEST_CASE("lobes: light takes the same way back", "[lobes]")
             };
             const glm::vec3 a = above(), b = above();
             INFO("kind " << lobe.index());
-            CHECK(eval(lobe, view_from(a), b).y ==
-                  Approx(eval(lobe, view_from(b), a).y).epsilon(2e-3).margin(1e-5));
+            CHECK(eval(lobe, view_through(a), b).y ==
+                  Approx(eval(lobe, view_through(b), a).y).epsilon(2e-3).margin(1e-5));
         }
 }
 
@@ -140,7 +140,7 @@ TEST_CASE("lobes: no lobe sends on more than it receives, and the albedo is near
 {
     for (const Lobe& lobe : kLobes)
         for (const glm::vec3& out : kOuts) {
-            const LobeView view = view_from(out, false);
+            const LobeView view = view_through(out, false);
             glm::dvec3 sent(0.0);
             tiny::over_sphere(250, [&](const glm::vec3& in, double solid_angle) {
                 if (in.z > 0 || transmits(lobe))

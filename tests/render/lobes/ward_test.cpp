@@ -1,4 +1,5 @@
 #include "render/lobes/ward.h"
+#include "tests/render/lobes/view_from.h"
 #include "tests/support/lit_surface.h"
 
 #include <catch2/catch.hpp>
@@ -6,11 +7,6 @@
 using namespace hipmap;
 
 namespace {
-
-LobeView view_from(const glm::vec3& out)
-{
-    return {.normal = {0, 0, 1}, .out = out, .cosine = out.z, .tangent = {1, 0, 0}};
-}
 
 /// A unit direction at a height above the surface and an azimuth from the tangent.
 glm::vec3 direction_at(float height, float azimuth)

@@ -45,7 +45,7 @@ std::vector<RunningMean> estimates_at(const std::vector<glm::vec2>& points, std:
     return means;
 }
 
-constexpr float kFar = std::numeric_limits<float>::infinity();
+constexpr float kInfinite = std::numeric_limits<float>::infinity();
 
 } // namespace
 
@@ -59,7 +59,7 @@ TEST_CASE("estimate: unbiased in the middle, at an edge and in a corner", "[maps
                                                      {1, 1},
                                                      {0.99f, 0.01f},
                                                      {0.3f, 0.02f}},
-                                                    k, 1000, kFar))
+                                                    k, 1000, kInfinite))
             CHECK(std::abs(mean.z_score(1)) < kMostZ);
 }
 
@@ -71,7 +71,7 @@ TEST_CASE("estimate: unbiased where the radius holds fewer than k", "[maps]")
 
 TEST_CASE("estimate: a map with fewer than k photons is spread over its area", "[maps]")
 {
-    const RunningMean mean = estimates_at({{0.2f, 0.7f}}, 50, 20, kFar)[0];
+    const RunningMean mean = estimates_at({{0.2f, 0.7f}}, 50, 20, kInfinite)[0];
     CHECK(mean.mean() == Approx(1.0).epsilon(1e-5));
 }
 

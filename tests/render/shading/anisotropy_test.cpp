@@ -43,7 +43,7 @@ Interaction lit(const Material& material, const glm::vec3& back)
     return at;
 }
 
-const glm::vec3 kBacks[] = {{0.1f, 0, 1}, {0.7f, 0.5f, 0.5f}, {-0.6f, 0.8f, 0.25f}};
+const glm::vec3 kStretchedBacks[] = {{0.1f, 0, 1}, {0.7f, 0.5f, 0.5f}, {-0.6f, 0.8f, 0.25f}};
 
 /// All that the lobes send on of light from at.back.
 double sent(const Interaction& at, int rows)
@@ -66,13 +66,13 @@ Lobes lobes_of(const Interaction& at)
 TEST_CASE("anisotropy: widths are the extension's, and never a mirror's", "[shading]")
 {
     const Bsdf half =
-        tiny::lit_surface(anisotropic(tiny::mirror(Rgb(1)), 0.6f, 0.5f), kBacks[0]).bsdf();
+        tiny::lit_surface(anisotropic(tiny::mirror(Rgb(1)), 0.6f, 0.5f), kStretchedBacks[0]).bsdf();
     CHECK(half.is_directed);
     const Facets& facets = std::get<MicrofacetReflection>(half.all[0].lobe).facets;
     CHECK(facets.alpha == Approx(0.36f));
     CHECK(facets.alpha_along == Approx(0.36f + 0.64f * 0.25f));
     const Bsdf smooth =
-        tiny::lit_surface(anisotropic(tiny::mirror(Rgb(1)), 0, 0.5f), kBacks[0]).bsdf();
+        tiny::lit_surface(anisotropic(tiny::mirror(Rgb(1)), 0, 0.5f), kStretchedBacks[0]).bsdf();
     CHECK(smooth.follows);
     CHECK(std::get<MicrofacetReflection>(smooth.all[0].lobe).facets.alpha > 0);
     CHECK_FALSE(tiny::lit_surface(anisotropic(tiny::mirror(Rgb(1)), 0.6f, 0), {0, 0, 1})
@@ -124,7 +124,7 @@ TEST_CASE("anisotropy: facets cover the surface, and those seen its outline", "[
 TEST_CASE("anisotropy: directions are drawn with the pdf that is returned", "[shading]")
 {
     for (const Material& material : brushed())
-        for (const glm::vec3& back : kBacks) {
+        for (const glm::vec3& back : kStretchedBacks) {
             const Interaction at = lit(material, back);
             CHECK(tiny::chi_square_z(at, lobes_of(at)) < kMostZ);
         }
@@ -133,7 +133,7 @@ TEST_CASE("anisotropy: directions are drawn with the pdf that is returned", "[sh
 TEST_CASE("anisotropy: the mean weight is the integral of the lobes, none above one", "[shading]")
 {
     for (const Material& material : brushed()) {
-        const Interaction at = lit(material, kBacks[1]);
+        const Interaction at = lit(material, kStretchedBacks[1]);
         double integral = 0;
         tiny::over_sphere(300, [&](const glm::vec3& in, double solid_angle) {
             integral += double{scattered(at, in, lobes_of(at)).value.x} * solid_angle;

@@ -23,7 +23,7 @@ std::vector<Material> lacquers()
             tiny::lacquered(plastic, 0.6f, 0.5f), tiny::lacquered(gold, 0.6f, 0.5f)};
 }
 
-const glm::vec3 kBacks[] = {{0.1f, 0, 1}, {0.7f, -0.4f, 0.6f}, {-1, 0.2f, 0.25f}};
+const glm::vec3 kCoatedBacks[] = {{0.1f, 0, 1}, {0.7f, -0.4f, 0.6f}, {-1, 0.2f, 0.25f}};
 
 bool has(const Interaction& at, Lobes lobes)
 {
@@ -31,7 +31,7 @@ bool has(const Interaction& at, Lobes lobes)
 }
 
 /// All that the surface sends on of light from at.back.
-double sent(const Interaction& at, int rows)
+double sent_by_coat(const Interaction& at, int rows)
 {
     double sum = specular_lobes(at).mirror.x;
     tiny::over_sphere(rows, [&](const glm::vec3& in, double solid_angle) {
@@ -48,7 +48,7 @@ TEST_CASE("clear coat: directions are drawn with the pdf that is returned", "[sh
 {
     for (const Material& material : lacquers())
         for (const Lobes lobes : {Lobes::gathered, Lobes::followed}) {
-            const Interaction at = tiny::lit_surface(material, kBacks[2]);
+            const Interaction at = tiny::lit_surface(material, kCoatedBacks[2]);
             if (!has(at, lobes))
                 continue;
             INFO("base " << material.roughness << ", metallic " << material.metallic << ", coat "
@@ -61,7 +61,7 @@ TEST_CASE("clear coat: the mean weight is the integral of the lobes, for photons
 {
     for (const Material& material : lacquers())
         for (const Lobes lobes : {Lobes::gathered, Lobes::followed}) {
-            const Interaction at = tiny::lit_surface(material, kBacks[1]);
+            const Interaction at = tiny::lit_surface(material, kCoatedBacks[1]);
             double integral = 0;
             tiny::over_sphere(250, [&](const glm::vec3& in, double solid_angle) {
                 integral += double{scattered(at, in, lobes).value.y} * solid_angle;
@@ -97,15 +97,15 @@ TEST_CASE("clear coat: no surface sends on more than all, a white base beneath a
     Material coated = tiny::diffuse(Rgb(1));
     coated.specular = 1;
     for (const float coat : {0.0f, 0.25f, 0.6f})
-        for (const glm::vec3& back : kBacks) {
+        for (const glm::vec3& back : kCoatedBacks) {
             INFO("coat " << coat << ", height " << back.z);
             const Material diffuse = tiny::lacquered(tiny::diffuse(Rgb(1)), 1, coat);
-            CHECK(sent(tiny::lit_surface(diffuse, back), 160) == Approx(1).margin(0.004));
+            CHECK(sent_by_coat(tiny::lit_surface(diffuse, back), 160) == Approx(1).margin(0.004));
             const Interaction both = tiny::lit_surface(tiny::lacquered(coated, 0.4f, coat), back);
-            CHECK(sent(both, 160) <= 1.005);
-            CHECK(sent(both, 160) > 0.97);
+            CHECK(sent_by_coat(both, 160) <= 1.005);
+            CHECK(sent_by_coat(both, 160) > 0.97);
             const Material metal = tiny::lacquered(tiny::mirror(Rgb(1)), 0.4f, coat);
-            CHECK(sent(tiny::lit_surface(metal, back), 160) <= 1.005);
+            CHECK(sent_by_coat(tiny::lit_surface(metal, back), 160) <= 1.005);
         }
 }
 

@@ -10,10 +10,10 @@ using namespace hipmap;
 namespace {
 
 const glm::vec3 kCoatNormal = glm::normalize(glm::vec3(0.25f, 0.1f, 1));
-const glm::vec3 kBacks[] = {{0.1f, 0, 1}, {0.7f, -0.4f, 0.6f}, {-0.4f, 0.3f, 1}};
+const glm::vec3 kTiltedBacks[] = {{0.1f, 0, 1}, {0.7f, -0.4f, 0.6f}, {-0.4f, 0.3f, 1}};
 
 /// Diffuse, coated and metal, below coats that are followed and gathered.
-std::vector<Material> lacquers()
+std::vector<Material> tilted_lacquers()
 {
     Material plastic = tiny::diffuse({0.8f, 0.5f, 0.2f});
     plastic.specular = 1;
@@ -96,7 +96,7 @@ TEST_CASE("coat normal: a coat that may be tilted is followed, an even one a mir
 
 TEST_CASE("coat normal: the coat reflects about its own normal", "[shading]")
 {
-    for (const glm::vec3& back : kBacks) {
+    for (const glm::vec3& back : kTiltedBacks) {
         const Interaction at =
             below_tilted_coat(tiny::lacquered(tiny::diffuse(Rgb(0.5f)), 1, 0.03f), back);
         const glm::vec3 expected = reflect(at.back, kCoatNormal);
@@ -114,9 +114,9 @@ TEST_CASE("coat normal: the coat reflects about its own normal", "[shading]")
 
 TEST_CASE("coat normal: directions are drawn with the pdf that is returned", "[shading]")
 {
-    for (const Material& material : lacquers())
+    for (const Material& material : tilted_lacquers())
         for (const Lobes lobes : {Lobes::gathered, Lobes::followed}) {
-            const Interaction at = below_tilted_coat(material, kBacks[1]);
+            const Interaction at = below_tilted_coat(material, kTiltedBacks[1]);
             if (lobes == Lobes::gathered ? !at.gathers() : !at.follows())
                 continue;
             INFO("base " << material.roughness << ", coat " << material.clearcoat_roughness
@@ -127,9 +127,9 @@ TEST_CASE("coat normal: directions are drawn with the pdf that is returned", "[s
 
 TEST_CASE("coat normal: the mean weight is the integral of the lobes", "[shading]")
 {
-    for (const Material& material : lacquers())
+    for (const Material& material : tilted_lacquers())
         for (const Lobes lobes : {Lobes::gathered, Lobes::followed}) {
-            const Interaction at = below_tilted_coat(material, kBacks[1]);
+            const Interaction at = below_tilted_coat(material, kTiltedBacks[1]);
             if (lobes == Lobes::gathered ? !at.gathers() : !at.follows())
                 continue;
             const auto [integral, mean] = tiny::integral_and_weights(at, lobes);
@@ -189,7 +189,7 @@ TEST_CASE("coat normal: no surface sends on more than all", "[shading]")
 TEST_CASE("coat normal: a mirror below a tilted coat loses as much both ways", "[shading]")
 {
     const Material chrome = tiny::lacquered(tiny::mirror(Rgb(1)), 0, 0.2f);
-    const Interaction there = below_tilted_coat(chrome, kBacks[1]);
+    const Interaction there = below_tilted_coat(chrome, kTiltedBacks[1]);
     const Interaction back = below_tilted_coat(chrome, reflect(there.back, there.normal));
     const Rgb sent = specular_lobes(there).mirror;
     CHECK(sent.x == Approx(specular_lobes(back).mirror.x));

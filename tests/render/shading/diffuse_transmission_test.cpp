@@ -16,7 +16,7 @@ Material through(Material material, float share, const Rgb& colour)
     return material;
 }
 
-Material plastic(float roughness)
+Material rough_plastic(float roughness)
 {
     Material material = tiny::diffuse({0.8f, 0.5f, 0.2f});
     material.specular = 1;
@@ -30,19 +30,19 @@ std::vector<Material> papers()
     Material cloth = tiny::diffuse(Rgb(0.6f));
     cloth.sheen_color = Rgb(0.8f);
     cloth.sheen_roughness = 0.4f;
-    Material lacquered = plastic(0.5f);
+    Material lacquered = rough_plastic(0.5f);
     lacquered.clearcoat = 0.8f;
     lacquered.clearcoat_roughness = 0.5f;
     const Rgb green(0.3f, 0.9f, 0.2f);
     return {through(tiny::diffuse(Rgb(0.8f)), 0.4f, green),
-            through(tiny::diffuse(Rgb(0.8f)), 1, green), through(plastic(0.5f), 0.7f, green),
+            through(tiny::diffuse(Rgb(0.8f)), 1, green), through(rough_plastic(0.5f), 0.7f, green),
             through(cloth, 0.5f, green), through(lacquered, 0.6f, green)};
 }
 
-const glm::vec3 kBacks[] = {{0.1f, 0, 1}, {0.7f, -0.4f, 0.6f}, {-1, 0.2f, -0.3f}};
+const glm::vec3 kPaperBacks[] = {{0.1f, 0, 1}, {0.7f, -0.4f, 0.6f}, {-1, 0.2f, -0.3f}};
 
 /// All that the lobes send on of light from at.back, to its side and to the other.
-std::array<double, 2> sent(const Interaction& at)
+std::array<double, 2> sent_both_ways(const Interaction& at)
 {
     std::array<double, 2> sums{};
     tiny::over_sphere(250, [&](const glm::vec3& in, double solid_angle) {
@@ -59,8 +59,8 @@ TEST_CASE("diffuse transmission: paper parts light by its share, each side in it
           "[shading]")
 {
     const Material paper = through(tiny::diffuse(Rgb(0.5f)), 0.25f, Rgb(0.8f));
-    for (const glm::vec3& back : kBacks) {
-        const auto [reflected, passed] = sent(tiny::lit_surface(paper, back, false));
+    for (const glm::vec3& back : kPaperBacks) {
+        const auto [reflected, passed] = sent_both_ways(tiny::lit_surface(paper, back, false));
         CHECK(reflected == Approx(0.75 * 0.5).epsilon(1e-3));
         CHECK(passed == Approx(0.25 * 0.8).epsilon(1e-3));
     }
@@ -76,9 +76,9 @@ TEST_CASE("diffuse transmission: white paper absorbs nothing, under coats neithe
     lacquered.clearcoat_roughness = 0.3f;
     for (const Material& base : {tiny::diffuse(Rgb(1)), coated, lacquered})
         for (const float share : {0.3f, 1.0f})
-            for (const glm::vec3& back : kBacks) {
+            for (const glm::vec3& back : kPaperBacks) {
                 const auto [reflected, passed] =
-                    sent(tiny::lit_surface(through(base, share, Rgb(1)), back, false));
+                    sent_both_ways(tiny::lit_surface(through(base, share, Rgb(1)), back, false));
                 CHECK(reflected + passed == Approx(1).margin(0.005));
             }
 }
@@ -86,7 +86,7 @@ TEST_CASE("diffuse transmission: white paper absorbs nothing, under coats neithe
 TEST_CASE("diffuse transmission: directions are drawn with the pdf that is returned", "[shading]")
 {
     for (const Material& material : papers())
-        for (const glm::vec3& back : kBacks)
+        for (const glm::vec3& back : kPaperBacks)
             CHECK(tiny::chi_square_z(tiny::lit_surface(material, back, false), Lobes::gathered) <
                   kMostZ);
     const Interaction bumpy = tiny::tilted_surface(papers()[2], {0.8f, 0, 0.6f});
@@ -96,7 +96,7 @@ TEST_CASE("diffuse transmission: directions are drawn with the pdf that is retur
 TEST_CASE("diffuse transmission: the mean weight is the integral of the lobes", "[shading]")
 {
     for (const Material& material : papers()) {
-        const Interaction at = tiny::lit_surface(material, kBacks[1], false);
+        const Interaction at = tiny::lit_surface(material, kPaperBacks[1], false);
         double integral = 0;
         tiny::over_sphere(250, [&](const glm::vec3& in, double solid_angle) {
             integral += double{scattered(at, in, Lobes::gathered).value.y} * solid_angle;
@@ -131,7 +131,7 @@ TEST_CASE("diffuse transmission: light takes the same way back", "[shading]")
 TEST_CASE("diffuse transmission: photons are weighed by the lobes that rays are", "[shading]")
 {
     for (const Material& material : papers()) {
-        const Interaction at = tiny::lit_surface(material, kBacks[1], false);
+        const Interaction at = tiny::lit_surface(material, kPaperBacks[1], false);
         const PhotonLobes lobes(at);
         for (std::uint64_t i = 0; i < 300; ++i) {
             RandomSequence random(13, RandomStream::pictures, 0, i);

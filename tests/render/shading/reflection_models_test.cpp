@@ -47,7 +47,7 @@ Material lafortune(const Rgb& base, const Rgb& specular, float exponent,
 }
 
 /// As tiny::lit_surface, with a direction to be anisotropic along.
-Interaction lit(const Material& material, const glm::vec3& back)
+Interaction lit_model(const Material& material, const glm::vec3& back)
 {
     Interaction at = tiny::lit_surface(material, back);
     at.tangent = {0.6f, 0.8f, 0};
@@ -71,9 +71,9 @@ std::vector<Material> all_models()
             lafortune({0.1f, 0.3f, 0.2f}, Rgb(0.7f), 90, {-1, -1, 1})};
 }
 
-const glm::vec3 kBacks[] = {{0.1f, 0, 1}, {0.7f, -0.4f, 0.6f}, {-1, 0.2f, 0.15f}};
+const glm::vec3 kModelBacks[] = {{0.1f, 0, 1}, {0.7f, -0.4f, 0.6f}, {-1, 0.2f, 0.15f}};
 
-Lobes lobes_of(const Interaction& at)
+Lobes model_lobes_of(const Interaction& at)
 {
     return at.follows() ? Lobes::followed : Lobes::gathered;
 }
@@ -89,11 +89,11 @@ double value_at(const Interaction& at, const glm::vec3& in)
 TEST_CASE("reflection models: Phong's values by hand", "[shading]")
 {
     const double pi = std::numbers::pi;
-    const Interaction at = lit(phong(Rgb(0.4f), Rgb(0.5f), 2), {0.6f, 0, 0.8f});
+    const Interaction at = lit_model(phong(Rgb(0.4f), Rgb(0.5f), 2), {0.6f, 0, 0.8f});
     CHECK(value_at(at, {-0.6f, 0, 0.8f}) == Approx((0.4 * 0.5 + 0.5 * 2) / pi)); // the mirror image
     CHECK(value_at(at, {0, 0, 1}) == Approx((0.4 * 0.5 + 0.5 * 2 * 0.64) / pi));
     CHECK(value_at(at, {0.8f, 0, 0.6f}) == Approx(0.4 * 0.5 / pi)); // a right angle from it
-    const Interaction even = lit(phong(Rgb(0), Rgb(1), 0), {0, 0, 1});
+    const Interaction even = lit_model(phong(Rgb(0), Rgb(1), 0), {0, 0, 1});
     CHECK(value_at(even, {0.6f, 0, 0.8f}) == Approx(1 / pi));
 }
 
@@ -101,13 +101,13 @@ TEST_CASE("reflection models: Schlick's values by hand", "[shading]")
 {
     const double pi = std::numbers::pi;
     const glm::vec3 up(0, 0, 1);
-    const Interaction smooth = lit(schlick(Rgb(0.3f), 0.2f), up); // a 0, b 0.64, c 0.36
+    const Interaction smooth = lit_model(schlick(Rgb(0.3f), 0.2f), up); // a 0, b 0.64, c 0.36
     CHECK(value_at(smooth, up) == Approx(0.3 * 0.64 * 5 / (4 * pi)));
     CHECK(specular_lobes(smooth).mirror.x == Approx(0.3 * 0.36));
-    const Interaction rough = lit(schlick(Rgb(0.3f), 0.8f), up); // a 0.36, b 0.64, c 0
+    const Interaction rough = lit_model(schlick(Rgb(0.3f), 0.8f), up); // a 0.36, b 0.64, c 0
     CHECK(value_at(rough, up) == Approx(0.3 * (0.36 + 0.64 * 1.25 / 4) / pi));
     CHECK(specular_lobes(rough).mirror == Rgb(0));
-    const Interaction aslant = lit(schlick(Rgb(0.3f), 0.2f), {0.6f, 0, 0.8f});
+    const Interaction aslant = lit_model(schlick(Rgb(0.3f), 0.2f), {0.6f, 0, 0.8f});
     const double masking = std::sqrt(0.2) / 2 * 0.2 + 0.8, reflected = 0.3 + 0.7 * std::pow(0.2, 5);
     CHECK(value_at(aslant, {-0.6f, 0, 0.8f}) ==
           Approx(reflected * 0.64 * 5 / (4 * pi * masking * masking)));
@@ -137,11 +137,11 @@ TEST_CASE("reflection models: light takes the same way back", "[shading]")
 TEST_CASE("reflection models: directions are drawn with the pdf that is returned", "[shading]")
 {
     for (const Material& material : all_models())
-        for (const glm::vec3& back : {kBacks[0], kBacks[2]}) {
-            const Interaction at = lit(material, back);
+        for (const glm::vec3& back : {kModelBacks[0], kModelBacks[2]}) {
+            const Interaction at = lit_model(material, back);
             INFO("exponent " << material.lobe_exponent << ", roughness " << material.roughness
                              << ", height " << back.z);
-            CHECK(tiny::chi_square_z(at, lobes_of(at)) < kMostZ);
+            CHECK(tiny::chi_square_z(at, model_lobes_of(at)) < kMostZ);
         }
     for (const Material& material : {all_models()[1], all_models()[3]})
         CHECK(tiny::chi_square_z(tiny::tilted_surface(material, {0.8f, 0, 0.6f}), Lobes::gathered) <
@@ -151,8 +151,8 @@ TEST_CASE("reflection models: directions are drawn with the pdf that is returned
 TEST_CASE("reflection models: the mean weight is the integral of the lobes", "[shading]")
 {
     for (const Material& material : all_models()) {
-        const Interaction at = lit(material, kBacks[1]);
-        const Lobes lobes = lobes_of(at);
+        const Interaction at = lit_model(material, kModelBacks[1]);
+        const Lobes lobes = model_lobes_of(at);
         const auto [integral, mean] = tiny::integral_and_weights(at, lobes);
         INFO("exponent " << material.lobe_exponent << ", roughness " << material.roughness);
         CHECK(std::abs(mean.mean() - integral) < 0.002 + kMostZ * mean.standard_error());
@@ -169,7 +169,7 @@ TEST_CASE("reflection models: no surface sends on more than it gets", "[shading]
         for (const float exponent : {0.0f, 3.0f, 40.0f})
             for (const float specular : {0.3f, 1.0f}) {
                 INFO("exponent " << exponent << ", height " << back.z);
-                const double sum = all(lit(phong(Rgb(1), Rgb(specular), exponent), back));
+                const double sum = all(lit_model(phong(Rgb(1), Rgb(specular), exponent), back));
                 CHECK(sum <= 1.002);
                 if (back.z == 1)
                     CHECK(sum == Approx(1).margin(0.002));
@@ -177,24 +177,25 @@ TEST_CASE("reflection models: no surface sends on more than it gets", "[shading]
         for (const glm::vec2& slopes : {glm::vec2(0.1f), glm::vec2(0.5f), glm::vec2(1),
                                         glm::vec2(1, 0.1f), glm::vec2(0.1f, 0.4f)}) {
             INFO("slopes " << slopes.x << " and " << slopes.y << ", height " << back.z);
-            CHECK(all(lit(ward(Rgb(1), Rgb(0.3f), slopes), back)) <= 1.002);
-            CHECK(all(lit(ward(Rgb(1), Rgb(1), slopes), back)) <= 1.002);
+            CHECK(all(lit_model(ward(Rgb(1), Rgb(0.3f), slopes), back)) <= 1.002);
+            CHECK(all(lit_model(ward(Rgb(1), Rgb(1), slopes), back)) <= 1.002);
         }
         for (const float exponent : {0.0f, 3.0f, 40.0f})
             for (const glm::vec3& coefficients :
                  {glm::vec3(-1, -0.5f, 0.8f), glm::vec3(1, 1, 1), glm::vec3(-1, 1, 0)}) {
                 INFO("exponent " << exponent << ", height " << back.z);
-                CHECK(all(lit(lafortune(Rgb(1), Rgb(1), exponent, coefficients), back)) <= 1.002);
+                CHECK(all(lit_model(lafortune(Rgb(1), Rgb(1), exponent, coefficients), back)) <=
+                      1.002);
             }
         // By Schlick's own masking it would be up to 1.2 at a roughness of 0.03.
         for (const float roughness : {0.03f, 0.2f, 0.5f, 0.7f, 1.0f})
             for (const float isotropy : {1.0f, 0.4f, 0.05f}) {
                 INFO("roughness " << roughness << ", isotropy " << isotropy << ", height "
                                   << back.z);
-                CHECK(all(lit(schlick(Rgb(1), roughness, isotropy), back)) <= 1.002);
+                CHECK(all(lit_model(schlick(Rgb(1), roughness, isotropy), back)) <= 1.002);
             }
     }
-    CHECK(all(lit(schlick(Rgb(1), 1), kBacks[1])) == Approx(1).margin(0.002));
+    CHECK(all(lit_model(schlick(Rgb(1), 1), kModelBacks[1])) == Approx(1).margin(0.002));
 }
 
 TEST_CASE("reflection models: what becomes of the lobe goes by the roughness it is worth",

@@ -1,0 +1,10 @@
+#pragma once
+
+namespace hipmap {
+
+inline double square_of(double x)
+{
+    return x * x;
+}
+
+} // namespace hipmap
