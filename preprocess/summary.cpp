@@ -1,6 +1,7 @@
 #include "preprocess/summary.h"
 
 #include "common/image/picture_json.h"
+#include "common/report.h"
 #include "common/scene/scene_names.h"
 #include "preprocess/partition/summarise.h"
 
@@ -43,14 +44,14 @@ std::string describe_candidates(const PartitionSummary& summary)
 {
     const ExpectedUse& expected = summary.expected;
     std::ostringstream text;
-    text << "candidates: " << summary.candidates << " of " << counted(summary.faces, "face")
-         << " for local maps";
+    text << "candidates: " << grouped(summary.candidates) << " of "
+         << counted(summary.faces, "face") << " for local maps";
     if (summary.groups > 0)
         text << ", " << counted(summary.groups, "group") << " over "
              << counted(summary.grouped_faces, "face") << " for group maps";
     if (expected.is_known)
         text << "; each is expected to hold about " << expected.least
-             << " photons or more in a pass of " << expected.photons << " light paths";
+             << " photons or more in a pass of " << grouped(expected.photons) << " light paths";
     else
         text << "; by shape alone, as no light emits";
     return text.str();
@@ -62,15 +63,15 @@ std::vector<std::string> describe(const PartitionSummary& summary, double angle_
     angle << angle_deg;
     std::vector<std::string> lines;
     lines.push_back("mesh: " + counted(summary.faces, "face") + ", " +
-                    std::to_string(summary.welded_vertices) + " vertices" + " after welding " +
-                    std::to_string(summary.vertices) + ", " + std::to_string(summary.closed_faces) +
+                    grouped(summary.welded_vertices) + " vertices after welding " +
+                    grouped(summary.vertices) + ", " + grouped(summary.closed_faces) +
                     " faces on closed surfaces");
-    lines.push_back("edges: " + std::to_string(summary.edges[0]) + " connected, " +
-                    std::to_string(summary.edges[1]) + " unconnected (faces at " + angle.str() +
-                    " degrees or more), " + std::to_string(summary.edges[2]) + " border, " +
-                    std::to_string(summary.edges[3]) + " non-manifold");
+    lines.push_back("edges: " + grouped(summary.edges[0]) + " connected, " +
+                    grouped(summary.edges[1]) + " unconnected (faces at " + angle.str() +
+                    " degrees or more), " + grouped(summary.edges[2]) + " border, " +
+                    grouped(summary.edges[3]) + " non-manifold");
     if (summary.edges_in_band > 0)
-        lines.push_back("edges: " + std::to_string(summary.edges_in_band) + " at " + angle.str() +
+        lines.push_back("edges: " + grouped(summary.edges_in_band) + " at " + angle.str() +
                         " degrees up to rounding, counted as unconnected");
     lines.push_back(describe_maps(summary));
     if (summary.bridged_edges > 0)

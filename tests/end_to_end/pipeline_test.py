@@ -71,8 +71,8 @@ class Pipeline(ToolsTestCase):
         said = self.succeed("preprocess", Tools.scene, "-o", name + ".hpm", "--images",
                             self.folder, "--candidates", "--size", 4 * SIZE, "--json",
                             self.path("partition.json"), "--verbose")
-        self.assertRegex(said, rf"candidates: {CANDIDATES} of {FACES} faces for local maps; each is "
-                               "expected to hold about 500 photons or more in a pass of 1048576 light paths\n")
+        self.assertRegex(said, rf"candidates: {CANDIDATES} of {FACES:,} faces for local maps; each is "
+                               "expected to hold about 500 photons or more in a pass of 1,048,576 light paths\n")
         self.succeed("render", Tools.scene, name + ".hpm", "-o", name + ".png", "-o",
                      name + ".exr", "-o", name + ".pfm", "--size", f"{SIZE}x{SIZE}", "--photons",
                      20000, "--passes", 4, "--error-image", self.path("error.png"), "--stats",
