@@ -34,8 +34,8 @@ class PhotonLobes {
         return bsdf.is_diffuse ? eval(bsdf.all[0].lobe, lobes_.view, in) : of_all(in, cosine);
     }
 
-    /// Writes f of the first `count` directions, 1 to kBatch: the same bits, several at a time
-    /// where weigh_batch can.
+    /// Writes the value of the lobes for each of the first `count` directions, 1 to kBatch: several
+    /// at a time where weigh_batch can, with the bits that one by one would give.
     void weigh(const DirectionBatch& in, std::size_t count, RgbBatch& out) const;
 
     /// Returns the factor of f that depends on no photon: enough where all gathered lobes of the
