@@ -17,10 +17,9 @@ struct Layer {
 };
 
 /// Writes `image` as channels R, G, B and each layer beside it: linear float, lossless, compressed
-/// by all threads that oneTBB may use.  Equal images give equal bytes on any machine.  A value
-/// that is not finite is written as 0.  place: the pixels of
-/// the whole image that `image` and the layers hold; these are the data window, and the whole image
-/// is the display window.  Throws
+/// by all threads that oneTBB may use.  Equal images give equal bytes on any machine.  Writes 0 for
+/// a value that is infinite or NaN.  place: which pixels of the whole image `image` and the layers
+/// hold; they become the data window, and the whole image becomes the display window.  Throws
 /// InputError if the file cannot be written.
 void write_exr(const std::filesystem::path& path, const Image& image, std::span<const Layer> layers,
                const ImagePlace& place = {});

@@ -78,8 +78,8 @@ TreeNode lowest_node(const WideTree& tree, std::uint64_t low, std::uint64_t high
 /// than 2^32.  No points: a tree that finds nothing.
 WideTree build_wide_tree(std::span<TreePoint> points);
 
-/// Of so many photons, one gets a radius by its neighbours: those between share most of these with
-/// it.
+/// One photon in this many gets a radius of its own: the photons between them have nearly the same
+/// neighbours.
 inline constexpr std::uint32_t kPhotonsOfRadius = 4;
 
 /// Returns every n-th photon by slot, n >= 1.  Slots lie in the order of the tree, so that the

@@ -4,7 +4,7 @@
 
 namespace hipmap {
 
-/// A line is followed through so many faces at most on its way out of a scene.
+/// The most faces that a line through media is followed across.
 inline constexpr int kMostFaces = 4096;
 
 /// Returns whether light enters closed meshes of the material and meets something there.  Paper and

@@ -1,12 +1,11 @@
 #include "common/math/frame.h"
 #include "common/math/sampling.h"
+#include "render/media/material_insides.h"
 #include "render/media/media_set.h"
 
 namespace hipmap {
 
 namespace {
-
-constexpr int kMostFacesOnLine = 4096;
 
 /// A part of a line where something emits.
 struct EmissivePart {
@@ -50,7 +49,7 @@ std::vector<EmissivePart> emissive_parts(const MediaSet& media, Ray ray)
 {
     std::vector<EmissivePart> out;
     MediumStack inside = medium_stack_at(media, ray.origin);
-    for (int faces = 0; faces < kMostFacesOnLine; ++faces) {
+    for (int faces = 0; faces < kMostFaces; ++faces) {
         const std::optional<RayHit> hit = media.rays.nearest(ray);
         if (hit)
             ray.far = hit->distance;

@@ -1,6 +1,6 @@
 #include "common/input_error.h"
 #include "common/scene/gltf_animation.h"
-#include "tests/common/scene/tiny_gltf_file.h"
+#include "tests/common/scene/load_at.h"
 
 #include <catch2/catch.hpp>
 
@@ -30,23 +30,10 @@ void animate(GltfFile& file, int node, const Keys& keys)
           {{{"input", input}, {"output", output}, {"interpolation", keys.interpolation}}}}});
 }
 
-LoadedScene load_at(const GltfFile& file, double time)
-{
-    SceneOptions options;
-    options.time = time;
-    return load(file, options);
-}
-
 /// Where a point of the mesh comes that the file has at (1, 0, 0).
 glm::dvec3 tip_at(const GltfFile& file, double time)
 {
     return world(load_at(file, time).scene, 2); // numbered by first use
-}
-
-void check_near(const glm::dvec3& a, const glm::dvec3& b)
-{
-    INFO(a.x << ' ' << a.y << ' ' << a.z);
-    CHECK(glm::length(a - b) < 1e-5);
 }
 
 } // namespace

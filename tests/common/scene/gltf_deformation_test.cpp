@@ -1,5 +1,5 @@
 #include "common/input_error.h"
-#include "tests/common/scene/tiny_gltf_file.h"
+#include "tests/common/scene/load_at.h"
 
 #include <catch2/catch.hpp>
 
@@ -71,13 +71,6 @@ GltfFile with_skin()
     return file;
 }
 
-LoadedScene load_deformed_at(const GltfFile& file, double time)
-{
-    SceneOptions options;
-    options.time = time;
-    return load(file, options);
-}
-
 /// Where the vertices come that the file has at the origin and at (1, 0, 0) and (0, 1, 0).
 struct Corners {
     glm::dvec3 foot, x, y;
@@ -88,25 +81,19 @@ Corners corners_of(const Scene& scene)
     return {world(scene, 0), world(scene, 2), world(scene, 1)}; // numbered by first use
 }
 
-void check_close(const glm::dvec3& a, const glm::dvec3& b)
-{
-    INFO(a.x << ' ' << a.y << ' ' << a.z);
-    CHECK(glm::length(a - b) < 1e-5);
-}
-
 } // namespace
 
 TEST_CASE("shape keys: a mesh is displaced by its weights, which its node overrides", "[scene]")
 {
     GltfFile file = with_shape_keys();
-    check_close(corners_of(load(file).scene).x, {1, 0, 0});
+    check_near(corners_of(load(file).scene).x, {1, 0, 0});
     file.root["meshes"][0]["weights"] = {0.5, 1};
-    check_close(corners_of(load(file).scene).x, {2, 0, 0});
-    check_close(corners_of(load(file).scene).y, {0, 1, 1});
+    check_near(corners_of(load(file).scene).x, {2, 0, 0});
+    check_near(corners_of(load(file).scene).y, {0, 1, 1});
     file.root["nodes"][0]["weights"] = {0, 0.25};
     file.root["nodes"][0]["translation"] = {3, 0, 0};
-    check_close(corners_of(load(file).scene).x, {4, 0, 0});
-    check_close(corners_of(load(file).scene).y, {3, 1, 0.25});
+    check_near(corners_of(load(file).scene).x, {4, 0, 0});
+    check_near(corners_of(load(file).scene).y, {3, 1, 0.25});
     CHECK_FALSE(says(load(file).audit.warnings, "shape keys"));
 }
 
@@ -117,34 +104,34 @@ TEST_CASE("shape keys: normals move too", "[scene]")
     primitive["attributes"]["NORMAL"] = file.add_vectors({1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0});
     primitive["targets"][0]["NORMAL"] = file.add_vectors({0, 0, 0, -1, 1, 0, 0, 0, 0, 0, 0, 0});
     file.root["meshes"][0]["weights"] = {1, 0};
-    check_close(load(file).scene.mesh.normals[2], {0, 1, 0});
-    check_close(load(file).scene.mesh.normals[1], {1, 0, 0});
+    check_near(load(file).scene.mesh.normals[2], {0, 1, 0});
+    check_near(load(file).scene.mesh.normals[1], {1, 0, 0});
 }
 
 TEST_CASE("shape keys: --frames plays them, every interpolation", "[scene]")
 {
     GltfFile file = with_shape_keys();
     animate(file, {.path = "weights", .times = {0, 1}, .values = {0, 1, 1, 0}});
-    check_close(corners_of(load_deformed_at(file, 0.25).scene).x, {1.5, 0, 0});
-    check_close(corners_of(load_deformed_at(file, 0.25).scene).y, {0, 1, 0.75});
+    check_near(corners_of(load_at(file, 0.25).scene).x, {1.5, 0, 0});
+    check_near(corners_of(load_at(file, 0.25).scene).y, {0, 1, 0.75});
     GltfFile stepped = with_shape_keys();
     animate(stepped,
             {.path = "weights", .times = {0, 1}, .values = {0, 1, 1, 0}, .interpolation = "STEP"});
-    check_close(corners_of(load_deformed_at(stepped, 0.9).scene).x, {1, 0, 0});
+    check_near(corners_of(load_at(stepped, 0.9).scene).x, {1, 0, 0});
     GltfFile cubic = with_shape_keys(); // the first weight is t^2: slopes 0 and 2
     animate(cubic, {.path = "weights",
                     .times = {0, 1},
                     .values = {9, 9, 0, 0, 0, 0, 2, 0, 1, 0, 9, 9},
                     .interpolation = "CUBICSPLINE"});
-    check_close(corners_of(load_deformed_at(cubic, 0.5).scene).x, {1.5, 0, 0});
+    check_near(corners_of(load_at(cubic, 0.5).scene).x, {1.5, 0, 0});
 }
 
 TEST_CASE("skins: joints alone place a mesh, not its node", "[scene]")
 {
     const Corners at = corners_of(load(with_skin()).scene);
-    check_close(at.foot, {0, 0, 0});
-    check_close(at.x, {3, 0, 0}); // moved by 2 with its joint
-    check_close(at.y, {2, 1, 0});
+    check_near(at.foot, {0, 0, 0});
+    check_near(at.x, {3, 0, 0}); // moved by 2 with its joint
+    check_near(at.y, {2, 1, 0});
     CHECK(says(load(with_skin()).audit.found, "armature (skin) of 'thing'"));
 }
 
@@ -158,10 +145,10 @@ TEST_CASE("skins: vertices blend the joints they follow, and normals turn", "[sc
     attributes["WEIGHTS_0"] =
         file.add_accessor(std::vector<float>{1, 0, 0, 0, 1, 3, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0},
                           "VEC4", 4, 5126); // a quarter and three quarters
-    check_close(corners_of(load(file).scene).x, {2.5, 0, 0});
+    check_near(corners_of(load(file).scene).x, {2.5, 0, 0});
     file.root["nodes"][2]["rotation"] = {0, 0, 1, 0}; // half a turn about z
-    check_close(load(file).scene.mesh.normals[1], {-1, 0, 0});
-    check_close(corners_of(load(file).scene).y, {7 - 0 + 5, 1, 0});
+    check_near(load(file).scene.mesh.normals[1], {-1, 0, 0});
+    check_near(corners_of(load(file).scene).y, {7 - 0 + 5, 1, 0});
 }
 
 TEST_CASE("skins: --frames plays joints, and the frame holds all poses", "[scene]")
@@ -169,9 +156,9 @@ TEST_CASE("skins: --frames plays joints, and the frame holds all poses", "[scene
     GltfFile file = with_skin();
     animate(file,
             {.node = 2, .path = "translation", .times = {0, 1}, .values = {5, 1, 0, 5, 9, 0}});
-    const Scene begin = load_deformed_at(file, 0).scene, end = load_deformed_at(file, 1).scene;
-    check_close(corners_of(begin).y, {0, 1, 0});
-    check_close(corners_of(end).y, {0, 9, 0});
+    const Scene begin = load_at(file, 0).scene, end = load_at(file, 1).scene;
+    check_near(corners_of(begin).y, {0, 1, 0});
+    check_near(corners_of(end).y, {0, 9, 0});
     CHECK(begin.frame.centre == end.frame.centre);
     CHECK(begin.frame.metres_per_unit == end.frame.metres_per_unit);
     for (const Scene& scene : {begin, end})

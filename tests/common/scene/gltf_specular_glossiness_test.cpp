@@ -1,4 +1,5 @@
 #include "common/scene/gltf_specular_glossiness.h"
+#include "tests/common/scene/append_bytes.h"
 #include "tests/common/scene/tiny_gltf_file.h"
 
 #include <catch2/catch.hpp>
@@ -18,17 +19,11 @@ GltfFile glossy(const json& values)
     return file;
 }
 
-void append_encoded(void* to, void* data, int size)
-{
-    static_cast<std::string*>(to)->append(static_cast<const char*>(data),
-                                          static_cast<std::size_t>(size));
-}
-
 /// One pixel, as an image of the file.
 void add_pixel(GltfFile& file, const std::array<unsigned char, 4>& rgba)
 {
     std::string png;
-    stbi_write_png_to_func(append_encoded, &png, 1, 1, 4, rgba.data(), 4);
+    stbi_write_png_to_func(append_bytes, &png, 1, 1, 4, rgba.data(), 4);
     const int accessor =
         file.add_accessor(std::vector<char>(png.begin(), png.end()), "SCALAR", 1, 5121);
     file.root["images"] = {{{"bufferView", file.root["accessors"][accessor]["bufferView"]},

@@ -1,4 +1,5 @@
 #include "common/input_error.h"
+#include "tests/common/scene/append_bytes.h"
 #include "tests/common/scene/tiny_gltf_file.h"
 
 #include <catch2/catch.hpp>
@@ -9,12 +10,6 @@
 namespace hipmap::tiny {
 
 namespace {
-
-void append_bytes(void* out, void* data, int size)
-{
-    static_cast<std::string*>(out)->append(static_cast<const char*>(data),
-                                           static_cast<std::size_t>(size));
-}
 
 /// Two pixels, red and half-clear green.
 std::string two_pixel_png()

@@ -1,3 +1,4 @@
+#include "tests/common/scene/append_bytes.h"
 #include "tests/support/gltf_file.h"
 #include "tests/support/temporary_folder.h"
 
@@ -11,18 +12,12 @@ namespace hipmap::tiny {
 
 namespace {
 
-void append_png(void* to, void* data, int size)
-{
-    static_cast<std::string*>(to)->append(static_cast<const char*>(data),
-                                          static_cast<std::size_t>(size));
-}
-
 /// A PNG of one row of grey or coloured pixels.
 std::string png_of(const std::vector<unsigned char>& rgba)
 {
     std::string png;
     const int width = static_cast<int>(rgba.size() / 4);
-    stbi_write_png_to_func(append_png, &png, width, 1, 4, rgba.data(), 4 * width);
+    stbi_write_png_to_func(append_bytes, &png, width, 1, 4, rgba.data(), 4 * width);
     return png;
 }
 

@@ -1,6 +1,6 @@
 #include "common/input_error.h"
 #include "render/effects/drop_effects.h"
-#include "render/effects/effect_plan.h"
+#include "tests/render/effects/plan_of.h"
 #include "tests/support/tiny_rooms.h"
 
 #include <catch2/catch.hpp>
@@ -10,11 +10,6 @@
 using namespace hipmap;
 
 namespace {
-
-EffectPlan plan_of(const Scene& scene, const EffectOptions& options = {})
-{
-    return plan_effects(scene, build_partition(scene, {}).partition, options);
-}
 
 Material named(Material material, const char* name)
 {

@@ -1,5 +1,5 @@
 #include "render/effects/drop_effects.h"
-#include "render/effects/effect_plan.h"
+#include "tests/render/effects/plan_of.h"
 #include "tests/support/tiny_rooms.h"
 
 #include <catch2/catch.hpp>
@@ -25,11 +25,6 @@ Scene modelled_floor(ReflectionModel model)
     return scene;
 }
 
-EffectPlan planned(const Scene& scene, const EffectOptions& options = {})
-{
-    return plan_effects(scene, build_partition(scene, {}).partition, options);
-}
-
 const PlannedEffect& models_in(const EffectPlan& plan)
 {
     return plan.effects[static_cast<std::size_t>(Effect::reflection_models)];
@@ -39,27 +34,27 @@ const PlannedEffect& models_in(const EffectPlan& plan)
 
 TEST_CASE("effect plan: reflection models are named with what they call for", "[effects]")
 {
-    const EffectPlan phong = planned(modelled_floor(ReflectionModel::phong));
+    const EffectPlan phong = plan_of(modelled_floor(ReflectionModel::phong));
     CHECK(list_effects(phong) == "soft-shadows, indirect, glossy, caustics, reflection-models");
     CHECK(describe(models_in(phong)) ==
           "reflection-models: on; 'floor' use the reflection model of "
           "Phong; costs another formula at each hit");
     const Scene foil = modelled_floor(ReflectionModel::schlick);
-    CHECK(list_effects(planned(foil)) ==
+    CHECK(list_effects(plan_of(foil)) ==
           "soft-shadows, indirect, mirror, glossy, caustics, reflection-models");
     Scene brushed = foil;
     brushed.mesh.attributes.tangents.assign(brushed.mesh.positions.size(), glm::vec4(1, 0, 0, 1));
-    CHECK(planned(brushed).has(Effect::anisotropy));
+    CHECK(plan_of(brushed).has(Effect::anisotropy));
     for (const auto& [model, author] : {std::pair(ReflectionModel::ward, "Ward"),
                                         std::pair(ReflectionModel::lafortune, "Lafortune")}) {
         Scene directed = modelled_floor(model);
-        CHECK(models_in(planned(directed)).reason ==
+        CHECK(models_in(plan_of(directed)).reason ==
               std::string("'floor' use the reflection model of ") + author);
-        CHECK_FALSE(planned(directed).has(Effect::anisotropy));
+        CHECK_FALSE(plan_of(directed).has(Effect::anisotropy));
         directed.mesh.attributes.tangents = brushed.mesh.attributes.tangents;
-        CHECK(planned(directed).has(Effect::anisotropy));
+        CHECK(plan_of(directed).has(Effect::anisotropy));
     }
-    CHECK_FALSE(models_in(planned(modelled_floor(ReflectionModel::metallic_roughness))).on);
+    CHECK_FALSE(models_in(plan_of(modelled_floor(ReflectionModel::metallic_roughness))).on);
 }
 
 TEST_CASE("effect plan: without reflection models materials are glTF's", "[effects]")
@@ -67,11 +62,11 @@ TEST_CASE("effect plan: without reflection models materials are glTF's", "[effec
     EffectOptions options;
     options.switches = parse_effect_switches("-reflection-models,-anisotropy");
     Scene scene = modelled_floor(ReflectionModel::schlick);
-    drop_effects(scene, planned(scene, options));
+    drop_effects(scene, plan_of(scene, options));
     CHECK(scene.materials[0].reflection_model == ReflectionModel::metallic_roughness);
     CHECK(scene.materials[0].isotropy == 1.0f);
     CHECK(scene.materials[0].ward_slopes.x == Approx(0.2f));
     CHECK(scene.materials[0].ward_slopes.x == scene.materials[0].ward_slopes.y);
     CHECK(scene.materials[0].lafortune_coefficients == glm::vec3(-0.75f, -0.75f, 1));
-    CHECK(list_effects(planned(scene)) == "soft-shadows, indirect");
+    CHECK(list_effects(plan_of(scene)) == "soft-shadows, indirect");
 }

@@ -1,4 +1,5 @@
 #include "render/shading/photon_lobes.h"
+#include "tests/render/shading/plastic.h"
 #include "tests/support/drawn_directions.h"
 #include "tests/support/statistics.h"
 #include "tests/support/tiny_scenes.h"
@@ -16,26 +17,18 @@ Material through(Material material, float share, const Rgb& colour)
     return material;
 }
 
-Material rough_plastic(float roughness)
-{
-    Material material = tiny::diffuse({0.8f, 0.5f, 0.2f});
-    material.specular = 1;
-    material.roughness = roughness;
-    return material;
-}
-
 /// Paper, under a coat, with fibres, and under a clear coat.
 std::vector<Material> papers()
 {
     Material cloth = tiny::diffuse(Rgb(0.6f));
     cloth.sheen_color = Rgb(0.8f);
     cloth.sheen_roughness = 0.4f;
-    Material lacquered = rough_plastic(0.5f);
+    Material lacquered = tiny::plastic(0.5f);
     lacquered.clearcoat = 0.8f;
     lacquered.clearcoat_roughness = 0.5f;
     const Rgb green(0.3f, 0.9f, 0.2f);
     return {through(tiny::diffuse(Rgb(0.8f)), 0.4f, green),
-            through(tiny::diffuse(Rgb(0.8f)), 1, green), through(rough_plastic(0.5f), 0.7f, green),
+            through(tiny::diffuse(Rgb(0.8f)), 1, green), through(tiny::plastic(0.5f), 0.7f, green),
             through(cloth, 0.5f, green), through(lacquered, 0.6f, green)};
 }
 

@@ -1,5 +1,6 @@
 #include "render/lobes/glossy_albedo.h"
 #include "render/shading/photon_lobes.h"
+#include "tests/render/shading/plastic.h"
 #include "tests/support/drawn_directions.h"
 #include "tests/support/lit_surface.h"
 #include "tests/support/statistics.h"
@@ -19,18 +20,10 @@ Material rough(Material material, float roughness)
     return material;
 }
 
-Material plastic(float roughness)
-{
-    Material material = tiny::diffuse({0.8f, 0.5f, 0.2f});
-    material.specular = 1;
-    material.roughness = roughness;
-    return material;
-}
-
 /// A part of each: metal, coat over diffuse, glass.
 Material mixture(float roughness)
 {
-    Material material = plastic(roughness);
+    Material material = tiny::plastic(roughness);
     material.metallic = 0.3f;
     material.transmission = 0.5f;
     return material;
@@ -55,11 +48,11 @@ std::vector<Case> all_surfaces()
          {glm::vec3(0.1f, 0, 1), glm::vec3(0.7f, -0.4f, 0.6f), glm::vec3(-1, 0.2f, 0.15f)}) {
         const glm::vec3 below(back.x, back.y, -back.z);
         const Material gold = rough(tiny::mirror({1, 0.8f, 0.3f}), 0.45f);
-        out.push_back({"plastic", tiny::lit_surface(plastic(0.5f), back)});
-        out.push_back(
-            {"plastic of Blender 3", tiny::lit_surface(as_in_blender_3(plastic(0.7f)), back)});
+        out.push_back({"plastic", tiny::lit_surface(tiny::plastic(0.5f), back)});
+        out.push_back({"plastic of Blender 3",
+                       tiny::lit_surface(as_in_blender_3(tiny::plastic(0.7f)), back)});
         out.push_back({"gold of Blender 3", tiny::lit_surface(as_in_blender_3(gold), back)});
-        out.push_back({"smoother plastic", tiny::lit_surface(plastic(0.3f), back)});
+        out.push_back({"smoother plastic", tiny::lit_surface(tiny::plastic(0.3f), back)});
         out.push_back({"gold", tiny::lit_surface(gold, back)});
         out.push_back({"smoother gold", tiny::lit_surface(rough(gold, 0.25f), back)});
         out.push_back({"glass", tiny::lit_surface(rough(tiny::glass(1.5f), 0.5f), back)});
@@ -135,7 +128,7 @@ TEST_CASE("scatter: a weight drawn is value over pdf, and facets send on no more
 
 TEST_CASE("scatter: light takes the same way back", "[shading]")
 {
-    const std::vector<Material> materials{plastic(0.5f), plastic(0.2f),
+    const std::vector<Material> materials{tiny::plastic(0.5f), tiny::plastic(0.2f),
                                           rough(tiny::glass(1.4f), 0.5f), mixture(0.4f)};
     for (std::uint64_t i = 0; i < 4000; ++i) {
         RandomSequence random(11, RandomStream::pictures, 0, i);
