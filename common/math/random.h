@@ -24,7 +24,8 @@ enum class RandomStream : std::uint64_t {
     pictures = 3,
     caustics = 4,
     seen_lights = 5,
-    seeds = 6
+    seeds = 6,
+    reached_lights = 7
 };
 
 /// The first steps of a sequence, where each call of next() or next2() is one: a point of the unit

@@ -1,5 +1,7 @@
 #include "render/integrator/find_seen_surfaces.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -21,6 +23,9 @@ constexpr double kRare = 0.05;
 
 /// Units that a photon of mean power and worth counts.
 constexpr double kUnits = 0x1p20;
+
+/// Points at which each light is sampled, at most.
+constexpr std::size_t kLightSamples = 256;
 
 struct Point {
     std::uint64_t side = 0; ///< SeenRegions::side_of
@@ -176,6 +181,39 @@ SeenRegions find_regions(const MapSurfaces& surfaces, std::vector<Point> points)
     return builder.take();
 }
 
+/// Returns whether a sample of a light reaches a point that the image sees.
+bool reaches(const RenderScene& scene, const Light& light, const Photon& at, RandomSequence random)
+{
+    const std::optional<LightSample> sample = sample_li(light, {at.position, at.direction}, random);
+    if (!sample || !(max_channel(sample->light) > 0))
+        return false;
+    const glm::vec3 error(scene.partition.position_error);
+    const SurfacePoint point{at.face, at.position, error, at.direction, at.direction};
+    Ray ray;
+    if (sample->is_far) {
+        ray.direction = sample->direction;
+        ray.origin = offset_origin(point, ray.direction);
+    } else {
+        ray = ray_between(point, sample->point);
+    }
+    return glm::dot(ray.direction, at.direction) > 0 && !scene.rays.occluded(ray);
+}
+
+/// Returns the lights of which some sample reaches some of the points.
+std::vector<std::uint8_t> find_reached(const RenderScene& scene, const std::vector<Photon>& points,
+                                       std::uint64_t seed)
+{
+    const std::vector<Light>& lights = scene.lights.lights;
+    std::vector<std::uint8_t> out(lights.size());
+    const std::size_t step = points.size() / kLightSamples + 1;
+    tbb::parallel_for(std::size_t{0}, lights.size(), [&](std::size_t i) {
+        for (std::size_t at = i % step; at < points.size() && out[i] == 0; at += step)
+            out[i] = reaches(scene, lights[i], points[at],
+                             RandomSequence(seed, RandomStream::reached_lights, i, at));
+    });
+    return out;
+}
+
 double mean_power(const LightSet& lights, const PhotonOptions& photons)
 {
     double sum = 0;
@@ -201,6 +239,8 @@ SeenSurfaces find_seen_surfaces(const MappedScene& mapped, const Importons& impo
                      find_regions(mapped.surfaces, global), importons.light};
     out.unit = mean_power(mapped.scene.lights, photons) *
                std::max(out.caustic.mean_worth, out.global.mean_worth) / kUnits;
+    if (!photons.light.indirect) // no photon shows the light that falls directly on surfaces
+        out.reached = find_reached(mapped.scene, importons.caustic, photons.seed);
     return out;
 }
 

@@ -47,6 +47,8 @@ struct SeenSurfaces {
     SeenRegions caustic, global; ///< by the kind of photon
     double light = 0;            ///< of the image, in the unit of a photon's power times its worth
     double unit = 0;             ///< of SeenClasses::Class::worth
+    std::vector<std::uint8_t> reached = {}; ///< [LightSet::lights] 1: a light sample reached them;
+                                            ///<   empty: none was taken
 };
 
 } // namespace hipmap

@@ -35,6 +35,12 @@ bool is_counted(const SeenClasses& classes, const SeenScale& scale)
     return scale.unit > 0 && classes.passes > 0;
 }
 
+bool reached(const SeenClasses& classes, const SeenScale& scale, std::size_t light)
+{
+    return classes.lights[light].paths > 0 ||
+           (light < scale.reached.size() && scale.reached[light] != 0);
+}
+
 /// Worth of the paths that were missed.
 struct Missed {
     double sum = 0, largest = 0;
@@ -54,7 +60,7 @@ struct Missed {
 
 SeenScale scale_of(const SeenSurfaces& seen)
 {
-    return {seen.unit, seen.light, seen.caustic.mean_worth, seen.global.mean_worth};
+    return {seen.unit, seen.light, seen.caustic.mean_worth, seen.global.mean_worth, seen.reached};
 }
 
 std::optional<UnseenLight> find_unseen_light(const SeenClasses& classes, const SeenScale& scale)
@@ -70,7 +76,7 @@ std::optional<UnseenLight> find_unseen_light(const SeenClasses& classes, const S
         }
     for (std::size_t i = 0; i < classes.lights.size(); ++i)
         if (const double worth = worth_of_path(classes.lights[i], scale);
-            worth > 0 && classes.lights[i].paths == 0) {
+            worth > 0 && !reached(classes, scale, i)) {
             ++out.lights_never;
             never.add(worth, i);
         }

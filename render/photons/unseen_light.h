@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 namespace hipmap {
 
@@ -12,6 +13,7 @@ struct SeenScale {
     double unit = 0; ///< 0: nothing is counted
     double light = 0;
     double caustic_worth = 0, global_worth = 0; ///< SeenRegions::mean_worth
+    std::vector<std::uint8_t> reached;
 };
 
 SeenScale scale_of(const SeenSurfaces& seen);
@@ -21,7 +23,7 @@ struct UnseenLight {
     std::uint64_t passes = 0;
     std::uint64_t paths = 0;        ///< that reached what the image sees, about
     std::uint64_t classes_once = 0; ///< that one path alone reached
-    std::uint64_t lights_never = 0; ///< whose paths did not reach what the image sees
+    std::uint64_t lights_never = 0; ///< whose paths and samples did not reach what the image sees
     double share = 0; ///< of the image's light by those classes: the Good-Turing estimate of what
                       ///<   is unseen
     double most = 0;  ///< 95 % upper limit of the unseen share; infinite: there is no light

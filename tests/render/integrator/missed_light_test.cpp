@@ -21,9 +21,9 @@ TriangleMesh wall_with_hole()
     return tiny::together(out, tiny::parallelogram({-low, low, 0}, {far, 0, 0}, {0, kHole, 0}));
 }
 
-/// A room with the camera and a closet with a light, between them a wall with a small hole.  Floor
-/// and other walls are those of both.
-Scene keyhole()
+/// A room with the camera and a closet with a light, between them a wall.  Floor and other walls
+/// are those of both.
+Scene room_and_closet(const TriangleMesh& wall)
 {
     TriangleMesh mesh = tiny::cube();
     tiny::turn_inside_out(mesh);
@@ -31,13 +31,18 @@ Scene keyhole()
         position.z *= 2;
     Scene scene = tiny::make_scene(mesh);
     scene.materials[0] = tiny::diffuse(Rgb(0.6f));
-    tiny::add(scene, wall_with_hole(), tiny::diffuse(Rgb(0.6f)));
+    tiny::add(scene, wall, tiny::diffuse(Rgb(0.6f)));
     TriangleMesh light = tiny::floor_at(0.45f, -0.3f);
     tiny::move(light, {0, 0, -0.5f});
     tiny::add(scene, light, tiny::emissive(Rgb(50)));
     scene.cameras[0].position = {0, 0, 0.96f};
     scene.cameras[0].tan_half_height = 0.8f;
     return scene;
+}
+
+Scene keyhole()
+{
+    return room_and_closet(wall_with_hole());
 }
 
 RenderOptions by_power_options(std::uint64_t photons)
@@ -126,6 +131,27 @@ TEST_CASE("unseen light: a keyhole that many light paths found, and a room, are 
     guided.emission = Emission::guided;
     check(keyhole(), guided);
     check(tiny::room(), by_power_options(20000));
+}
+
+TEST_CASE("unseen light: without indirect light, a light that surfaces are lit by is not missed",
+          "[integrator]")
+{
+    Scene scene = room_and_closet(tiny::parallelogram({-0.5f, -0.5f, 0}, {1, 0, 0}, {0, 1, 0}));
+    ScenePointLight light;
+    light.position = {0, 0.4f, 0.5f};
+    light.intensity = Rgb(1);
+    scene.lights.push_back(light);
+    TriangleMesh ball = tiny::uv_sphere(16, 8);
+    tiny::scale(ball, 0.15f);
+    tiny::move(ball, {0, -0.3f, -0.5f});
+    tiny::add(scene, ball, tiny::mirror(Rgb(0.9f)));
+    const auto ready = tiny::ready(scene);
+    RenderOptions options = by_power_options(2000);
+    options.light.indirect = false;
+    const RenderedPasses rendered = render(*ready->render, options, 1);
+    CHECK(count_paths(rendered.counts) == 0); // all caustics are in the closet
+    REQUIRE(rendered.missed.unseen);
+    CHECK(rendered.missed.unseen->lights_never == 1); // of the closet
 }
 
 TEST_CASE("unseen light: the counts of an image do not depend on the number of threads",
