@@ -50,7 +50,7 @@ class RandomSequence {
                    std::uint64_t index)
         // Beyond 2^32 points the sequence begins anew.
         : state_(key_of(seed, stream, pass, path) ^ mix_bits(index >> 32)),
-          index_(static_cast<std::uint32_t>(index)), stratified_(true)
+          reversed_index_(reverse_bits(static_cast<std::uint32_t>(index))), stratified_(true)
     {
     }
 
@@ -61,8 +61,9 @@ class RandomSequence {
             return next_given().x;
         state_ += kStep;
         const std::uint64_t mixed = mix_bits(state_);
-        return stratified_ ? fraction(scrambled_sobol(index_, mixed).x)
-                           : fraction(static_cast<std::uint32_t>(mixed >> 32));
+        return stratified_
+                   ? fraction(first_scrambled(shuffled_index(reversed_index_, mixed), mixed))
+                   : fraction(static_cast<std::uint32_t>(mixed >> 32));
     }
 
     /// Returns the next two dimensions.
@@ -75,7 +76,7 @@ class RandomSequence {
             return {u, next()};
         }
         state_ += kStep;
-        const FractionPair pair = scrambled_sobol(index_, mix_bits(state_));
+        const FractionPair pair = scrambled_sobol(reversed_index_, mix_bits(state_));
         return {fraction(pair.x), fraction(pair.y)};
     }
 
@@ -115,7 +116,7 @@ class RandomSequence {
     std::uint64_t state_;
     const glm::vec2* given_ = nullptr;
     const glm::vec2* end_of_given_ = nullptr;
-    std::uint32_t index_ = 0;
+    std::uint32_t reversed_index_ = 0;
     bool stratified_ = false;
 };
 

@@ -45,17 +45,30 @@ struct FractionPair {
     std::uint32_t x, y;
 };
 
-/// Point `index` of a (0, 2)-sequence that is shuffled and scrambled by `key` (Burley 2020): any
-/// aligned 2^m of the points have one in each of 2^m boxes of every shape, each point is uniform,
-/// and points of different keys are independent.  Cost: some 10 ns.
-inline FractionPair scrambled_sobol(std::uint32_t index, std::uint64_t key)
+/// Returns the number that a key's shuffle gives a point of a sequence.  Both numbers are less than
+/// 2^32; the given one has its bits in reverse.
+inline std::uint32_t shuffled_index(std::uint32_t reversed_index, std::uint64_t key)
 {
     const auto seed = static_cast<std::uint32_t>(key);
-    const auto other = static_cast<std::uint32_t>(key >> 32);
-    const std::uint32_t shuffled =
-        reverse_bits(scramble_reversed(reverse_bits(index), seed ^ 0x68bc21ebu));
-    return {reverse_bits(scramble_reversed(shuffled, other)),
-            reverse_bits(scramble_reversed(second_sobol_reversed(shuffled), seed))};
+    return reverse_bits(scramble_reversed(reversed_index, seed ^ 0x68bc21ebu));
+}
+
+/// The first dimension of `scrambled_sobol` alone: `shuffled` by `shuffled_index` of the key.
+inline std::uint32_t first_scrambled(std::uint32_t shuffled, std::uint64_t key)
+{
+    return reverse_bits(scramble_reversed(shuffled, static_cast<std::uint32_t>(key >> 32)));
+}
+
+/// A point of a (0, 2)-sequence that is shuffled and scrambled by `key` (Burley 2020): any aligned
+/// 2^m of the points have one in each of 2^m boxes of every shape, each point is uniform, and
+/// points of different keys are independent.  reversed_index: `reverse_bits` of the point's number.
+/// Cost: some 10 ns.
+inline FractionPair scrambled_sobol(std::uint32_t reversed_index, std::uint64_t key)
+{
+    const std::uint32_t shuffled = shuffled_index(reversed_index, key);
+    return {first_scrambled(shuffled, key),
+            reverse_bits(scramble_reversed(second_sobol_reversed(shuffled),
+                                           static_cast<std::uint32_t>(key)))};
 }
 
 } // namespace hipmap

@@ -156,7 +156,7 @@ Rgb mean_emission(const Scene& scene, FaceId face)
     const std::size_t points = points_on(scene, face, TextureUse::emission);
     Rgb sum(0.0f);
     for (std::size_t i = 0; i < points; ++i) {
-        const FractionPair at = scrambled_sobol(static_cast<std::uint32_t>(i), 0);
+        const FractionPair at = scrambled_sobol(reverse_bits(static_cast<std::uint32_t>(i)), 0);
         sum += material_at(scene, face, sample_triangle(glm::vec2(at.x >> 8, at.y >> 8) * 0x1p-24f))
                    .emission;
     }
