@@ -43,7 +43,7 @@ FEW_PHOTONS, MANY_PHOTONS = 200_000, 1_000_000
 def build_without(folder):
     """Copies the sources to a folder, takes the effects out, and builds render there."""
     source = folder / "source"
-    build = source / "build/release"  # as in the tree itself, so that compiler caches know most files
+    build = source / "build/release"
     files = subprocess.run(["git", "ls-files", "-z"], cwd=ROOT, check=True, capture_output=True,
                            text=True).stdout.split("\0")
     for name in filter(None, files):
@@ -57,8 +57,8 @@ def build_without(folder):
         to.parent.mkdir(parents=True, exist_ok=True)
         if not to.exists() or to.read_bytes() != text:
             to.write_bytes(text)
-    subprocess.run(["cmake", "-S", source, "-B", build, "-G", "Ninja", "-DHIPMAP_TESTS=OFF",
-                    "-DCMAKE_BUILD_TYPE=Release"], check=True, stdout=subprocess.DEVNULL)
+    subprocess.run(["cmake", "--preset", "release", "-DHIPMAP_TESTS=OFF"], cwd=source, check=True,
+                   stdout=subprocess.DEVNULL)
     subprocess.run(["cmake", "--build", build, "--target", "render"], check=True,
                    stdout=subprocess.DEVNULL)
     return build

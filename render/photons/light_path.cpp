@@ -41,6 +41,9 @@ class WayDraw {
         return taken;
     }
 
+    /// Takes back what was offered.
+    void take_back() { sum_ = 0, sent_ = Rgb(0); }
+
     /// What all ways send of the light.
     const Rgb& sent() const { return sent_; }
 
@@ -64,6 +67,40 @@ class WayDraw {
     Chosen chosen_;
 };
 
+/// Returns Lambert's lobe where it is all that a surface has; null: it has others.
+const Lambert* lambert_alone(const Bsdf& bsdf)
+{
+    return bsdf.is_diffuse && bsdf.count == 1 ? std::get_if<Lambert>(&bsdf.all[0].lobe) : nullptr;
+}
+
+/// Offers Lambert's lobe where it is all.  Its samples weigh the same, so only light that goes on
+/// needs a direction.
+void offer_lambert(const Interaction& at, const Lambert& lambert, WayDraw& draw,
+                   RandomSequence& random, Onward& out)
+{
+    if (!draw.offer(lambert.reflectance) || is_black(draw.power()))
+        return;
+    out.by = Onward::By::lobe;
+    out.lobe = at.bsdf().all.data();
+    out.sample = sample_lobe(at, *out.lobe, random);
+    if (is_black(out.sample.weight)) // behind the face, as the shading normal is bent
+        draw.take_back();
+}
+
+void offer_lobes(const Interaction& at, WayDraw& draw, RandomSequence& random, Onward& out)
+{
+    for (const PlacedLobe& lobe : at.bsdf().lobes()) {
+        if (lobe.handled == Lobes::specular)
+            continue;
+        const LobeSample sample = sample_lobe(at, lobe, random);
+        if (!draw.offer(sample.weight))
+            continue;
+        out.by = Onward::By::lobe;
+        out.lobe = &lobe;
+        out.sample = sample;
+    }
+}
+
 /// Draws the way on, and sets the path's power there; counts what the surface keeps.
 Onward draw_way(const Interaction& at, LightPath& path, RandomSequence& random,
                 PowerBalance& balance)
@@ -73,13 +110,10 @@ Onward draw_way(const Interaction& at, LightPath& path, RandomSequence& random,
         return out;
     WayDraw draw(path.power, random.next());
     const Bsdf& bsdf = at.bsdf();
-    for (const PlacedLobe& lobe : bsdf.lobes()) {
-        if (lobe.handled == Lobes::specular)
-            continue;
-        const LobeSample sample = sample_lobe(at, lobe, random);
-        if (draw.offer(sample.weight))
-            out = {Onward::By::lobe, &lobe, sample, {}};
-    }
+    if (const Lambert* lambert = lambert_alone(bsdf))
+        offer_lambert(at, *lambert, draw, random, out);
+    else
+        offer_lobes(at, draw, random, out);
     if (bsdf.is_specular) {
         out.specular = specular_lobes(at);
         if (draw.offer(out.specular.mirror))
@@ -110,20 +144,19 @@ void store(const Interaction& at, LightPath& path, bool directional, const Wante
     Rgb power = path.power * (at.cosine / geometric);
     if (!directional)
         power *= transmitted_by(at.bsdf().layers, Depth::diffuse, at.seen());
-    const BouncedPhoton bounced{
-        {at.point.position, power, at.back, at.point.face, at.side}, from.caustic, from.photon};
+    const Photon photon{at.point.position, power, at.back, at.point.face, at.side};
     if (!is_finite(power) || !is_finite(at.point.position)) {
         ++out.dropped;
         return;
     }
     if (link)
-        out.bounces.push_back(bounced);
+        out.bounces.push_back({photon, from.caustic, from.photon});
     if (keep) {
         if (wanted.counter != nullptr)
-            wanted.counter->add(bounced.photon, path.first_specular, caustic);
+            wanted.counter->add(photon, path.first_specular, caustic);
         std::vector<Photon>& kept = caustic ? out.caustic : out.global;
         path.last = {.photon = kept.size(), .caustic = caustic};
-        kept.push_back(bounced.photon);
+        kept.push_back(photon);
     }
 }
 

@@ -7,6 +7,9 @@
 
 namespace hipmap::tiny {
 
+/// Directions in which a surface is seen: steep, oblique and grazing.
+inline const glm::vec3 kBacks[] = {{0.1f, 0, 1}, {0.7f, -0.4f, 0.6f}, {-1, 0.2f, 0.25f}};
+
 /// A point of a flat surface of the material, seen from `back`: in front of it if back.z > 0.
 inline Interaction lit_surface(const Material& material, const glm::vec3& back, bool solid = true)
 {

@@ -23,8 +23,6 @@ std::vector<Material> lacquers()
             tiny::lacquered(plastic, 0.6f, 0.5f), tiny::lacquered(gold, 0.6f, 0.5f)};
 }
 
-const glm::vec3 kCoatedBacks[] = {{0.1f, 0, 1}, {0.7f, -0.4f, 0.6f}, {-1, 0.2f, 0.25f}};
-
 bool has(const Interaction& at, Lobes lobes)
 {
     return lobes == Lobes::gathered ? at.gathers() : at.follows();
@@ -48,7 +46,7 @@ TEST_CASE("clear coat: directions are drawn with the pdf that is returned", "[sh
 {
     for (const Material& material : lacquers())
         for (const Lobes lobes : {Lobes::gathered, Lobes::followed}) {
-            const Interaction at = tiny::lit_surface(material, kCoatedBacks[2]);
+            const Interaction at = tiny::lit_surface(material, tiny::kBacks[2]);
             if (!has(at, lobes))
                 continue;
             INFO("base " << material.roughness << ", metallic " << material.metallic << ", coat "
@@ -61,7 +59,7 @@ TEST_CASE("clear coat: the mean weight is the integral of the lobes, for photons
 {
     for (const Material& material : lacquers())
         for (const Lobes lobes : {Lobes::gathered, Lobes::followed}) {
-            const Interaction at = tiny::lit_surface(material, kCoatedBacks[1]);
+            const Interaction at = tiny::lit_surface(material, tiny::kBacks[1]);
             double integral = 0;
             tiny::over_sphere(250, [&](const glm::vec3& in, double solid_angle) {
                 integral += double{scattered(at, in, lobes).value.y} * solid_angle;
@@ -97,7 +95,7 @@ TEST_CASE("clear coat: no surface sends on more than all, a white base beneath a
     Material coated = tiny::diffuse(Rgb(1));
     coated.specular = 1;
     for (const float coat : {0.0f, 0.25f, 0.6f})
-        for (const glm::vec3& back : kCoatedBacks) {
+        for (const glm::vec3& back : tiny::kBacks) {
             INFO("coat " << coat << ", height " << back.z);
             const Material diffuse = tiny::lacquered(tiny::diffuse(Rgb(1)), 1, coat);
             CHECK(sent_by_coat(tiny::lit_surface(diffuse, back), 160) == Approx(1).margin(0.004));

@@ -36,8 +36,6 @@ std::vector<Material> metals()
     return {compensated(gold, 0.95f), compensated(gold, 0.3f), lacquered, velvet, part, with_glass};
 }
 
-const glm::vec3 kMetalBacks[] = {{0.1f, 0, 1}, {0.7f, -0.4f, 0.6f}, {-1, 0.2f, 0.25f}};
-
 /// The same by directions drawn, where no grid resolves a lobe.
 RunningMean drawn_albedo(const Interaction& at, std::uint64_t draws)
 {
@@ -66,7 +64,7 @@ TEST_CASE("energy compensation: white metal sends on all light, at every roughne
           "[shading]")
 {
     for (const float roughness : {0.05f, 0.25f, 0.35f, 0.5f, 0.75f, 1.0f})
-        for (const glm::vec3& back : kMetalBacks) {
+        for (const glm::vec3& back : tiny::kBacks) {
             const Interaction at =
                 tiny::lit_surface(compensated(tiny::mirror(Rgb(1)), roughness), back);
             const RunningMean mean = drawn_albedo(at, 20000);
@@ -84,8 +82,8 @@ TEST_CASE("energy compensation: multiple scattering is less where more is absorb
         const Material gold = compensated(tiny::mirror({1, 0.5f, 0.1f}), roughness);
         Material plain = gold;
         plain.energy_compensation = false;
-        const glm::dvec3 more = tiny::sent(tiny::lit_surface(gold, kMetalBacks[1]), 200);
-        const glm::dvec3 before = tiny::sent(tiny::lit_surface(plain, kMetalBacks[1]), 200);
+        const glm::dvec3 more = tiny::sent(tiny::lit_surface(gold, tiny::kBacks[1]), 200);
+        const glm::dvec3 before = tiny::sent(tiny::lit_surface(plain, tiny::kBacks[1]), 200);
         const glm::dvec3 gain = more / before;
         CHECK(more.x == Approx(1).margin(0.004));
         CHECK(gain.x > gain.y);
@@ -118,7 +116,7 @@ TEST_CASE("energy compensation: directions are drawn with the pdf that is return
 {
     for (const Material& material : metals())
         for (const Lobes lobes : {Lobes::gathered, Lobes::followed}) {
-            const Interaction at = tiny::lit_surface(material, kMetalBacks[2]);
+            const Interaction at = tiny::lit_surface(material, tiny::kBacks[2]);
             if (lobes == Lobes::gathered ? !at.gathers() : !at.follows())
                 continue;
             INFO("roughness " << material.roughness << ", set " << int(lobes));
@@ -133,7 +131,7 @@ TEST_CASE("energy compensation: the mean weight is the integral of the lobes, fo
 {
     for (const Material& material : metals())
         for (const Lobes lobes : {Lobes::gathered, Lobes::followed}) {
-            const Interaction at = tiny::lit_surface(material, kMetalBacks[1]);
+            const Interaction at = tiny::lit_surface(material, tiny::kBacks[1]);
             if (!reflects(at.bsdf(), lobes))
                 continue;
             double integral = 0;
@@ -166,7 +164,7 @@ TEST_CASE("energy compensation: no surface sends on more than all", "[shading]")
 {
     for (const float anisotropy : {0.0f, 1.0f})
         for (const float roughness : {0.0f, 0.5f, 0.9f})
-            for (const glm::vec3& back : kMetalBacks)
+            for (const glm::vec3& back : tiny::kBacks)
                 for (const float metallic : {0.5f, 1.0f}) {
                     Material white = compensated(tiny::mirror(Rgb(1)), roughness);
                     white.metallic = metallic;
@@ -191,6 +189,6 @@ TEST_CASE("energy compensation: mirrors, plastic and glass have none, nor metal 
     for (const Material& material :
          {compensated(tiny::mirror(Rgb(1)), 0), compensated(plastic, 0.7f),
           compensated(tiny::glass(1.5f), 0.7f), plain})
-        CHECK_FALSE(is_compensated(tiny::lit_surface(material, kMetalBacks[0])));
-    CHECK(is_compensated(tiny::lit_surface(compensated(plain, 1), kMetalBacks[0])));
+        CHECK_FALSE(is_compensated(tiny::lit_surface(material, tiny::kBacks[0])));
+    CHECK(is_compensated(tiny::lit_surface(compensated(plain, 1), tiny::kBacks[0])));
 }

@@ -36,8 +36,6 @@ std::vector<Material> velvets()
             velvet(steel, {0.5f, 0.7f, 1}, 0.3f), velvet(lacquered, Rgb(0.9f), 0.6f)};
 }
 
-const glm::vec3 kClothBacks[] = {{0.1f, 0, 1}, {0.7f, -0.4f, 0.6f}, {-1, 0.2f, 0.25f}};
-
 /// The lobe as the extension writes it.
 double lobe_by_the_text(double cos_in, double cos_out, double cos_half, double alpha)
 {
@@ -100,14 +98,14 @@ TEST_CASE("sheen: the table is the integral of the lobe, below one", "[shading]"
 TEST_CASE("sheen: directions are drawn with the pdf that is returned", "[shading]")
 {
     for (const Material& material : velvets())
-        for (const glm::vec3& back : {kClothBacks[0], kClothBacks[2]})
+        for (const glm::vec3& back : {tiny::kBacks[0], tiny::kBacks[2]})
             CHECK(tiny::chi_square_z(tiny::lit_surface(material, back), Lobes::gathered) < kMostZ);
 }
 
 TEST_CASE("sheen: the mean weight is the integral of the lobes, for photons too", "[shading]")
 {
     for (const Material& material : velvets()) {
-        const Interaction at = tiny::lit_surface(material, kClothBacks[1]);
+        const Interaction at = tiny::lit_surface(material, tiny::kBacks[1]);
         double integral = 0;
         tiny::over_sphere(250, [&](const glm::vec3& in, double solid_angle) {
             integral += double{scattered(at, in, Lobes::gathered).value.y} * solid_angle;
@@ -146,7 +144,7 @@ TEST_CASE("sheen: no surface sends on more than all, a white base beneath absorb
           "[shading]")
 {
     for (const float roughness : {0.0f, 0.2f, 0.6f, 1.0f})
-        for (const glm::vec3& back : kClothBacks) {
+        for (const glm::vec3& back : tiny::kBacks) {
             INFO("sheen " << roughness << ", height " << back.z);
             const Material white = velvet(tiny::diffuse(Rgb(1)), Rgb(1), roughness);
             CHECK(tiny::sent(tiny::lit_surface(white, back), 200).x == Approx(1).margin(0.006));
