@@ -15,15 +15,16 @@ struct LobeProbabilities {
 /// docs/light_transport.md (14).
 class PathTracer {
   public:
-    PathTracer(const RenderScene& scene, const LightClasses& light, SeenLights seen,
+    /// ray: from the eye.
+    PathTracer(const RenderScene& scene, const Ray& ray, const LightClasses& light, SeenLights seen,
                RandomSequence& random)
-        : scene_(scene), light_(light), seen_(seen), random_(random)
+        : scene_(scene), light_(light), seen_(seen), random_(random),
+          path_(path_from_eye(scene, ray))
     {
     }
 
-    Rgb trace(const Ray& ray)
+    Rgb trace()
     {
-        path_ = path_from_eye(scene_, ray);
         while (survives(path_, random_) && step())
             ;
         return radiance_;
@@ -169,7 +170,7 @@ struct PathMethod : WithoutScratch {
 Rgb trace_path(const RenderScene& scene, const Ray& ray, RandomSequence& random,
                const LightClasses& light, SeenLights seen)
 {
-    return PathTracer(scene, light, seen, random).trace(ray);
+    return PathTracer(scene, ray, light, seen, random).trace();
 }
 
 PassSource make_path_source(const RenderScene& scene, const RenderOptions& options,

@@ -21,6 +21,13 @@ inline Interaction meet_face(const RenderScene& scene, const RayHit& hit, const 
     return at;
 }
 
+/// Keeps `inside` where the ray of a path that has left a surface goes on behind it.
+inline void enter_media(const RenderScene& scene, const Interaction& at, PathRay& path)
+{
+    if (scene.has_media() && glm::dot(path.ray.direction, at.normal) < 0)
+        cross(*scene.media, at.point.face, at.front, path.inside);
+}
+
 /// Sends a path on by the mirror of a surface.
 void leave_by_mirror(const RenderScene& scene, const Interaction& at, PathRay& path);
 
@@ -28,8 +35,16 @@ void leave_by_mirror(const RenderScene& scene, const Interaction& at, PathRay& p
 void leave_through(const RenderScene& scene, const Interaction& at, float eta, PathRay& path);
 
 /// Sends a path on along a direction drawn from gathered or followed lobes.
-void leave_by_lobes(const RenderScene& scene, const Interaction& at, const LobeSample& sample,
-                    Lobes lobes, PathRay& path);
+inline void leave_by_lobes(const RenderScene& scene, const Interaction& at,
+                           const LobeSample& sample, Lobes lobes, PathRay& path)
+{
+    path.ray = scattered_ray(at, sample);
+    if (lobes == Lobes::gathered)
+        path.nanometres = 0; // light is of all wavelengths after it
+    else if (sample.transmitted)
+        path.absorption = absorption_behind(at);
+    enter_media(scene, at, path);
+}
 
 /// The way of a path through media to the next surface.
 struct MediaFlight {

@@ -41,6 +41,30 @@ inline void multiply_by_quotient(const Rgb& a, const Rgb& b, Rgb& value)
         value[channel] *= b[channel] > 0 ? a[channel] / b[channel] : 0;
 }
 
+/// Adds the environment along a ray that has left the scene, times the throughput and weighted by
+/// `hit_weight`.
+inline void add_environment(const RenderScene& scene, const PathState& path, Rgb& light)
+{
+    light += path.throughput * met_environment(scene, path.ray.direction, path.source);
+}
+
+/// `reach` where the scene has media.  A function of its own, to spare scenes without them.
+template <typename Through>
+[[gnu::noinline]] MediaFlight reach_in_media(const RenderScene& scene, PathState& path,
+                                             bool sees_lights, Rgb& light,
+                                             const Through& through_media)
+{
+    if (sees_lights)
+        light += path.throughput * met_lights_in_media(scene, path.ray, path.inside, path.source);
+    const Rgb before = path.throughput;
+    const MediaFlight out = through_media();
+    if (!is_black(path.source.photons))
+        multiply_by_quotient(path.throughput, before, path.source.photons);
+    if (sees_lights && !out.hit && !out.scattered)
+        add_environment(scene, path, light);
+    return out;
+}
+
 /// Brings the path to the next surface.  Adds to `light` the lights on the way and the environment,
 /// times the throughput and weighted by `hit_weight`, if the path sees lights. through_media: () ->
 /// MediaFlight, called where the scene has media: multiplies the throughput by their transmittance,
@@ -49,22 +73,13 @@ template <typename Through>
 inline MediaFlight reach(const RenderScene& scene, PathState& path, bool sees_lights, Rgb& light,
                          const Through& through_media)
 {
-    MediaFlight out;
-    if (scene.has_media()) {
-        if (sees_lights)
-            light +=
-                path.throughput * met_lights_in_media(scene, path.ray, path.inside, path.source);
-        const Rgb before = path.throughput;
-        out = through_media();
-        if (!is_black(path.source.photons))
-            multiply_by_quotient(path.throughput, before, path.source.photons);
-    } else {
-        out.hit = scene.rays.nearest(path.ray);
-        if (!scene.clear)
-            cross_air(scene, out.hit, sees_lights, path, light);
-    }
-    if (sees_lights && !out.hit && !out.scattered)
-        light += path.throughput * met_environment(scene, path.ray.direction, path.source);
+    if (scene.has_media()) [[unlikely]]
+        return reach_in_media(scene, path, sees_lights, light, through_media);
+    const MediaFlight out{scene.rays.nearest(path.ray)};
+    if (!scene.clear)
+        cross_air(scene, out.hit, sees_lights, path, light);
+    if (sees_lights && !out.hit)
+        add_environment(scene, path, light);
     return out;
 }
 
