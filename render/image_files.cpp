@@ -1,7 +1,6 @@
 #include "render/image_files.h"
 
 #include "common/image/exr_file.h"
-#include "render/film/error_picture.h"
 #include "render/film/image_error.h"
 
 #include <algorithm>
@@ -41,16 +40,6 @@ void write_image_of(const std::filesystem::path& path, const Image& image, const
         write_exr_with_error(path, image, state);
     else
         write_image(path, image, display);
-}
-
-std::optional<LegendedPicture> write_error_image(const std::filesystem::path& path,
-                                                 const RenderState& state)
-{
-    if (state.checks.empty())
-        return std::nullopt;
-    const std::vector<double> errors = relative_errors(state.film);
-    return write_with_legend(path, error_picture(state.film.width, state.film.height, errors),
-                             legend_of_errors());
 }
 
 WrittenLayers write_layers_of(const std::filesystem::path& path, const LayerChoice& choice,

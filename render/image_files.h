@@ -1,12 +1,10 @@
 #pragma once
 
-#include "common/image/legend.h"
 #include "common/image/write_image.h"
 #include "render/film/render_state.h"
 #include "render/layers/layer_file.h"
 
 #include <filesystem>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,12 +14,6 @@ namespace hipmap {
 /// layers of error_layers if the error is known.  Throws InputError as write_image.
 void write_image_of(const std::filesystem::path& path, const Image& image, const RenderState& state,
                     const Display& display);
-
-/// Writes the relative error of each pixel in false colour, with a legend.  Writes nothing and
-/// returns none with less than two passes, which know no error.  Throws InputError if the file
-/// cannot be written.
-std::optional<LegendedPicture> write_error_image(const std::filesystem::path& path,
-                                                 const RenderState& state);
 
 /// The layers of a file that was written.
 struct WrittenLayers {

@@ -38,9 +38,13 @@ std::vector<std::filesystem::path> LiveImages::rewrite(const RenderState& state)
     if (!files.images.empty() &&
         images_.write([&] { write_images(film_image(state.film), state); }))
         out = files.images;
-    if (!files.error_image.empty() && !state.checks.empty() &&
-        error_image_.write([&] { write_error_image(files.error_image, state); }))
-        out.push_back(files.error_image);
+    const std::vector<RequestedPicture> pictures = known_pictures(files.pictures, state);
+    if (!pictures.empty() && pictures_.write([&] {
+            for (const RequestedPicture& picture : pictures)
+                write_picture(picture, state);
+        }))
+        for (const RequestedPicture& picture : pictures)
+            out.push_back(picture.path);
     if (!files.layers.empty() && layers_.write([&] {
             write_layers_of(files.layers, arguments_.layers, surfaces_(), film_image(state.film),
                             state);

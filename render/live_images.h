@@ -24,8 +24,8 @@ class WritingPace {
 };
 
 /// Writes the images of a render before it is done: a coarse one first, then after passes, so that
-/// whole pictures are there if the render is killed.  The images of --output, the error image and
-/// the layers are each written at a pace of their own: large layers do not delay the image.
+/// whole pictures are there if the render is killed.  The images of --output, the pictures
+/// and the layers are each written at a pace of their own: large layers do not delay the image.
 class LiveImages {
   public:
     /// Returns the layers of first surfaces that were requested.
@@ -38,7 +38,7 @@ class LiveImages {
     }
 
     /// Writes the images by the passes so far, each whole or not at all, unless writing takes more
-    /// than a small share of the time.  The error image follows once two passes know an error.  An
+    /// than a small share of the time.  Pictures follow once what they show is known.  An
     /// automatic exposure stays while the new one is near, so that viewers do not flicker.
     /// Returns what was written.  Throws InputError if a file cannot be written.
     std::vector<std::filesystem::path> rewrite(const RenderState& state);
@@ -53,7 +53,7 @@ class LiveImages {
 
     const RenderArguments& arguments_;
     const Surfaces surfaces_;
-    WritingPace images_, error_image_, layers_;
+    WritingPace images_, pictures_, layers_;
     std::optional<float> exposure_ev_; ///< last used; none: not written yet
 };
 

@@ -9,9 +9,9 @@
 #include "render/effects/effect_plan.h"
 #include "render/integrator/run_passes.h"
 #include "render/layers/layer_file.h"
+#include "render/picture_table.h"
 #include "render/tile.h"
 
-#include <array>
 #include <filesystem>
 #include <optional>
 #include <vector>
@@ -33,20 +33,24 @@ enum class FireflyChoice : std::uint8_t { keep, remove };
 /// The files that `render` and `render merge` write.
 struct OutputFiles {
     std::vector<std::filesystem::path> images;
-    std::filesystem::path error_image; ///< empty: none
-    std::filesystem::path layers;      ///< empty: none; not of `render merge`
-    std::filesystem::path statistics;  ///< empty: none
-    std::filesystem::path state;       ///< to keep, and for `render` to resume; empty: none
-    bool replace_state = false;        ///< start over if the state is of another render
+    /// By row of picture_rows; empty: none.
+    std::vector<std::filesystem::path> pictures{picture_rows().size()};
+    std::filesystem::path layers;     ///< empty: none; not of `render merge`
+    std::filesystem::path statistics; ///< empty: none
+    std::filesystem::path state;      ///< to keep, and for `render` to resume; empty: none
+    bool replace_state = false;       ///< start over if the state is of another render
     FireflyChoice fireflies = FireflyChoice::keep; ///< of all images
     std::optional<float> exposure_ev;              ///< of 8-bit images; none: auto
     ViewChoice view_choice;                        ///< of 8-bit images
     DisplayView view;                              ///< what it names
 
     /// Returns the paths of all output files but the images, so that they can be changed.
-    std::array<std::filesystem::path*, 4> single_files()
+    std::vector<std::filesystem::path*> single_files()
     {
-        return {&error_image, &layers, &statistics, &state};
+        std::vector<std::filesystem::path*> out{&layers, &statistics, &state};
+        for (std::filesystem::path& picture : pictures)
+            out.push_back(&picture);
+        return out;
     }
 };
 

@@ -41,23 +41,33 @@ float write_each(const OutputFiles& files, const Image& image, const RenderState
     return ev;
 }
 
-std::optional<LegendedPicture> write_or_warn(const std::filesystem::path& path,
-                                             const RenderState& state, Report& report)
+std::vector<LegendedPicture> write_pictures(const OutputFiles& files, const RenderState& state,
+                                            Report& report)
 {
-    const std::optional<LegendedPicture> out = write_error_image(path, state);
-    if (out)
-        report.wrote(path);
-    else
-        report.warn(path.string() + ": not written; an error image needs two passes or more");
+    std::vector<LegendedPicture> out;
+    for (const RequestedPicture& picture : requested_pictures(files.pictures)) {
+        if (!picture.row->is_known(state)) {
+            report.warn(picture.path.string() + ": not written; " + picture.row->lacking);
+            continue;
+        }
+        out.push_back(write_picture(picture, state));
+        report.wrote(picture.path);
+    }
     return out;
 }
 
-void parse_error_image(const std::string& text, std::filesystem::path& error_image)
+OptionRow picture_row(const PictureRow& row, std::filesystem::path& path)
 {
-    error_image = text;
-    if (image_format(error_image) != ImageFormat::png)
-        throw InputError(text + ": the error image must be .png; -o FILE.exr holds the error "
-                                "by pixel in numbers");
+    const auto parse = [&row, &path](const std::string& text) {
+        path = text;
+        if (image_format(path) != ImageFormat::png)
+            throw InputError(text + ": --" + row.option +
+                             " must be .png; -o FILE.exr holds what it shows in numbers");
+    };
+    return {.name = row.option,
+            .section = kFilesSection,
+            .field = parsed_field(parse, {}, "FILE"),
+            .help = row.help};
 }
 
 OptionField exposure_field(std::optional<float>& exposure_ev)
@@ -141,18 +151,13 @@ std::vector<OptionRow> output_rows(OutputFiles& files, bool required)
                  ".exr its noise, bias and error too; .png and .ppm are exposed sRGB. "
                  "Rewritten after passes",
          .flags = "-o,--output",
-         .required = required},
-        {.name = "error-image",
-         .section = kFilesSection,
-         .field = parsed_field(
-             [&](const std::string& text) { parse_error_image(text, files.error_image); }, {},
-             "FILE"),
-         .help = "Write an image of the relative error of each pixel in false colour, .png. "
-                 "Rewritten after passes"},
-        {.name = "stats",
-         .section = kFilesSection,
-         .field = file_field(files.statistics),
-         .help = "Write statistics as JSON"}};
+         .required = required}};
+    for (std::size_t i = 0; i < files.pictures.size(); ++i)
+        out.push_back(picture_row(picture_rows()[i], files.pictures[i]));
+    out.push_back({.name = "stats",
+                   .section = kFilesSection,
+                   .field = file_field(files.statistics),
+                   .help = "Write statistics as JSON"});
     std::ranges::move(shown_rows(files), std::back_inserter(out));
     return out;
 }
@@ -203,8 +208,7 @@ WrittenFiles write_images(const OutputFiles& files, const Image& image, const Re
     const Stopwatch writing;
     WrittenFiles out;
     out.exposure_ev = write_each(files, image, state, report);
-    if (!files.error_image.empty())
-        out.error_image = write_or_warn(files.error_image, state, report);
+    out.pictures = write_pictures(files, state, report);
     out.writing.add(writing);
     out.warnings = report.warnings();
     return out;

@@ -7,15 +7,15 @@
 #include "render/previous_frame.h"
 
 #include <filesystem>
-#include <optional>
 #include <string>
+#include <vector>
 
 namespace hipmap {
 
 /// The images that were written.
 struct WrittenFiles {
     float exposure_ev = 0; ///< of 8-bit images
-    std::optional<LegendedPicture> error_image;
+    std::vector<LegendedPicture> pictures;
     Spent writing;
     std::size_t warnings = 0; ///< of the whole run until then
 };
@@ -34,10 +34,9 @@ void check_outputs(const OutputFiles& files);
 /// Returns whether the format of this file is 8-bit, which has an exposure.
 bool is_exposed(const std::filesystem::path& image);
 
-/// Writes `image` and the image of its errors to the requested files, and reports them. .exr files
-/// also hold the layers of error_layers, where the film of `state` knows its error. With less than
-/// two passes no error is known: a warning replaces the error image.  Throws InputError if a file
-/// cannot be written.
+/// Writes `image` and its pictures to the requested files, and reports them. .exr files also hold
+/// the layers of error_layers, where the film of `state` knows its error.  A warning replaces a
+/// picture of what is not known.  Throws InputError if a file cannot be written.
 WrittenFiles write_images(const OutputFiles& files, const Image& image, const RenderState& state,
                           Report& report);
 

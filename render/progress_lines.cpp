@@ -33,8 +33,8 @@ const char* name_of(StopReason reason)
 std::vector<std::filesystem::path> all_images(const OutputFiles& files, const RenderState& state)
 {
     std::vector<std::filesystem::path> out = files.images;
-    if (!files.error_image.empty() && !state.checks.empty())
-        out.push_back(files.error_image);
+    for (const RequestedPicture& picture : known_pictures(files.pictures, state))
+        out.push_back(picture.path);
     if (!files.layers.empty())
         out.push_back(files.layers);
     return out;

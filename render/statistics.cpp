@@ -323,7 +323,10 @@ Json image_json(int width, int height, const std::vector<std::filesystem::path>&
 
 Json pictures_json(const WrittenFiles& written)
 {
-    return written.error_image ? Json::array({picture_json(*written.error_image)}) : Json::array();
+    Json out = Json::array();
+    for (const LegendedPicture& picture : written.pictures)
+        out.push_back(picture_json(picture));
+    return out;
 }
 
 std::string text_of(const Json& json)

@@ -36,16 +36,20 @@ bool in_two_batches(const KeptPasses& kept, std::size_t pixel)
 
 std::vector<double> relative_errors(const Film& film)
 {
+    return relative_to_image(film, error_layers(film).error);
+}
+
+std::vector<double> relative_to_image(const Film& film, const Image& errors)
+{
     const Image image = film_image(film);
-    const Image error = error_layers(film).error;
     const double dark = dark_square(film, image);
     const KeptPasses kept(film);
     std::vector<double> out(image.pixels.size());
     for (std::size_t i = 0; i < out.size(); ++i) {
         double sum = 0;
         for (int c = 0; c < 3; ++c)
-            if (error.pixels[i][c] > 0)
-                sum += square_of(error.pixels[i][c]) / (square_of(image.pixels[i][c]) + dark);
+            if (errors.pixels[i][c] > 0)
+                sum += square_of(errors.pixels[i][c]) / (square_of(image.pixels[i][c]) + dark);
         out[i] = film.parts.empty() || in_two_batches(kept, i) ? std::sqrt(sum / 3) : 1;
     }
     return out;
@@ -63,13 +67,13 @@ Image error_picture(int width, int height, const std::vector<double>& errors)
     return out;
 }
 
-std::vector<LegendEntry> legend_of_errors()
+std::vector<LegendEntry> legend_of_errors(const std::string& of)
 {
     constexpr int kSteps = 96;
     LegendEntry scale;
     for (int i = 0; i < kSteps; ++i)
         scale.colours.push_back(scale_colour(i / (kSteps - 1.0)));
-    scale.text = "error: 0.1 to 100 %, logarithmic";
+    scale.text = of + ": 0.1 to 100 %, logarithmic";
     return {scale};
 }
 

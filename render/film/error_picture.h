@@ -10,10 +10,13 @@ namespace hipmap {
 /// parts.  Returns [pixels].
 std::vector<double> relative_errors(const Film& film);
 
+/// Returns the same of other errors by pixel and channel, at least zero, W/(m2 sr).
+std::vector<double> relative_to_image(const Film& film, const Image& errors);
+
 /// Draws errors in false colour, on a logarithmic scale from 0.1 % to 100 %; display values.
 Image error_picture(int width, int height, const std::vector<double>& errors);
 
-/// Returns the legend of error_picture.
-std::vector<LegendEntry> legend_of_errors();
+/// Returns the legend of error_picture.  of: what it shows.
+std::vector<LegendEntry> legend_of_errors(const std::string& of);
 
 } // namespace hipmap

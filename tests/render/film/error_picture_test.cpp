@@ -76,7 +76,7 @@ TEST_CASE("error picture: the scale goes from 0.1 to 100 % in ratios, and is cli
     for (int x = 0; x < 7; ++x)
         CHECK(glm::length(picture.at(x, 0) - colour(expected[static_cast<std::size_t>(x)])) <
               1e-3f);
-    REQUIRE(legend_of_errors().size() == 1);
-    CHECK(legend_of_errors()[0].colours.front() == scale_colour(0));
-    CHECK(legend_of_errors()[0].colours.back() == scale_colour(1));
+    REQUIRE(legend_of_errors("error").size() == 1);
+    CHECK(legend_of_errors("error")[0].colours.front() == scale_colour(0));
+    CHECK(legend_of_errors("error")[0].colours.back() == scale_colour(1));
 }
