@@ -13,7 +13,7 @@ struct SeenScale {
     double unit = 0; ///< 0: nothing is counted
     double light = 0;
     double caustic_worth = 0, global_worth = 0; ///< SeenRegions::mean_worth
-    std::vector<std::uint8_t> reached;
+    std::vector<std::uint8_t> reached = {};
 };
 
 SeenScale scale_of(const SeenSurfaces& seen);
