@@ -24,8 +24,8 @@ class WritingPace {
 };
 
 /// Writes the images of a render before it is done: a coarse one first, then after passes, so that
-/// whole pictures are there if the render is killed.  The images of --output, the pictures
-/// and the layers are each written at a pace of their own: large layers do not delay the image.
+/// whole images are there if the render is killed.  The images of --output, the pictures and the
+/// layers are each written at a pace of their own: large layers do not delay the image.
 class LiveImages {
   public:
     /// Returns the layers of first surfaces that were requested.

@@ -41,11 +41,11 @@ Image smooth_bias(const Film& film)
     return out;
 }
 
-FalseColour draw_errors(const RenderState& state, const Image& errors, const std::string& of)
+/// relative: [pixels].
+FalseColour draw_errors(const Film& film, const std::vector<double>& relative,
+                        const std::string& of)
 {
-    const Film& film = state.film;
-    return {error_picture(film.width, film.height, relative_to_image(film, errors)),
-            legend_of_errors(of)};
+    return {error_picture(film.width, film.height, relative), legend_of_errors(of)};
 }
 
 constexpr PictureRow kRows[] = {
@@ -54,7 +54,7 @@ constexpr PictureRow kRows[] = {
      "passes",
      "an error image needs two passes or more", knows_error,
      [](const RenderState& state) {
-         return draw_errors(state, error_layers(state.film).error, "error");
+         return draw_errors(state.film, relative_errors(state.film), "error");
      }},
     {"bias-image",
      "Write an image of the bias by the radii of photon estimates, averaged over 5 by 5 pixels, as "
@@ -63,7 +63,10 @@ constexpr PictureRow kRows[] = {
      [](const RenderState& state) {
          return knows_error(state) && state.film.bias == BiasKnowledge::from_radii;
      },
-     [](const RenderState& state) { return draw_errors(state, smooth_bias(state.film), "bias"); }},
+     [](const RenderState& state) {
+         const Film& film = state.film;
+         return draw_errors(film, relative_to_image(film, smooth_bias(film)), "bias");
+     }},
 };
 
 } // namespace

@@ -4,6 +4,7 @@
 #include "experiments/rivals/face_cells.h"
 #include "experiments/rivals/pixels.h"
 #include "experiments/rivals/seen_surface.h"
+#include "render/paths/direct_light.h"
 
 #include <queue>
 
@@ -50,15 +51,8 @@ Rgb light_at(const RenderScene& scene, const SurfacePoint& point, const glm::vec
         const auto sample = sample_li(light, LightReceiver{point.position, normal}, random);
         if (!sample)
             continue;
-        Ray shadow;
-        if (sample->is_far) {
-            shadow.direction = sample->direction;
-            shadow.origin = offset_origin(point, shadow.direction);
-        } else {
-            shadow = ray_between(point, sample->point);
-        }
         const float cosine = glm::dot(normal, sample->direction);
-        if (cosine > 0 && !scene.rays.occluded(shadow))
+        if (cosine > 0 && !scene.rays.occluded(shadow_ray(point, *sample)))
             sum += cosine * sample->light;
     }
     return sum;

@@ -10,7 +10,8 @@ namespace hipmap {
 /// parts.  Returns [pixels].
 std::vector<double> relative_errors(const Film& film);
 
-/// Returns the same of other errors by pixel and channel, at least zero, W/(m2 sr).
+/// Returns what relative_errors would if `errors` were the film's own: noise, bias or both, by
+/// pixel and channel, never below zero, W/(m2 sr).
 std::vector<double> relative_to_image(const Film& film, const Image& errors);
 
 /// Draws errors in false colour, on a logarithmic scale from 0.1 % to 100 %; display values.

@@ -1,5 +1,7 @@
 #include "render/integrator/find_seen_surfaces.h"
 
+#include "render/paths/direct_light.h"
+
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -188,14 +190,7 @@ bool reaches(const RenderScene& scene, const Light& light, const Photon& at, Ran
     if (!sample || !(max_channel(sample->light) > 0))
         return false;
     const glm::vec3 error(scene.partition.position_error);
-    const SurfacePoint point{at.face, at.position, error, at.direction, at.direction};
-    Ray ray;
-    if (sample->is_far) {
-        ray.direction = sample->direction;
-        ray.origin = offset_origin(point, ray.direction);
-    } else {
-        ray = ray_between(point, sample->point);
-    }
+    const Ray ray = shadow_ray({at.face, at.position, error, at.direction, at.direction}, *sample);
     return glm::dot(ray.direction, at.direction) > 0 && !scene.rays.occluded(ray);
 }
 

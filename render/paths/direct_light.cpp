@@ -70,13 +70,7 @@ Rgb from_light(const RenderScene& scene, const Interaction& at, const SampledLig
     const std::optional<LightSample> sample = sample_li(sampled.light, receiver(at), random);
     if (!sample)
         return Rgb(0);
-    Ray shadow;
-    if (sample->is_far) {
-        shadow.direction = sample->direction;
-        shadow.origin = offset_origin(at.point, shadow.direction);
-    } else {
-        shadow = ray_between(at.point, sample->point);
-    }
+    const Ray shadow = shadow_ray(at.point, *sample);
     const InLobes lobes = in_lobes(at, shadow.direction, rays);
     const Rgb value = sample->pdf > 0
                           ? weighed(lobes, rays, static_cast<float>(sampled.samples * sample->pdf))

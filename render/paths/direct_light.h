@@ -25,6 +25,17 @@ struct RaySource {
     Rgb photons{0.0f};
 };
 
+/// Returns the ray from a point to where sampled light comes from; it stops short of the light.
+inline Ray shadow_ray(const SurfacePoint& from, const LightSample& sample)
+{
+    if (!sample.is_far)
+        return ray_between(from, sample.point);
+    Ray out;
+    out.direction = sample.direction;
+    out.origin = offset_origin(from, out.direction);
+    return out;
+}
+
 /// Returns the length of a ray: infinite if it hits nothing.
 float distance_of(const std::optional<RayHit>& hit);
 
