@@ -48,12 +48,10 @@ Light light_from(const SceneSunLight& light, const SceneSphere& sphere)
 
 Light light_from(const SceneAreaLight& light, const SceneSphere&)
 {
-    return PlanarLight{light.is_disc ? PlanarLight::Shape::ellipse : PlanarLight::Shape::rectangle,
-                       glm::vec3(light.centre),
-                       glm::vec3(light.half_right),
-                       glm::vec3(light.half_up),
-                       glm::vec3(light.direction),
-                       Rgb(light.radiance),
+    const FlatShape shape{
+        light.is_disc ? FlatShape::Outline::ellipse : FlatShape::Outline::rectangle,
+        glm::vec3(light.centre), glm::vec3(light.half_right), glm::vec3(light.half_up)};
+    return PlanarLight{shape, glm::vec3(light.direction), Rgb(light.radiance),
                        make_spread(light.half_spread)};
 }
 

@@ -1,28 +1,20 @@
 #pragma once
 
+#include "render/lights/flat_shape.h"
 #include "render/lights/light_kind.h"
 #include "render/lights/spread.h"
 
-#include <cstdint>
-
 namespace hipmap {
 
-/// An area light: a rectangle or an ellipse that emits to one side, docs/light_transport.md (26).
+/// An area light, which emits to one side, docs/light_transport.md (26).
 struct PlanarLight {
     static constexpr LightRole kRole = LightRole::analytic;
-    enum class Shape : std::uint8_t { rectangle, ellipse };
 
-    Shape shape = Shape::rectangle;
-    glm::vec3 centre{0.0f};        ///< scene units
-    glm::vec3 half_right{1, 0, 0}; ///< from the centre to the middle of a side, scene units
-    glm::vec3 half_up{0, 1, 0};    ///< need not be at right angles to half_right
+    FlatShape shape;
     glm::vec3 direction{0, 0, -1}; ///< unit, the side that emits
     Rgb radiance{0.0f};            ///< W/(m2 sr), of an even light of the same power
     Spread spread;
 };
-
-/// Returns the area in square scene units.
-double area(const PlanarLight& light);
 
 /// Draws a point evenly from the area.  Returns nothing from behind, in the light's plane, or
 /// beyond its spread.
