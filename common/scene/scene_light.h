@@ -4,6 +4,7 @@
 #include "common/scene/spot_falloff.h"
 
 #include <concepts>
+#include <cstdint>
 #include <numbers>
 #include <string>
 #include <string_view>
@@ -15,9 +16,10 @@ namespace hipmap {
 
 // A light that the scene file names, which is neither a face nor a medium nor the environment.  A
 // kind of light is a plain struct with a `name`, the constant `kKind` by which messages call it,
-// and the function
+// and the functions
 //
-//   each_number   calls the visitor for each number of the light, by what the number is:
+//   mean_emission   returns where its light starts and which ways it goes, roughly
+//   each_number     calls the visitor for each number of the light, by what the number is:
 //                   position            m
 //                   direction           unit
 //                   extent              m; a length of the light.  Above zero: shadows are soft
@@ -106,6 +108,32 @@ struct SceneIesLight {
 /// A light of any kind.  Audit and messages list lights in the order of the kinds here.
 using SceneLight =
     std::variant<ScenePointLight, SceneSpotLight, SceneSunLight, SceneAreaLight, SceneIesLight>;
+
+/// Where the light of a light starts and which ways it goes, as far as predictions need it.
+struct MeanEmission {
+    enum class From : std::uint8_t { sphere, rectangle, ellipse, afar };
+
+    From from = From::sphere;
+    glm::dvec3 centre{0.0};
+    glm::dvec3 half_right{0.0}; ///< of a rectangle or an ellipse: to the middle of a side
+    glm::dvec3 half_up{0.0};
+    double radius = 0;        ///< of a sphere; 0: a point
+    double half_angle = 0;    ///< of the part of the sky that light from afar comes from, radians
+    glm::dvec3 axis{0, 0, 1}; ///< unit
+    double cos_reach = -1;    ///< light goes no farther from the axis than this angle
+    bool by_cosine = false;   ///< in proportion to the cosine to the axis, not evenly
+    glm::dvec3 light{0.0};    ///< the power, or irradiance across the axis from afar, over `factor`
+    double factor = 1;        ///< of it
+};
+
+MeanEmission mean_emission(const ScenePointLight& light);
+/// An even cone of the same power: the fall-off is taken as quadratic in the cosine.
+MeanEmission mean_emission(const SceneSpotLight& light);
+MeanEmission mean_emission(const SceneSunLight& light);
+/// By the cosine, whatever the spread.
+MeanEmission mean_emission(const SceneAreaLight& light);
+/// An even cone of the directions in which at least a tenth of the mean is measured.
+MeanEmission mean_emission(const SceneIesLight& light);
 
 /// `Type` is `Kind`, const or not.
 template <typename Type, typename Kind>

@@ -18,15 +18,6 @@ namespace {
 
 using Kind = LightSource::Kind;
 
-LightSource source_at(Kind kind, const glm::dvec3& position, const glm::dvec3& axis)
-{
-    LightSource out;
-    out.kind = kind;
-    out.at.position = glm::vec3(position);
-    out.at.axis = glm::vec3(axis);
-    return out;
-}
-
 /// power: the power for each unit of `colour`.
 LightSource with_power(LightSource out, const glm::dvec3& colour, double power)
 {
@@ -35,65 +26,26 @@ LightSource with_power(LightSource out, const glm::dvec3& colour, double power)
     return out;
 }
 
-LightSource source_of(const ScenePointLight& light, const BoundingSphere&)
+LightSource source_of(const MeanEmission& light, const BoundingSphere& scene)
 {
-    LightSource out = source_at(Kind::point, light.position, {0, 0, 1});
+    using From = MeanEmission::From;
+    LightSource out;
+    out.at.position = glm::vec3(light.centre);
+    out.at.axis = glm::vec3(light.axis);
+    out.at.cos_reach = static_cast<float>(light.cos_reach);
+    out.at.by_cosine = light.by_cosine;
+    if (light.from == From::afar) {
+        out.kind = Kind::sun;
+        out.at.far = true;
+        out.size = static_cast<float>(light.half_angle);
+        return with_power(out, light.light, light.factor * kPi * scene.radius * scene.radius);
+    }
+    out.kind = light.from == From::sphere ? Kind::point : Kind::area;
     out.size = static_cast<float>(light.radius);
-    return with_power(out, light.intensity, 4 * kPi);
-}
-
-LightSource source_of(const SceneSpotLight& light, const BoundingSphere&)
-{
-    LightSource out = source_at(Kind::point, light.position, light.direction);
-    out.size = static_cast<float>(light.radius);
-    // As wide as the even cone of the same power: the fall-off is quadratic in the cosine.
-    out.at.cos_reach = light.cos_inner - (light.cos_inner - light.cos_outer) / 3;
-    return with_power(out, light.intensity, 2 * kPi * (1 - out.at.cos_reach));
-}
-
-LightSource source_of(const SceneSunLight& light, const BoundingSphere& scene)
-{
-    LightSource out = source_at(Kind::sun, {}, light.direction);
-    out.at.far = true;
-    out.size = static_cast<float>(light.half_angle);
-    return with_power(out, light.irradiance, kPi * scene.radius * scene.radius);
-}
-
-LightSource source_of(const SceneAreaLight& light, const BoundingSphere&)
-{
-    LightSource out = source_at(Kind::area, light.centre, light.direction);
-    out.at.cos_reach = 0;
-    out.at.by_cosine = true;
-    out.is_disc = light.is_disc;
+    out.is_disc = light.from == From::ellipse;
     out.half_right = glm::vec3(light.half_right);
     out.half_up = glm::vec3(light.half_up);
-    const double area = (light.is_disc ? double{kPi} : 4.0) *
-                        glm::length(glm::cross(light.half_right, light.half_up));
-    return with_power(out, light.radiance, kPi * area);
-}
-
-/// As an even cone of the directions in which at least a tenth of the mean is measured.
-LightSource source_of(const SceneIesLight& light, const BoundingSphere&)
-{
-    const PhotometricWeb& web = light.web;
-    const std::size_t rings = web.azimuth.size();
-    std::vector<double> ring(web.polar.size(), 0.0);
-    double sum = 0, weights = 0;
-    for (std::size_t p = 0; p < ring.size(); ++p) {
-        for (std::size_t a = 0; a < rings; ++a)
-            ring[p] += web.candela[p * rings + a] / static_cast<double>(rings);
-        sum += ring[p] * std::sin(web.polar[p]);
-        weights += std::sin(web.polar[p]);
-    }
-    const double mean = weights > 0 ? sum / weights : 0;
-    double reach = 0;
-    for (std::size_t p = 0; p < ring.size(); ++p)
-        if (ring[p] >= 0.1 * mean)
-            reach = web.polar[p];
-    LightSource out = source_at(Kind::point, light.position, light.direction);
-    out.at.cos_reach = static_cast<float>(std::cos(reach));
-    const double solid_angle = 2 * kPi * (1 - std::cos(web.polar.back()));
-    return with_power(out, light.intensity, mean * solid_angle);
+    return with_power(out, light.light, light.factor);
 }
 
 /// One for each object with emissive faces, in the order of their numbers.
@@ -235,7 +187,8 @@ MeanLights collect_mean_lights(const Scene& scene, std::span<const MeanMaterial>
         out.scene = {box.centre(), 0.5f * glm::length(box.extent())};
     for (const SceneLight& light : scene.lights)
         out.lights.push_back(
-            std::visit([&](const auto& of_kind) { return source_of(of_kind, out.scene); }, light));
+            source_of(std::visit([](const auto& of_kind) { return mean_emission(of_kind); }, light),
+                      out.scene));
     add_emissive_objects(scene.mesh, materials, out.lights);
     const bool has_map = !scene.environment_map_file.empty();
     if (has_map || !is_black(scene.environment)) {
@@ -304,6 +257,8 @@ LightStart draw_aimed_start(const MeanLights& sources, const LightPoint& point,
 {
     if (point.far)
         return aim_parallel(sources, point, targets, random);
+    if (point.cos_reach >= 1) // one direction, which no aimed ray has
+        return draw_start(sources, point, random);
     LightStart out;
     out.ray.origin = point.position;
     const std::size_t chosen =
