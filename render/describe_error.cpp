@@ -90,10 +90,9 @@ std::string describe_unreachable(std::span<const std::string> lights)
     if (lights.size() > 3)
         names += " and " + std::to_string(lights.size() - 3) + " more";
     return "the image may lack the light of " + names +
-           (lights.size() == 1 ? ", which has" : ", which have") +
-           " no size, off mirrors and through clear glass, and the error does not include it: "
-           "no path from the eye finds it; use --integrator progressive, or give the lights a "
-           "size";
+           " off mirrors and through clear glass, and the error does not include it: no path from "
+           "the eye meets a light without a size or a spread; use --integrator progressive, or "
+           "give it one";
 }
 
 std::string describe_lost(const LostLight& lost)

@@ -97,7 +97,7 @@ void note_sizes(const RawScene& scene, SceneAudit& audit)
 {
     std::vector<std::string> lights, cameras;
     for (const SceneLight& light : scene.lights)
-        if (!describe_light(light).has_size)
+        if (describe_light(light).lacks_size)
             lights.push_back(name_of(light));
     for (const RawCamera& camera : scene.cameras)
         if (camera.projection == Projection::perspective && !(camera.aperture_radius > 0))

@@ -19,7 +19,7 @@ struct DescribeNumbers : IgnoreNumbers {
         out.placement.push_back(v);
         out.has_size = true;
     }
-    void extent(double size) { out.has_size = out.has_size || size > 0; }
+    void extent(double size) { (size > 0 ? out.has_size : out.lacks_size) = true; }
     void angle(double size) { extent(size); }
     void radiant_intensity(const glm::dvec3& v) { out.emits = out.emits || v != glm::dvec3(0); }
     void irradiance(const glm::dvec3& v) { radiant_intensity(v); }

@@ -14,6 +14,7 @@ struct NamedLight {
     std::string name;
     bool emits = false;                ///< it has power
     bool has_size = false;             ///< its shadows are soft
+    bool lacks_size = false;           ///< the file could give it a size and does not
     std::vector<glm::dvec3> placement; ///< positions, directions and lengths, scene units
 };
 

@@ -59,13 +59,13 @@ class Quote(ToolsTestCase):
         scene, partition = os.path.join(os.path.dirname(Tools.scene), "effects/dispersion.glb"), self.path("spot.hpm")
         self.succeed("preprocess", scene, "-o", partition)
         small = ("render", scene, partition, "--size", 16, "--photons", 2000, "-o", self.path("a.pfm"))
-        self.assertIn("the light of spot light 'Spot', which has no size, off mirrors",
+        self.assertIn("may lack the light of spot light 'Spot' off mirrors",
                       self.succeed(*small, "--integrator", "path", "--passes", 2))
         said = self.succeed(*small, "--quote", "--error", "0.2%")
         self.assertIn("--integrator direct: ", said)
         self.assertNotIn("--integrator path", said)
-        self.assertNotIn("no size", said + self.succeed(*small, "--integrator", "path", "--passes", 2,
-                                                        "--effects=-caustics"))
+        self.assertNotIn("may lack the light of", said + self.succeed(*small, "--integrator", "path", "--passes", 2,
+                                                                    "--effects=-caustics"))
 
     def test_what_there_is_no_time_for_is_named(self):
         said, stats = self.quote("--error", "30%")

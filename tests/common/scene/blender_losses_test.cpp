@@ -1,3 +1,4 @@
+#include "common/scene/named_lights.h"
 #include "tests/common/scene/tiny_gltf_file.h"
 
 #include <catch2/catch.hpp>
@@ -54,6 +55,8 @@ TEST_CASE("Blender's losses: sizes of lights and depth of field", "[scene][audit
     sized.root["nodes"][1]["extras"]["hipmap"] = {{"radius", 0.1}};
     sized.root["nodes"][2]["extras"]["hipmap"] = {{"aperture_radius", 0.1}, {"focus_distance", 2}};
     CHECK_FALSE(says(load(sized).audit.assumed, "without size"));
+    CHECK(describe_light(ScenePointLight{}).lacks_size);
+    CHECK_FALSE(describe_light(SceneIesLight{}).lacks_size); // no file can give it one
     CHECK_FALSE(says(load(sized).audit.assumed, "no depth of field"));
 }
 
