@@ -131,6 +131,18 @@ void read_medium(HipmapExtras& extras, const std::filesystem::path& scene, const
     extras.finish("");
 }
 
+/// The beam of an area light without spread: all of its power goes along its axis.
+SceneBeamLight beam_of(const SceneAreaLight& area)
+{
+    return {area.name,
+            area.is_disc,
+            area.centre,
+            area.centre + area.half_right,
+            area.centre + area.half_up,
+            area.direction,
+            std::numbers::pi * area.radiance};
+}
+
 } // namespace
 
 void read_light_extras(const GltfDocument& document, const PlacedNode& at, std::size_t light,
@@ -167,8 +179,8 @@ void read_empty_extras(const GltfDocument& document, const PlacedNode& at, RawSc
     extras.finish("");
     if (!power && !width && !height)
         return;
-    if (!(spread_deg > 0))
-        extras.fail("area_spread_deg", "must be above 0");
+    if (spread_deg < 0)
+        extras.fail("area_spread_deg", "must be 0 or more");
     if (!power || !width || !(*width > 0) || !(height.value_or(*width) > 0))
         extras.fail("area_power", "and 'area_width' (in metres, above 0) are needed together");
     if (shape != "rectangle" && shape != "disc")
@@ -189,7 +201,10 @@ void read_empty_extras(const GltfDocument& document, const PlacedNode& at, RawSc
     light.direction = side * glm::normalize(across);
     light.radiance = colour * (*power / (std::numbers::pi * area));
     light.half_spread = spread_deg * std::numbers::pi / 360;
-    scene.lights.push_back(light);
+    if (spread_deg > 0)
+        scene.lights.push_back(light);
+    else
+        scene.lights.push_back(beam_of(light));
 }
 
 void read_world_extras(const GltfDocument& document, RawScene& scene)

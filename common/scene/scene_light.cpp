@@ -84,4 +84,18 @@ MeanEmission mean_emission(const SceneIesLight& light)
     return out;
 }
 
+MeanEmission mean_emission(const SceneBeamLight& light)
+{
+    MeanEmission out;
+    out.from = light.is_disc ? MeanEmission::From::ellipse : MeanEmission::From::rectangle;
+    out.centre = light.centre;
+    out.half_right = light.right - light.centre;
+    out.half_up = light.up - light.centre;
+    out.axis = light.direction;
+    out.cos_reach = 1;
+    out.light = light.irradiance;
+    out.factor = (light.is_disc ? pi : 4.0) * glm::length(glm::cross(out.half_right, out.half_up));
+    return out;
+}
+
 } // namespace hipmap

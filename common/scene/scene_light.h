@@ -85,6 +85,19 @@ struct SceneAreaLight {
     double half_spread = 0.5 * std::numbers::pi; ///< from its axis to where light ends, radians
 };
 
+/// A flat light that emits parallel light, across itself to one side.
+struct SceneBeamLight {
+    static constexpr std::string_view kKind = "collimated beam";
+
+    std::string name;
+    bool is_disc = false; ///< an ellipse, not a rectangle
+    glm::dvec3 centre{0.0};
+    glm::dvec3 right{1, 0, 0};      ///< the middle of a side
+    glm::dvec3 up{0, 1, 0};         ///< and of the next
+    glm::dvec3 direction{0, 0, -1}; ///< the way light travels, unit, across both
+    glm::dvec3 irradiance{0.0};     ///< on a plane across the direction
+};
+
 /// The intensities of a luminaire by direction, as type C of LM-63 measures them: bilinear in both
 /// angles between the directions of the table, zero beyond its polar angles.
 struct PhotometricWeb {
@@ -106,8 +119,8 @@ struct SceneIesLight {
 };
 
 /// A light of any kind.  Audit and messages list lights in the order of the kinds here.
-using SceneLight =
-    std::variant<ScenePointLight, SceneSpotLight, SceneSunLight, SceneAreaLight, SceneIesLight>;
+using SceneLight = std::variant<ScenePointLight, SceneSpotLight, SceneSunLight, SceneAreaLight,
+                                SceneIesLight, SceneBeamLight>;
 
 /// Where the light of a light starts and which ways it goes, as far as predictions need it.
 struct MeanEmission {
@@ -134,6 +147,7 @@ MeanEmission mean_emission(const SceneSunLight& light);
 MeanEmission mean_emission(const SceneAreaLight& light);
 /// An even cone of the directions in which at least a tenth of the mean is measured.
 MeanEmission mean_emission(const SceneIesLight& light);
+MeanEmission mean_emission(const SceneBeamLight& light);
 
 /// `Type` is `Kind`, const or not.
 template <typename Type, typename Kind>
@@ -184,6 +198,16 @@ void each_number(MaybeConst<SceneIesLight> auto& light, auto& visit)
     for (auto* table : {&light.web.polar, &light.web.azimuth, &light.web.candela})
         for (auto& number : *table)
             visit.plain(number);
+}
+
+void each_number(MaybeConst<SceneBeamLight> auto& light, auto& visit)
+{
+    visit.plain(light.is_disc);
+    visit.position(light.centre);
+    visit.position(light.right);
+    visit.position(light.up);
+    visit.direction(light.direction);
+    visit.irradiance(light.irradiance);
 }
 
 /// Calls the visitor for each number of a light of any kind.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/lights/beam_light.h"
 #include "render/lights/constant_environment.h"
 #include "render/lights/emissive_media.h"
 #include "render/lights/emissive_mesh.h"
@@ -18,8 +19,9 @@ namespace hipmap {
 
 /// A light of any kind.  light_kind.h describes the functions, the header of a kind its
 /// particulars.
-using Light = std::variant<PointLight, SpotLight, IesLight, SphereLight, SunLight, PlanarLight,
-                           EmissiveMesh, ConstantEnvironment, ImageEnvironment, EmissiveMedia>;
+using Light =
+    std::variant<PointLight, SpotLight, IesLight, SphereLight, SunLight, PlanarLight, BeamLight,
+                 EmissiveMesh, ConstantEnvironment, ImageEnvironment, EmissiveMedia>;
 
 /// Says whether a kind of light has all functions of light_kind.h.  The check comes before the
 /// functions of `Light` are declared, to which every kind would convert.

@@ -1,4 +1,5 @@
 #include "common/input_error.h"
+#include "common/scene/named_lights.h"
 #include "tests/common/scene/tiny_gltf_file.h"
 
 #include <catch2/catch.hpp>
@@ -117,6 +118,30 @@ TEST_CASE("an area light may be a disc, takes its node's scale and emits along i
     CHECK(area.half_spread == Approx(std::numbers::pi / 4));
 }
 
+TEST_CASE("an area light without spread is a collimated beam", "[scene][gltf][extras]")
+{
+    GltfFile file = furnished();
+    json& node = file.root["nodes"][4];
+    node["translation"] = {1, 2, 3};
+    node["extras"] = extras({{"area_power", 50},
+                             {"area_width", 2},
+                             {"area_height", 4},
+                             {"area_spread_deg", 0},
+                             {"area_color", {1, 0.5, 0}}},
+                            false);
+    const LoadedScene loaded = load(file);
+    const auto beam = std::get<SceneBeamLight>(loaded.scene.lights.at(2));
+    const double metres = loaded.scene.frame.metres_per_unit;
+    CHECK_FALSE(beam.is_disc);
+    CHECK(beam.direction.z == Approx(-1));
+    CHECK(glm::length(beam.right - beam.centre) * metres == Approx(1));
+    CHECK(glm::length(beam.up - beam.centre) * metres == Approx(2));
+    CHECK(beam.irradiance.x == Approx(50 / 8.0)); // W/m2
+    CHECK(beam.irradiance.y == Approx(25 / 8.0));
+    CHECK(says(loaded.audit.found, "collimated beam"));
+    CHECK_FALSE(describe_light(beam).has_size); // its shadows are sharp
+}
+
 TEST_CASE("keys that are not known are warned of by name", "[scene][gltf][extras]")
 {
     GltfFile file = furnished();
@@ -145,7 +170,7 @@ TEST_CASE("extras that make no sense are refused with their place and key",
     check_refused(4, {{"area_power", 1}}, "'area_width'");
     check_refused(4, {{"area_power", 1}, {"area_width", 1}, {"area_shape", "star"}}, "disc");
     check_refused(4, {{"area_power", 1}, {"area_width", 1}, {"area_color", {1, 1}}}, "area_color");
-    check_refused(4, {{"area_power", 1}, {"area_width", 1}, {"area_spread_deg", 0}}, "above 0");
+    check_refused(4, {{"area_power", 1}, {"area_width", 1}, {"area_spread_deg", -1}}, "0 or more");
     GltfFile file = furnished();
     file.root["scenes"][0]["extras"]["hipmap"] = {{"world_hdri", "../sky.hdr"}};
     CHECK_THROWS_WITH(load(file), Catch::Contains("'../sky.hdr'"));

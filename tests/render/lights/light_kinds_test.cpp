@@ -25,6 +25,7 @@ enum class Kind {
     rectangle,
     ellipse,
     narrow,     ///< a rectangle with a spread
+    beam,       ///< a sheared rectangle of parallel light
     panel,      ///< an emissive mesh of two faces
     ball,       ///< one of many, selected by their tree
     even_world, ///< a constant environment
@@ -32,9 +33,10 @@ enum class Kind {
     emissive_media,
 };
 const std::vector<Kind> kKinds = {
-    Kind::point, Kind::spot,     Kind::web,        Kind::sphere,      Kind::spot_sphere,
-    Kind::sun,   Kind::wide_sun, Kind::rectangle,  Kind::ellipse,     Kind::narrow,
-    Kind::panel, Kind::ball,     Kind::even_world, Kind::image_world, Kind::emissive_media};
+    Kind::point,       Kind::spot,       Kind::web,         Kind::sphere,
+    Kind::spot_sphere, Kind::sun,        Kind::wide_sun,    Kind::rectangle,
+    Kind::ellipse,     Kind::narrow,     Kind::beam,        Kind::panel,
+    Kind::ball,        Kind::even_world, Kind::image_world, Kind::emissive_media};
 const glm::vec3 kMiddle(0.1f, 0.25f, 0.05f); ///< of lights with a place
 
 bool is_one_of(Kind kind, std::initializer_list<Kind> kinds)
@@ -45,7 +47,7 @@ bool is_one_of(Kind kind, std::initializer_list<Kind> kinds)
 /// Light arrives from one direction alone.
 bool is_delta(Kind kind)
 {
-    return is_one_of(kind, {Kind::point, Kind::spot, Kind::web, Kind::sun});
+    return is_one_of(kind, {Kind::point, Kind::spot, Kind::web, Kind::sun, Kind::beam});
 }
 
 const glm::vec3 kDirection = glm::normalize(glm::vec3(-0.2f, -1, 0.1f));
@@ -95,6 +97,19 @@ SceneAreaLight area_light(Kind kind)
     return light;
 }
 
+/// Wide enough for part of the floor to be beside it, and for kPosition to be in it.
+SceneBeamLight beam_light()
+{
+    SceneBeamLight light;
+    light.centre = kMiddle;
+    light.right = kMiddle + glm::vec3(0.4f, 0, 0);
+    light.up = kMiddle + glm::vec3(0.1f, 0.02f, -0.3f);
+    light.direction =
+        -glm::normalize(glm::cross(light.right - light.centre, light.up - light.centre));
+    light.irradiance = kLight;
+    return light;
+}
+
 TriangleMesh emissive_mesh(Kind kind)
 {
     TriangleMesh mesh = kind == Kind::panel ? tiny::floor_at(0, -0.3f) : tiny::uv_sphere(12, 6);
@@ -112,6 +127,8 @@ Scene lit_scene(Kind kind)
         scene.lights = {punctual_light(kind)};
     else if (kind <= Kind::narrow)
         scene.lights = {area_light(kind)};
+    else if (kind == Kind::beam)
+        scene.lights = {beam_light()};
     else if (kind <= Kind::ball)
         tiny::add(scene, emissive_mesh(kind), tiny::emissive({4, 3, 2}));
     else if (kind == Kind::even_world)
@@ -227,7 +244,7 @@ TEST_CASE("light kinds: each is known to the queries that may find it", "[lights
     const LitScene at = lit(lit_scene(kind), kind);
     const LightSet& lights = at.lights();
     INFO("kind " << static_cast<int>(kind));
-    const bool analytic = kind <= Kind::narrow;
+    const bool analytic = kind <= Kind::beam;
     CHECK((role(at.light) == LightRole::analytic) == analytic);
     CHECK(lights.sampled.size() == (analytic ? 1 : 0));
     CHECK(lights.met.size() == (analytic && !is_delta(kind) ? 1 : 0));
@@ -303,7 +320,7 @@ TEST_CASE("light kinds: samples bring the irradiance that uniform directions mee
 
 TEST_CASE("light kinds: lights without size bring their irradiance in closed form", "[lights]")
 {
-    const Kind kind = GENERATE(Kind::point, Kind::spot, Kind::sun);
+    const Kind kind = GENERATE(Kind::point, Kind::spot, Kind::sun, Kind::beam);
     const LitScene at = lit(lit_scene(kind), kind);
     INFO("kind " << static_cast<int>(kind));
     RandomSequence random(9, RandomStream::eye_paths, 0, 0);
@@ -317,6 +334,8 @@ TEST_CASE("light kinds: lights without size bring their irradiance in closed for
     }
     if (kind == Kind::sun)
         truth = -2.0 * kDirection.y;
+    if (kind == Kind::beam)
+        truth = -2.0 * beam_light().direction.y;
     CHECK(sampled_irradiance(at, kPosition, random) == Approx(truth).epsilon(1e-5));
 }
 
