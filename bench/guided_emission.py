@@ -38,17 +38,16 @@ class Lab:
 
     def render(self, scene, name, seconds, *more, tool=BIN):
         """Returns the picture, the passes and the stated error."""
-        image = self.folder / f"{scene}_{name}.exr"
-        printed = run([tool / "render", ROOT / f"assets/{scene}.glb", self.folder / f"{scene}.hpm",
-                       "-o", image, "--size", self.options.size, "--filter", "box",
-                       "--time", seconds, *more])
+        image, partition = (self.folder / f"{scene}_{name}{end}" for end in (".exr", ".hpm"))
+        run([tool / "preprocess", ROOT / f"assets/{scene}.glb", "-o", partition])
+        printed = run([tool / "render", ROOT / f"assets/{scene}.glb", partition, "-o", image,
+                       "--size", self.options.size, "--filter", "box", "--time", seconds, *more])
         stated = re.search(r"accuracy: error ([\d.]+ %)", printed)
         passes = re.search(r"in (\d+) passes", printed)
         return image, passes[1] if passes else "", stated[1] if stated else ""
 
     def row(self, scene):
         """A row of the table."""
-        run([BIN / "preprocess", ROOT / f"assets/{scene}.glb", "-o", self.folder / f"{scene}.hpm"])
         reference = self.render(scene, "reference", self.options.reference, "--seed", 99)[0]
         seconds, kinds = self.options.seconds, {}
         if self.options.before:
