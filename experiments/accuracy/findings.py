@@ -64,6 +64,18 @@ def against_path(found, name, error):
     return (seconds, None, seconds / end, True) if end else None
 
 
+def regret(found, seconds):
+    """(times that BASE takes longer to the least error that any of plan.GRID has after these seconds,
+    the name of that).  times: None if BASE does not meet it as far as it was measured.  None: not all
+    are measured there."""
+    errors = {name: arithmetic.error_after(found.get(name, []), seconds) for name in plan.GRID}
+    if None in errors.values():
+        return None
+    best = min(errors, key=errors.get)
+    mine = arithmetic.seconds_to(found[plan.BASE], errors[best])
+    return mine and mine / seconds, best
+
+
 MOST_SLOWER = 1.5  # times that the progressive integrator may take without caustics
 WITHIN = 1.5  # times, of a promise
 

@@ -72,6 +72,8 @@ SETTINGS = {setting.name: setting for setting in (
     progressive("progressive, 12,500 photons", 4.5, photons=12_500),
     progressive("progressive, k = 20", 4.5, "--neighbours", 20),
     progressive("progressive, k = 125", 4.5, "--neighbours", 125),
+    progressive("progressive, 2 samples", 4.5, "--samples", 2),
+    progressive("progressive, 8 samples", 4.5, "--samples", 8),
     progressive("progressive, global", 4.5, "--maps", "global"),
     progressive("progressive, shared", 4.5, "--maps", "shared"),
     direct("direct"),
@@ -81,6 +83,12 @@ SETTINGS = {setting.name: setting for setting in (
     direct("direct, thesis", "--maps", "thesis"),
     Setting(PATH, 12, ("--integrator", "path")),
 )}
+
+# Those that differ from BASE in one number that a user may set.
+GRID = [BASE, DEFAULT, *(f"progressive, {what}" for what in (
+    "12,500 photons", "k = 20", "k = 125", "2 samples", "8 samples"))]
+MOST_REGRET = 1.2
+REGRET_PARTS = (0.3, 1)  # of the time for which all of them were measured
 
 # Of a minute of two cores, as hipmap renders if nothing is said of the method; and the referee.
 MINUTE = 120

@@ -69,6 +69,30 @@ the error wherever any does:
     return "\n".join(parts)
 
 
+def regrets(results):
+    """What a user loses who sets nothing."""
+    lines, most = [], 1.0
+    for scene in findings.scenes(results):
+        found = findings.curves(results, scene)
+        end = min(findings.measured_to(found, name) for name in plan.GRID)
+        line = [scene.name]
+        for part in plan.REGRET_PARTS:
+            one = findings.regret(found, part * end)
+            if one:
+                most = max(most, one[0] or math.inf)
+            line.append("-" if one is None else
+                        f"{part * end:.2g} s: {f'{one[0]:.2f}' if one[0] else UNKNOWN} ({one[1]})")
+        lines.append(line)
+    return f"""## What the defaults lose
+
+The time that `{plan.BASE}` takes to the least error that any of these settings has after some seconds, over those seconds: 1 if it is
+the best itself. Brackets have the best, which chance helps, as it is the best of {len(plan.GRID)}: {", ".join(plan.GRID[1:])}, or
+`{plan.BASE}`. The mark: at most {plan.MOST_REGRET}; {verdict(most <= plan.MOST_REGRET)}.
+
+""" + table(["scene", *(f"after {'all' if part == 1 else f'{part:.2g}'} of the time"
+                       for part in plan.REGRET_PARTS)], lines)
+
+
 def ratio_text(against):
     if against is None:
         return "-"
@@ -231,6 +255,6 @@ def write(results, drawn):
     parts = [introduction(results)]
     if "frontier" in drawn:
         parts.append(f"![Error against processor seconds, by scene]({drawn['frontier']})\n")
-    parts += [choose(results), against_path(results), minute(results), quotes(results),
+    parts += [choose(results), regrets(results), against_path(results), minute(results), quotes(results),
               all_settings(results, drawn), references(results)]
     return "\n".join(parts)

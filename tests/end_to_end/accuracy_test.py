@@ -155,6 +155,17 @@ class Marks(unittest.TestCase):
         self.assertFalse(findings.kept({**quote, "passes": 11}))
         self.assertFalse(findings.kept({**quote, "error2": 0.16 ** 2}))
 
+    def test_the_regret_of_the_defaults_is_the_time_to_the_best_error(self):
+        found = {name: CURVE for name in plan.GRID}
+        self.assertEqual(findings.regret(found, 4), (1, plan.BASE))
+        # A fifth more error all along takes 1.44 times as long.
+        found[plan.BASE] = [(t, 1.2 * e, 0.0, n) for t, e, _, n in CURVE]
+        times, best = findings.regret(found, 4)
+        self.assertAlmostEqual(times, 1.44)
+        self.assertEqual(best, plan.GRID[1])
+        self.assertEqual(findings.regret(found, 16)[0], None)  # later than it was measured
+        self.assertIsNone(findings.regret({**found, plan.GRID[1]: []}, 4))
+
     def test_the_advice_for_all_scenes_loses_least_where_it_loses_most(self):
         def runs(curve):
             return [[n, t, error ** 2] for t, error, _, n in curve]
