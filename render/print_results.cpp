@@ -116,7 +116,7 @@ void print_error(const RenderArguments& arguments, const RenderedFrame& frame, R
     if (frame.quote)
         for (const std::string& line : describe(*frame.quote))
             report.line(line);
-    report.line("memory at any of these errors: " + std::to_string(peak_memory() >> 20) + " MiB");
+    report.line("memory: " + std::to_string(peak_memory() >> 20) + " MiB, whatever the error");
 }
 
 } // namespace hipmap
