@@ -1,5 +1,7 @@
 #include "render/maps/estimate.h"
 
+#include "common/math/bounds.h"
+#include "common/math/frame.h"
 #include "render/maps/clipped_estimate.h"
 
 #include <algorithm>
@@ -36,21 +38,67 @@ struct SharedSearch {
     void recount(const SearchStatistics& counted) const { scratch.search.statistics = counted; }
 };
 
-/// [map] 1: the normals of its faces do not lie within 45 degrees of their mean.
-std::vector<std::uint8_t> find_folds(const Partition& partition,
-                                     const std::vector<glm::vec3>& normals)
+/// [map] kNone, or 0: the normals of its faces do not lie within 45 degrees of their mean.
+std::vector<std::uint32_t> find_folds(const Partition& partition,
+                                      const std::vector<glm::vec3>& normals)
 {
     std::vector<glm::dvec3> mean(partition.map_count, glm::dvec3(0));
     for (FaceId face = 0; face < normals.size(); ++face)
         if (const MapId map = partition.map_of(face); map != kNone)
             mean[map] += glm::dvec3(normals[face]);
-    std::vector<std::uint8_t> out(partition.map_count, 0);
+    std::vector<std::uint32_t> out(partition.map_count, kNone);
     for (FaceId face = 0; face < normals.size(); ++face)
         if (const MapId map = partition.map_of(face); map != kNone) {
             const double along = glm::dot(glm::dvec3(normals[face]), mean[map]);
             if (!(along > glm::length(mean[map]) / std::numbers::sqrt2))
-                out[map] = 1;
+                out[map] = 0;
         }
+    return out;
+}
+
+/// Calls use(face, place of its map's box) for all faces of maps that may fold.
+template <typename Use>
+void for_each_folding(const MapSurfaces& surfaces, const Use& use)
+{
+    for (FaceId face = 0; face < surfaces.mesh.face_count(); ++face)
+        if (surfaces.partition.map_of(face) != kNone && surfaces.may_fold(face))
+            use(face, surfaces.fold_of[surfaces.partition.map_of(face)]);
+}
+
+/// The largest face looks along one axis, the largest of those that look aside along another.
+void turn_boxes(const MapSurfaces& surfaces, std::vector<FoldBox>& boxes)
+{
+    constexpr float kAside = 0.5f; // sine of the angle to the first axis
+    for (const int axis : {0, 1}) {
+        std::vector<double> largest(boxes.size(), 0.0);
+        for_each_folding(surfaces, [&](FaceId face, std::uint32_t place) {
+            const double area = face_area(surfaces.mesh, face);
+            glm::mat3& axes = boxes[place].axes;
+            glm::vec3 normal = surfaces.normals[face];
+            if (axis == 1)
+                normal -= glm::dot(normal, axes[0]) * axes[0];
+            if (area <= largest[place] || (axis == 1 && glm::length(normal) < kAside))
+                return;
+            largest[place] = area;
+            axes[axis] = glm::normalize(normal);
+            if (axis == 0) // until there is a face to the side
+                axes[1] = Frame(axes[0]).x;
+            axes[2] = glm::cross(axes[0], axes[1]);
+        });
+    }
+}
+
+std::vector<FoldBox> find_boxes(const MapSurfaces& surfaces, std::size_t count)
+{
+    std::vector<FoldBox> out(count);
+    turn_boxes(surfaces, out);
+    std::vector<Bounds<glm::vec3>> bounds(count);
+    for_each_folding(surfaces, [&](FaceId face, std::uint32_t place) {
+        for (const glm::vec3& corner : surfaces.mesh.triangle(face))
+            bounds[place].add(glm::transpose(out[place].axes) * corner);
+    });
+    for (std::size_t i = 0; i < count; ++i)
+        out[i].extent = bounds[i].extent();
     return out;
 }
 
@@ -75,7 +123,28 @@ MapSurfaces::MapSurfaces(const TriangleMesh& of_mesh, const Partition& of_partit
     }
     map_area.assign(area.begin(), area.end());
     vector_area.assign(vectors.begin(), vectors.end());
-    folds = find_folds(partition, normals);
+    fold_of = find_folds(partition, normals);
+    std::uint32_t folds = 0;
+    for (std::uint32_t& place : fold_of)
+        if (place != kNone)
+            place = folds++;
+    fold_boxes = find_boxes(*this, folds);
+}
+
+float MapSurfaces::widest_radius(FaceId face) const
+{
+    const FaceId stored = mesh.stored_face(face);
+    const std::uint32_t place = fold_of[partition.map_of_face[partition.stored_face(face)]];
+    if (place == kNone)
+        return std::numeric_limits<float>::infinity();
+    const FoldBox& box = fold_boxes[place];
+    const glm::vec3 along = glm::abs(glm::transpose(box.axes) * normals[stored]);
+    // The face looks along the axis that is nearest to its normal, and sees the other two.
+    const int most =
+        along.x >= along.y ? (along.x >= along.z ? 0 : 2) : (along.y >= along.z ? 1 : 2);
+    const float width = std::min(box.extent[(most + 1) % 3], box.extent[(most + 2) % 3]);
+    const double scale = mesh.is_copied(face) ? mesh.copy_of(face).place.scale : 1.0;
+    return static_cast<float>(0.5 * width * scale);
 }
 
 double MapSurfaces::facing_area(FaceId face) const

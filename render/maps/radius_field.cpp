@@ -78,19 +78,21 @@ float radius_at(const RadiusField& field, const MapSurfaces& surfaces, const Pho
     if (id == kNone)
         return std::numeric_limits<float>::infinity();
     const std::uint32_t place = field.index.place(id, query.side);
+    const float widest = surfaces.widest_radius(query.face);
     if (field.sparse == RadiusField::Sparse::infinite &&
         (place == kNone || field.maps[place].sparse))
         return std::numeric_limits<float>::infinity();
     if (place == kNone) // as if there were one photon
-        return filter_radius(surfaces.area_at(query.face), field.index.options.neighbours, 1);
+        return std::min(
+            widest, filter_radius(surfaces.area_at(query.face), field.index.options.neighbours, 1));
     const RadiusField::Map& map = field.maps[place];
     if (tree_search::is_nowhere(query.position))
-        return map.even_radius;
+        return std::min(widest, map.even_radius);
     const NearPhoton near = near_photon(map.tree, query.position);
     // Away from all photons it grows with the way to them.
     const float radius = map.radius[near.slot];
     const float way2 = part_of_way(radius, map.even_radius) * near.distance2;
-    return std::min(map.even_radius, std::sqrt(radius * radius + way2));
+    return std::min({widest, map.even_radius, std::sqrt(radius * radius + way2)});
 }
 
 } // namespace hipmap
