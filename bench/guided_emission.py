@@ -38,8 +38,10 @@ class Lab:
 
     def render(self, scene, name, seconds, *more, tool=BIN):
         """Returns the picture, the passes and the stated error."""
-        image, partition = (self.folder / f"{scene}_{name}{end}" for end in (".exr", ".hpm"))
-        run([tool / "preprocess", ROOT / f"assets/{scene}.glb", "-o", partition])
+        image = self.folder / f"{scene}_{name}.exr"
+        partition = self.folder / f"{scene}_{'now' if tool == BIN else 'before'}.hpm"
+        if not partition.exists():
+            run([tool / "preprocess", ROOT / f"assets/{scene}.glb", "-o", partition])
         printed = run([tool / "render", ROOT / f"assets/{scene}.glb", partition, "-o", image,
                        "--size", self.options.size, "--filter", "box", "--time", seconds, *more])
         stated = re.search(r"accuracy: error ([\d.]+ %)", printed)

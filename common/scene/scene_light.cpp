@@ -8,6 +8,19 @@ namespace {
 
 using std::numbers::pi;
 
+/// From a rectangle or an ellipse; the factor is its area.
+MeanEmission from_flat(bool is_disc, const glm::dvec3& centre, const glm::dvec3& half_right,
+                       const glm::dvec3& half_up)
+{
+    MeanEmission out;
+    out.from = is_disc ? MeanEmission::From::ellipse : MeanEmission::From::rectangle;
+    out.centre = centre;
+    out.half_right = half_right;
+    out.half_up = half_up;
+    out.factor = (is_disc ? pi : 4.0) * glm::length(glm::cross(half_right, half_up));
+    return out;
+}
+
 } // namespace
 
 MeanEmission mean_emission(const ScenePointLight& light)
@@ -44,17 +57,12 @@ MeanEmission mean_emission(const SceneSunLight& light)
 
 MeanEmission mean_emission(const SceneAreaLight& light)
 {
-    MeanEmission out;
-    out.from = light.is_disc ? MeanEmission::From::ellipse : MeanEmission::From::rectangle;
-    out.centre = light.centre;
-    out.half_right = light.half_right;
-    out.half_up = light.half_up;
+    MeanEmission out = from_flat(light.is_disc, light.centre, light.half_right, light.half_up);
     out.axis = light.direction;
     out.cos_reach = 0;
     out.by_cosine = true;
     out.light = light.radiance;
-    out.factor =
-        pi * (light.is_disc ? pi : 4.0) * glm::length(glm::cross(light.half_right, light.half_up));
+    out.factor *= pi;
     return out;
 }
 
@@ -86,15 +94,11 @@ MeanEmission mean_emission(const SceneIesLight& light)
 
 MeanEmission mean_emission(const SceneBeamLight& light)
 {
-    MeanEmission out;
-    out.from = light.is_disc ? MeanEmission::From::ellipse : MeanEmission::From::rectangle;
-    out.centre = light.centre;
-    out.half_right = light.right - light.centre;
-    out.half_up = light.up - light.centre;
+    MeanEmission out =
+        from_flat(light.is_disc, light.centre, light.right - light.centre, light.up - light.centre);
     out.axis = light.direction;
     out.cos_reach = 1;
     out.light = light.irradiance;
-    out.factor = (light.is_disc ? pi : 4.0) * glm::length(glm::cross(out.half_right, out.half_up));
     return out;
 }
 

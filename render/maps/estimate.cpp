@@ -38,7 +38,8 @@ struct SharedSearch {
     void recount(const SearchStatistics& counted) const { scratch.search.statistics = counted; }
 };
 
-/// [map] kNone, or 0: the normals of its faces do not lie within 45 degrees of their mean.
+/// [map] a number, from 0 on, where the normals of its faces do not lie within 45 degrees of their
+/// mean; else kNone.
 std::vector<std::uint32_t> find_folds(const Partition& partition,
                                       const std::vector<glm::vec3>& normals)
 {
@@ -47,11 +48,12 @@ std::vector<std::uint32_t> find_folds(const Partition& partition,
         if (const MapId map = partition.map_of(face); map != kNone)
             mean[map] += glm::dvec3(normals[face]);
     std::vector<std::uint32_t> out(partition.map_count, kNone);
+    std::uint32_t folds = 0;
     for (FaceId face = 0; face < normals.size(); ++face)
         if (const MapId map = partition.map_of(face); map != kNone) {
             const double along = glm::dot(glm::dvec3(normals[face]), mean[map]);
-            if (!(along > glm::length(mean[map]) / std::numbers::sqrt2))
-                out[map] = 0;
+            if (out[map] == kNone && !(along > glm::length(mean[map]) / std::numbers::sqrt2))
+                out[map] = folds++;
         }
     return out;
 }
@@ -88,8 +90,10 @@ void turn_boxes(const MapSurfaces& surfaces, std::vector<FoldBox>& boxes)
     }
 }
 
-std::vector<FoldBox> find_boxes(const MapSurfaces& surfaces, std::size_t count)
+std::vector<FoldBox> find_boxes(const MapSurfaces& surfaces)
 {
+    const auto count = static_cast<std::size_t>(std::ranges::count_if(
+        surfaces.fold_of, [](std::uint32_t place) { return place != kNone; }));
     std::vector<FoldBox> out(count);
     turn_boxes(surfaces, out);
     std::vector<Bounds<glm::vec3>> bounds(count);
@@ -124,11 +128,7 @@ MapSurfaces::MapSurfaces(const TriangleMesh& of_mesh, const Partition& of_partit
     map_area.assign(area.begin(), area.end());
     vector_area.assign(vectors.begin(), vectors.end());
     fold_of = find_folds(partition, normals);
-    std::uint32_t folds = 0;
-    for (std::uint32_t& place : fold_of)
-        if (place != kNone)
-            place = folds++;
-    fold_boxes = find_boxes(*this, folds);
+    fold_boxes = find_boxes(*this);
 }
 
 float MapSurfaces::widest_radius(FaceId face) const

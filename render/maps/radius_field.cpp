@@ -78,10 +78,10 @@ float radius_at(const RadiusField& field, const MapSurfaces& surfaces, const Pho
     if (id == kNone)
         return std::numeric_limits<float>::infinity();
     const std::uint32_t place = field.index.place(id, query.side);
-    const float widest = surfaces.widest_radius(query.face);
     if (field.sparse == RadiusField::Sparse::infinite &&
         (place == kNone || field.maps[place].sparse))
         return std::numeric_limits<float>::infinity();
+    const float widest = surfaces.widest_radius(query.face);
     if (place == kNone) // as if there were one photon
         return std::min(
             widest, filter_radius(surfaces.area_at(query.face), field.index.options.neighbours, 1));

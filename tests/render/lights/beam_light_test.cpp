@@ -5,7 +5,6 @@
 
 #include <catch2/catch.hpp>
 
-#include <limits>
 #include <tuple>
 
 using namespace hipmap;
