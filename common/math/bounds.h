@@ -24,4 +24,12 @@ struct Bounds {
     Vec extent() const { return high - low; }
 };
 
+/// Returns the axis along which a vector without signs is longest; of equals the first.
+inline int longest_axis(const glm::vec3& extent)
+{
+    if (extent.x >= extent.y && extent.x >= extent.z)
+        return 0;
+    return extent.y >= extent.z ? 1 : 2;
+}
+
 } // namespace hipmap

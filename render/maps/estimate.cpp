@@ -138,10 +138,8 @@ float MapSurfaces::widest_radius(FaceId face) const
     if (place == kNone)
         return std::numeric_limits<float>::infinity();
     const FoldBox& box = fold_boxes[place];
-    const glm::vec3 along = glm::abs(glm::transpose(box.axes) * normals[stored]);
     // The face looks along the axis that is nearest to its normal, and sees the other two.
-    const int most =
-        along.x >= along.y ? (along.x >= along.z ? 0 : 2) : (along.y >= along.z ? 1 : 2);
+    const int most = longest_axis(glm::abs(glm::transpose(box.axes) * normals[stored]));
     const float width = std::min(box.extent[(most + 1) % 3], box.extent[(most + 2) % 3]);
     const double scale = mesh.is_copied(face) ? mesh.copy_of(face).place.scale : 1.0;
     return static_cast<float>(0.5 * width * scale);

@@ -55,13 +55,6 @@ void for_each_segment(const TriangleMesh& mesh, const Partition& partition, cons
         visit(contact.map, BoundarySegment{contact.a, contact.b});
 }
 
-int longest_axis(const glm::vec3& extent)
-{
-    if (extent.x >= extent.y && extent.x >= extent.z)
-        return 0;
-    return extent.y >= extent.z ? 1 : 2;
-}
-
 /// Orders segments by their middle along an axis; only equal segments are equal.
 struct ByMiddle {
     int axis;
