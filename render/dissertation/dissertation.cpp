@@ -276,7 +276,7 @@ RadiusField build_radius_field(const DissertationMaps& maps, const MapSurfaces& 
     out.index.map_of = maps.shared.map_of;
     for (const PhotonMap& map : maps.shared.maps)
         out.maps.push_back(build_radius_map(
-            map, maps.shared.options.neighbours, maps.area_read(surfaces, map.faces[0]),
+            map, maps.shared.options.neighbours, surfaces, maps.area_read(surfaces, map.faces[0]),
             [&maps, &map] {
                 return [&maps, &map, wide = TreeScratch(),
                         kd = KdScratch()](const TreeQuery& query) mutable {

@@ -63,6 +63,12 @@ Rgb projected_density(const Search& search, const PhotonQuery& query, const Phot
     return per_area(search.power_scale(), sum, area);
 }
 
+template <typename Search>
+double gathered_area(const Search& search, const PhotonQuery& query, float radius)
+{
+    return gathered_areas(search.surfaces, query, {&radius, 1}, search.scratch)[0];
+}
+
 /// Returns the k nearest photons on the query's side of the surface: nearly always the k nearest of
 /// all, else those of a second search.
 template <typename Search>
@@ -97,12 +103,12 @@ Rgb estimate_visible(const Search& search, PhotonQuery query, float radius)
         return Rgb(0);
     if (found.slots.size() == search.options().neighbours)
         return projected_density(search, query, *found.map, all_but_last(found),
-                                 scratch.disc.area(farthest(found)));
+                                 gathered_area(search, query, farthest(found)));
     if (scratch.segments.empty())
         return density(search, query, *found.map, found.slots,
-                       open_area(search.surfaces, query.face, query.radius));
+                       gathered_area(search, query, query.radius));
     return projected_density(search, query, *found.map, found.slots,
-                             scratch.disc.area(query.radius));
+                             gathered_area(search, query, query.radius));
 }
 
 /// Estimates (2) and (3) where no boundary is near, from sums alone; returns nothing where one is.
@@ -167,10 +173,10 @@ Rgb clipped_estimate(const Search& search, const PhotonQuery& query)
     scratch.near_boundary = !scratch.segments.empty();
     if (to_the_end && scratch.segments.empty())
         return density(search, query, *found.map, all_but_last(found),
-                       open_area(search.surfaces, query.face, radius));
+                       gathered_area(search, query, radius));
     if (to_the_end && sees_all(found, scratch.disc))
         return projected_density(search, query, *found.map, all_but_last(found),
-                                 scratch.disc.area(radius));
+                                 gathered_area(search, query, radius));
     return estimate_visible(search, query, std::min(kWiden * radius, query.radius));
 }
 

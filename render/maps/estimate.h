@@ -2,6 +2,7 @@
 
 #include "render/maps/boundary_outline.h"
 #include "render/maps/find_photons.h"
+#include "render/maps/fold_areas.h"
 #include "render/maps/visible_disc.h"
 
 namespace hipmap {
@@ -16,12 +17,6 @@ struct EstimateScratch {
     bool near_boundary = false; ///< the last estimate was, so that the next may need a list
 };
 
-/// A box around a map that may fold, in a frame of its faces' normals.
-struct FoldBox {
-    glm::mat3 axes{1.0f};   ///< unit, at right angles
-    glm::vec3 extent{0.0f}; ///< along the axes, scene units
-};
-
 /// The surfaces that photons lie on, with the boundaries of their maps.  Borrows mesh and
 /// partition. Read-only: any number of threads may use it.
 struct MapSurfaces {
@@ -31,10 +26,9 @@ struct MapSurfaces {
     OwnBoundaries own_boundaries;
     std::vector<glm::vec3> normals;     ///< [F] unit, towards side 0; zero for a face without area
     std::vector<float> map_area;        ///< [shared maps of stored faces] square scene units
-    std::vector<glm::vec3> vector_area; ///< [the same] sum of area times normal
-    std::vector<std::uint32_t> fold_of; ///< [the same] place in fold_boxes; kNone: no two of its
+    std::vector<std::uint32_t> fold_of; ///< [the same] place in fold_areas; kNone: no two of its
                                         ///<     faces look away from each other
-    std::vector<FoldBox> fold_boxes;
+    FoldAreas fold_areas;
 
     MapSurfaces(const TriangleMesh& of_mesh, const Partition& of_partition);
 
@@ -53,13 +47,11 @@ struct MapSurfaces {
         const MapId map = partition.map_of_face[partition.stored_face(face)];
         return map != kNone && fold_of[map] != kNone;
     }
-    /// Returns the widest first radius on a face, which must have a map, where that may fold: half
-    /// the width of the map as the face sees it, docs/visible_area.md (A10); else infinite.  Scene
-    /// units.
-    float widest_radius(FaceId face) const;
-    /// Returns about the area of the faces of a face's map that look to its side,
-    /// docs/visible_area.md (A9); square scene units.
-    double facing_area(FaceId face) const;
+    /// Returns how much of a face's map, which must fold, looks to the side of the face and lies
+    /// within each radius of a point on it, docs/visible_area.md (A9); square scene units.  radii:
+    /// at most three.
+    FoldAreas::Areas facing_areas(FaceId face, const glm::vec3& point, std::span<const float> radii,
+                                  AreaOf of) const;
     /// Returns the normal of any face, as `normals` has it.
     glm::vec3 normal(FaceId face) const
     {

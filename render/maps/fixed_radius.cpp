@@ -117,13 +117,11 @@ RadiusEstimates estimate_from_list(const FoundPhotons& found, const RadiusQuery&
             add_photons(*found.map, seen, wanted, tilted, sums);
         out.photons += static_cast<std::uint32_t>(seen.size());
     });
-    for (std::size_t r = 0; r < out.irradiance.size() && out.photons > 0; ++r) {
-        const float radius = wanted.radii[r];
-        const double area = tilted && radius > 0
-                                ? scratch.disc.area(radius)
-                                : open_area(wanted.surfaces, wanted.query.face, radius);
-        out.irradiance[r] = per_area(wanted.scale, sums.at(r), area);
-    }
+    if (out.photons == 0)
+        return out;
+    const auto areas = gathered_areas(wanted.surfaces, wanted.query, wanted.radii, scratch);
+    for (std::size_t r = 0; r < areas.size(); ++r)
+        out.irradiance[r] = per_area(wanted.scale, sums.at(r), areas[r]);
     return out;
 }
 

@@ -101,10 +101,21 @@ double disc_area(float radius)
     return std::numbers::pi * (double{radius} * radius);
 }
 
-double open_area(const MapSurfaces& surfaces, FaceId face, float radius)
+FoldAreas::Areas gathered_areas(const MapSurfaces& surfaces, const PhotonQuery& query,
+                                std::span<const float> radii, const EstimateScratch& scratch)
 {
-    const double disc = disc_area(radius);
-    return surfaces.may_fold(face) ? std::min(disc, surfaces.facing_area(face)) : disc;
+    const bool open = scratch.segments.empty();
+    FoldAreas::Areas out{};
+    for (std::size_t r = 0; r < radii.size(); ++r)
+        out[r] = open || !(radii[r] > 0) ? disc_area(radii[r]) : scratch.disc.area(radii[r]);
+    if (!surfaces.may_fold(query.face))
+        return out;
+    const FoldAreas::Areas facing = surfaces.facing_areas(
+        query.face, query.position, radii, open ? AreaOf::surface : AreaOf::projection);
+    for (std::size_t r = 0; r < radii.size(); ++r)
+        if (facing[r] > 0)
+            out[r] = open ? facing[r] : std::min(out[r], facing[r]);
+    return out;
 }
 
 float look_around(const MapSurfaces& surfaces, const PhotonQuery& query, float radius,

@@ -1,5 +1,6 @@
 #include "render/maps/radius_field.h"
 
+#include "render/maps/gather.h"
 #include "render/maps/wide_search.h"
 
 #include <tbb/blocked_range.h>
@@ -22,9 +23,28 @@ float part_of_way(float radius, float even_radius)
     return std::clamp(part * part, kLeast, 1.0f);
 }
 
+/// Returns the radius (> 0) at a point of a face, narrowed until most of the disc lies on the
+/// surface, docs/visible_area.md (A10).
+float narrowed_to_surface(const MapSurfaces& surfaces, FaceId face, const glm::vec3& point,
+                          float radius)
+{
+    constexpr double kMost = 0.8;
+    constexpr int kSteps = 4;
+    for (int step = 0; step < kSteps && surfaces.may_fold(face); ++step) {
+        const double on_surface =
+            surfaces.facing_areas(face, point, {&radius, 1}, AreaOf::surface)[0];
+        const double part = on_surface / disc_area(radius);
+        if (!(part > 0) || part >= kMost)
+            break;
+        radius *= static_cast<float>(std::sqrt(part));
+    }
+    return radius;
+}
+
 } // namespace
 
-RadiusField::Map build_radius_map(const PhotonMap& photons, std::uint32_t neighbours, float area,
+RadiusField::Map build_radius_map(const PhotonMap& photons, std::uint32_t neighbours,
+                                  const MapSurfaces& surfaces, float area,
                                   const std::function<NearestSearch()>& make_search)
 {
     RadiusField::Map out;
@@ -39,8 +59,10 @@ RadiusField::Map build_radius_map(const PhotonMap& photons, std::uint32_t neighb
         for (std::size_t i = range.begin(); i < range.end(); ++i) {
             const float most2 = out.even_radius * out.even_radius;
             const FoundSlots found = find({points[i].position, neighbours, most2});
-            out.radius[i] =
+            const float radius =
                 found.slots.size() == neighbours ? std::sqrt(found.farthest2) : out.even_radius;
+            out.radius[i] = narrowed_to_surface(surfaces, photons.faces[points[i].photon],
+                                                points[i].position, radius);
         }
     });
     return out;
@@ -56,7 +78,7 @@ RadiusField build_radius_field(const PhotonMaps& photons, const MapSurfaces& sur
     out.index.held = photons.held;
     for (const PhotonMap& map : photons.maps)
         out.maps.push_back(build_radius_map(
-            map, photons.options.neighbours, surfaces.area_at(map.faces[0]), [&map] {
+            map, photons.options.neighbours, surfaces, surfaces.area_at(map.faces[0]), [&map] {
                 return [&map, scratch = TreeScratch()](const TreeQuery& query) mutable {
                     return find_nearest(map.tree, query, scratch);
                 };
@@ -81,18 +103,16 @@ float radius_at(const RadiusField& field, const MapSurfaces& surfaces, const Pho
     if (field.sparse == RadiusField::Sparse::infinite &&
         (place == kNone || field.maps[place].sparse))
         return std::numeric_limits<float>::infinity();
-    const float widest = surfaces.widest_radius(query.face);
     if (place == kNone) // as if there were one photon
-        return std::min(
-            widest, filter_radius(surfaces.area_at(query.face), field.index.options.neighbours, 1));
+        return filter_radius(surfaces.area_at(query.face), field.index.options.neighbours, 1);
     const RadiusField::Map& map = field.maps[place];
     if (tree_search::is_nowhere(query.position))
-        return std::min(widest, map.even_radius);
+        return map.even_radius;
     const NearPhoton near = near_photon(map.tree, query.position);
     // Away from all photons it grows with the way to them.
     const float radius = map.radius[near.slot];
     const float way2 = part_of_way(radius, map.even_radius) * near.distance2;
-    return std::min({widest, map.even_radius, std::sqrt(radius * radius + way2)});
+    return std::min(map.even_radius, std::sqrt(radius * radius + way2));
 }
 
 } // namespace hipmap

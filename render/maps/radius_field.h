@@ -32,9 +32,11 @@ struct RadiusField {
 /// thread.
 using NearestSearch = std::function<FoundSlots(const TreeQuery&)>;
 
-/// Computes the radii of one map of a field, in parallel.  area: of its surface, square scene
-/// units. make_search: returns a search of `photons` for one thread.
-RadiusField::Map build_radius_map(const PhotonMap& photons, std::uint32_t neighbours, float area,
+/// Computes the radii of one map of a field, in parallel; narrower where the surface is,
+/// docs/visible_area.md (A10).  area: of its surface, square scene units.  make_search: returns a
+/// search of `photons` for one thread.
+RadiusField::Map build_radius_map(const PhotonMap& photons, std::uint32_t neighbours,
+                                  const MapSurfaces& surfaces, float area,
                                   const std::function<NearestSearch()>& make_search);
 
 /// Builds a radius field, in parallel.  Same maps, same field, at any thread count.  No photons: a
@@ -47,10 +49,10 @@ RadiusField build_radius_field(const PhotonMaps& photons, const MapSurfaces& sur
 void narrow_where_dense(RadiusField& field);
 
 /// Returns the radius at a point, scene units: at most the radius within which k photons would lie
-/// if the map's photons were spread evenly over it, and that of docs/visible_area.md (A10); where
-/// the map has no photon, that of one photon.  Infinite where the map has fewer than k photons, if
-/// the field says so, and for a face without a map.  A function of the point alone.  Thread-safe.
-/// query.radius and query.lobes are not used.
+/// if the map's photons were spread evenly over it; where the map has no photon, that of one
+/// photon.  Infinite where the map has fewer than k photons, if the field says so, and for a face
+/// without a map.  A function of the point alone.  Thread-safe.  query.radius and query.lobes are
+/// not used.
 float radius_at(const RadiusField& field, const MapSurfaces& surfaces, const PhotonQuery& query);
 
 } // namespace hipmap

@@ -213,6 +213,26 @@ inline TriangleMesh uv_sphere(std::uint32_t segments, std::uint32_t rings)
     return make_mesh(std::move(positions), std::move(corners));
 }
 
+/// A tube of radius `thickness` round the unit circle in the plane of x and y, fronts outward.
+inline TriangleMesh torus(std::uint32_t along, std::uint32_t round, float thickness)
+{
+    std::vector<glm::vec3> positions;
+    std::vector<glm::uvec3> corners;
+    const auto at = [&](std::uint32_t i, std::uint32_t j) { return i % along * round + j % round; };
+    for (std::uint32_t i = 0; i < along; ++i)
+        for (std::uint32_t j = 0; j < round; ++j) {
+            const float u =
+                glm::two_pi<float>() * static_cast<float>(i) / static_cast<float>(along);
+            const float v =
+                glm::two_pi<float>() * static_cast<float>(j) / static_cast<float>(round);
+            const float out = 1 + thickness * std::cos(v);
+            positions.emplace_back(out * std::cos(u), out * std::sin(u), thickness * std::sin(v));
+            corners.emplace_back(at(i, j), at(i + 1, j), at(i + 1, j + 1));
+            corners.emplace_back(at(i, j), at(i + 1, j + 1), at(i, j + 1));
+        }
+    return make_mesh(std::move(positions), std::move(corners));
+}
+
 /// `faces` triangles among a few vertices in [-1, 1]^3: edges of three and more faces, repeated
 /// and doubled corners, every winding.  Coordinates are multiples of 1/2, so that some vertices
 /// coincide and some faces are flat.

@@ -1,14 +1,15 @@
 #include "common/math/sampling.h"
 #include "common/rays/surface_point.h"
 #include "render/dissertation/dissertation_maps.h"
+#include "render/maps/gather.h"
 #include "tests/support/brute_force.h"
 #include "tests/support/hard_surfaces.h"
 #include "tests/support/tiny_scenes.h"
 
 #include <catch2/catch.hpp>
 
+#include <cmath>
 #include <functional>
-#include <numbers>
 
 using namespace hipmap;
 
@@ -67,7 +68,11 @@ Rgb estimate_by_hand(const std::vector<Photon>& photons, const DissertationMaps&
     glm::dvec3 sum(0.0);
     for (std::size_t i = 0; i + 1 < found.size(); ++i)
         sum += glm::dvec3(photons[found[i].photon].power);
-    return Rgb(sum / (std::numbers::pi * double{found.back().distance2}));
+    const float radius = std::sqrt(found.back().distance2);
+    if (maps.one_map() || !surfaces.may_fold(query.face))
+        return Rgb(sum / disc_area(radius));
+    return Rgb(sum /
+               surfaces.facing_areas(query.face, query.position, {&radius, 1}, AreaOf::surface)[0]);
 }
 
 bool close(const Rgb& a, const Rgb& b)

@@ -123,6 +123,7 @@ TEST_CASE("fold: a ball in even light has its irradiance within radii beyond its
                      .irradiance)
                 within.add(found.x);
         }
+        INFO("radius " << widest);
         CHECK(within.mean() == Approx(1).epsilon(0.03));
     }
 }

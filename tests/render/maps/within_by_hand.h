@@ -69,6 +69,24 @@ struct ByHand {
                 glm::dot(surfaces.normals[photon.face], surfaces.normals[query.face]) > 0);
     }
 
+    Radii areas_of(const PhotonQuery& query, const Radii& radii, bool open,
+                   const VisibleDisc& disc) const
+    {
+        const bool folds = !one_map && surfaces.may_fold(query.face);
+        Radii out{};
+        for (std::size_t r = 0; r < radii.size(); ++r) {
+            const double seen = radii[r] > 0 ? disc.area(radii[r]) : 0;
+            const double facing =
+                folds ? surfaces.facing_areas(query.face, query.position, radii,
+                                              open ? AreaOf::surface : AreaOf::projection)[r]
+                      : 0;
+            out[r] = static_cast<float>(!(facing > 0) ? seen
+                                        : open        ? facing
+                                                      : std::min(seen, facing));
+        }
+        return out;
+    }
+
     RadiusEstimates estimate(const PhotonQuery& query, const Radii& radii) const
     {
         std::vector<BoundarySegment> near;
@@ -80,6 +98,7 @@ struct ByHand {
         const glm::uvec3 c = surfaces.mesh.corners[query.face];
         const auto& p = surfaces.mesh.positions;
         disc.look({{p[c.x], p[c.y], p[c.z]}, query.position, radii[0]}, near);
+        const Radii areas = areas_of(query, radii, near.empty(), disc);
         RadiusEstimates out{};
         for (const Photon& photon : photons) {
             const float distance = glm::distance(photon.position, query.position);
@@ -92,7 +111,7 @@ struct ByHand {
                     0.0f, glm::dot(surfaces.normals[photon.face], surfaces.normals[query.face]));
             for (std::size_t r = 0; r < radii.size(); ++r)
                 if (distance <= radii[r])
-                    out.irradiance[r] += photon.power * cosine / float(disc.area(radii[r]));
+                    out.irradiance[r] += photon.power * cosine / areas[r];
         }
         return out;
     }
