@@ -32,7 +32,7 @@ float narrowed_to_surface(const MapSurfaces& surfaces, FaceId face, const glm::v
     constexpr int kSteps = 4;
     for (int step = 0; step < kSteps && surfaces.may_fold(face); ++step) {
         const double on_surface =
-            surfaces.facing_areas(face, point, {&radius, 1}, AreaOf::surface)[0];
+            surfaces.facing_areas(face, point, {&radius, 1}, AreaOf::projection)[0];
         const double part = on_surface / disc_area(radius);
         if (!(part > 0) || part >= kMost)
             break;
