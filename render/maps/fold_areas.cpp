@@ -328,7 +328,7 @@ class FoldWalk {
     std::span<const float> radii_;
     float small_ = 0;
     double widest2_ = 0;
-    std::array<Entry, 2 * FoldAreas::kMostOpen + 1> queue_;
+    std::array<Entry, FoldAreas::kTreesOfFold + 2 * FoldAreas::kMostOpen> queue_;
     std::size_t waiting_ = 0;
     FoldAreas::Areas sums_{};
 };

@@ -130,3 +130,22 @@ TEST_CASE("fold areas: part of a triangle within a radius", "[maps]")
         CHECK(found[0] / 2 == Approx(area * inside / kPoints).margin(0.004 * area));
     }
 }
+
+TEST_CASE("fold areas: of more slivers than may be opened, no more than there are", "[maps]")
+{
+    const TriangleMesh mesh = tiny::torus(6, 4000, 0.1f);
+    const auto ready = tiny::ready(tiny::make_scene(mesh));
+    const MapSurfaces surfaces(mesh, ready->partition);
+    RandomSequence random(7, RandomStream::photons, 0, 0);
+    for (int i = 0; i < 100; ++i) {
+        const auto face =
+            static_cast<FaceId>(random.next() * static_cast<float>(mesh.face_count()));
+        const SurfacePoint at = surface_point(mesh, face, sample_triangle(random.next2()));
+        const std::array<float, 3> radii{2 * random.next(), 0.05f, 0.02f};
+        for (const AreaOf of : {AreaOf::surface, AreaOf::projection})
+            for (const double area : surfaces.facing_areas(face, at.position, radii, of)) {
+                CHECK(area > 0);
+                CHECK(area < 1.001 * surfaces.area_at(face));
+            }
+    }
+}
