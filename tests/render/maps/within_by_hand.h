@@ -72,17 +72,16 @@ struct ByHand {
     Radii areas_of(const PhotonQuery& query, const Radii& radii, bool open,
                    const VisibleDisc& disc) const
     {
-        const bool folds = !one_map && surfaces.may_fold(query.face);
+        FoldAreas::Areas facing{};
+        if (!one_map && surfaces.may_fold(query.face))
+            facing = surfaces.facing_areas(query.face, query.position, radii,
+                                           open ? AreaOf::surface : AreaOf::projection);
         Radii out{};
         for (std::size_t r = 0; r < radii.size(); ++r) {
             const double seen = radii[r] > 0 ? disc.area(radii[r]) : 0;
-            const double facing =
-                folds ? surfaces.facing_areas(query.face, query.position, radii,
-                                              open ? AreaOf::surface : AreaOf::projection)[r]
-                      : 0;
-            out[r] = static_cast<float>(!(facing > 0) ? seen
-                                        : open        ? facing
-                                                      : std::min(seen, facing));
+            out[r] = static_cast<float>(!(facing[r] > 0) ? seen
+                                        : open           ? facing[r]
+                                                         : std::min(seen, facing[r]));
         }
         return out;
     }
