@@ -86,24 +86,24 @@ MapSurfaces::MapSurfaces(const TriangleMesh& of_mesh, const Partition& of_partit
     : mesh(of_mesh), partition(of_partition), boundaries(of_mesh, of_partition),
       own_boundaries(of_partition), normals(find_normals(of_mesh, of_partition)),
       map_area(find_areas(of_mesh, of_partition)), fold_of(find_folds(of_partition, normals)),
-      fold_areas(of_mesh, of_partition, fold_of)
+      folds(build_fold_trees(of_mesh, of_partition, fold_of))
 {
 }
 
-FoldAreas::Areas MapSurfaces::facing_areas(FaceId face, const glm::vec3& point,
-                                           std::span<const float> radii, AreaOf of) const
+FoldAreas MapSurfaces::facing_areas(FaceId face, const glm::vec3& point,
+                                    std::span<const float> radii, AreaOf of) const
 {
     const FaceId stored = mesh.stored_face(face);
-    FoldQuery query{fold_of[partition.map_of_face[partition.stored_face(face)]], glm::dvec3(point),
-                    glm::dvec3(normals[stored]), of};
+    FoldQuery query{fold_of[partition.map_of_face[partition.stored_face(face)]], point,
+                    normals[stored], of};
     if (!mesh.is_copied(face)) [[likely]]
-        return fold_areas.within(query, radii);
+        return fold_areas(folds, query, radii);
     const Similarity& place = mesh.copy_of(face).place;
-    query.point = place.point_back(query.point);
-    std::array<float, FoldAreas::kMostRadii> stored_radii{};
+    query.point = glm::vec3(place.point_back(glm::dvec3(point)));
+    std::array<float, kMostFoldRadii> stored_radii{};
     std::ranges::transform(radii, stored_radii.begin(),
                            [&](float r) { return static_cast<float>(r / place.scale); });
-    FoldAreas::Areas out = fold_areas.within(query, std::span(stored_radii).first(radii.size()));
+    FoldAreas out = fold_areas(folds, query, std::span(stored_radii).first(radii.size()));
     for (double& area : out)
         area *= place.scale * place.scale;
     return out;

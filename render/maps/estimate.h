@@ -26,9 +26,9 @@ struct MapSurfaces {
     OwnBoundaries own_boundaries;
     std::vector<glm::vec3> normals;     ///< [F] unit, towards side 0; zero for a face without area
     std::vector<float> map_area;        ///< [shared maps of stored faces] square scene units
-    std::vector<std::uint32_t> fold_of; ///< [the same] place in fold_areas; kNone: no two of its
+    std::vector<std::uint32_t> fold_of; ///< [the same] tree of folds; kNone: no two of its
                                         ///<     faces look away from each other
-    FoldAreas fold_areas;
+    FoldTrees folds;
 
     MapSurfaces(const TriangleMesh& of_mesh, const Partition& of_partition);
 
@@ -50,8 +50,8 @@ struct MapSurfaces {
     /// Returns how much of a face's map, which must fold, looks to the side of the face and lies
     /// within each radius of a point on it, docs/visible_area.md (A9); square scene units.  radii:
     /// at most three.
-    FoldAreas::Areas facing_areas(FaceId face, const glm::vec3& point, std::span<const float> radii,
-                                  AreaOf of) const;
+    FoldAreas facing_areas(FaceId face, const glm::vec3& point, std::span<const float> radii,
+                           AreaOf of) const;
     /// Returns the normal of any face, as `normals` has it.
     glm::vec3 normal(FaceId face) const
     {

@@ -101,17 +101,17 @@ double disc_area(float radius)
     return std::numbers::pi * (double{radius} * radius);
 }
 
-FoldAreas::Areas gathered_areas(const MapSurfaces& surfaces, const PhotonQuery& query,
-                                std::span<const float> radii, const EstimateScratch& scratch)
+FoldAreas gathered_areas(const MapSurfaces& surfaces, const PhotonQuery& query,
+                         std::span<const float> radii, const EstimateScratch& scratch)
 {
     const bool open = scratch.segments.empty();
-    FoldAreas::Areas out{};
+    FoldAreas out{};
     for (std::size_t r = 0; r < radii.size(); ++r)
         out[r] = open || !(radii[r] > 0) ? disc_area(radii[r]) : scratch.disc.area(radii[r]);
     if (!surfaces.may_fold(query.face))
         return out;
-    const FoldAreas::Areas facing = surfaces.facing_areas(
-        query.face, query.position, radii, open ? AreaOf::surface : AreaOf::projection);
+    const FoldAreas facing = surfaces.facing_areas(query.face, query.position, radii,
+                                                   open ? AreaOf::surface : AreaOf::projection);
     for (std::size_t r = 0; r < radii.size(); ++r)
         if (facing[r] > 0)
             out[r] = open ? facing[r] : std::min(out[r], facing[r]);

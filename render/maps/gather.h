@@ -64,8 +64,8 @@ double disc_area(float radius);
 /// Returns the area that photons within each radius are divided by, square scene units: that of the
 /// disc that look_around has set up in scratch, or less on a map that folds, docs/visible_area.md
 /// (A9).  radii: at most three, >= 0, finite.
-FoldAreas::Areas gathered_areas(const MapSurfaces& surfaces, const PhotonQuery& query,
-                                std::span<const float> radii, const EstimateScratch& scratch);
+FoldAreas gathered_areas(const MapSurfaces& surfaces, const PhotonQuery& query,
+                         std::span<const float> radii, const EstimateScratch& scratch);
 
 /// Sets up scratch.disc with the boundaries of the query's map within the radius (> 0, finite);
 /// scratch.segments stays empty if none is near.  Returns the radius out to which the disc may be

@@ -1,8 +1,8 @@
 #include "common/math/sampling.h"
 #include "common/rays/surface_point.h"
 #include "render/maps/estimate.h"
-#include "render/maps/triangle_around.h"
 #include "tests/support/hard_surfaces.h"
+#include "tests/support/instruction_sets.h"
 #include "tests/support/statistics.h"
 #include "tests/support/tiny_scenes.h"
 
@@ -14,10 +14,8 @@ using namespace hipmap;
 
 namespace {
 
-using Areas = FoldAreas::Areas;
-
 struct BothAreas {
-    Areas surface{}, projection{};
+    FoldAreas surface{}, projection{};
 };
 
 /// The areas within three radii by many points on each face of the query's map.
@@ -66,7 +64,7 @@ TriangleMesh ellipsoid(std::uint32_t segments, const glm::vec3& half_axes)
 std::vector<Shape> shapes()
 {
     return {{tiny::uv_sphere(24, 13), 0.01},       {tiny::uv_sphere(200, 100), 0.025},
-            {tiny::torus(64, 16, 0.2f), 0.02},     {tiny::torus(200, 40, 0.1f), 0.02},
+            {tiny::torus(64, 16, 0.2f), 0.03},     {tiny::torus(200, 40, 0.1f), 0.025},
             {tiny::torus(6, 300, 0.1f), 0.04},     {ellipsoid(48, {2, 0.1f, 0.1f}), 0.025},
             {tiny::thin_shell(300, 0.05f), 0.025}, {tiny::hairpin(8, 0.1f), 0.025},
             {tiny::hairpin(64, 0.3f), 0.025}};
@@ -91,8 +89,9 @@ TEST_CASE("fold areas: those of points on the faces that look to the side", "[ma
             const std::array<float, 3> radii{widest, 0.75f * widest, 0.5f * widest};
             const BothAreas truth =
                 by_points(surfaces, {at.position, surfaces.normals[face], face, 0}, radii);
-            const Areas surface = surfaces.facing_areas(face, at.position, radii, AreaOf::surface);
-            const Areas projection =
+            const FoldAreas surface =
+                surfaces.facing_areas(face, at.position, radii, AreaOf::surface);
+            const FoldAreas projection =
                 surfaces.facing_areas(face, at.position, radii, AreaOf::projection);
             for (std::size_t r = 0; r < radii.size(); ++r)
                 for (const double error :
@@ -114,19 +113,22 @@ TEST_CASE("fold areas: part of a triangle within a radius", "[maps]")
     const auto corner = [&] { return glm::vec3(random.next(), random.next(), random.next()); };
     for (int i = 0; i < 100; ++i) {
         const TriangleMesh mesh = tiny::make_mesh({corner(), corner(), corner()}, {{0, 1, 2}});
-        const glm::dvec3 point(i % 3 == 0 ? mesh.positions[0] : corner());
+        const glm::vec3 point(i % 3 == 0 ? mesh.positions[0] : corner());
         const float radius = 0.8f * random.next();
-        Areas found{};
-        TriangleAround(mesh.triangle(0), point).add_within({&radius, 1}, 2, found);
+        const auto ready = tiny::ready(tiny::make_scene(mesh));
+        const FoldTrees trees = build_fold_trees(mesh, ready->partition, std::array{0u});
+        const glm::vec3 normal(glm::normalize(scaled_normal(mesh, 0)));
+        const double found =
+            fold_areas(trees, {0, point, normal, AreaOf::surface}, {&radius, 1})[0];
         constexpr int kPoints = 20'000;
         int inside = 0;
         for (int k = 0; k < kPoints; ++k) {
             const glm::vec2 uv((k + 0.5) / kPoints, std::fmod(0.618033988749895 * k, 1.0));
             const glm::vec3 at = surface_point(mesh, 0, sample_triangle(uv)).position;
-            inside += glm::distance(glm::dvec3(at), point) <= radius ? 1 : 0;
+            inside += glm::distance(at, point) <= radius ? 1 : 0;
         }
         const double area = face_area(mesh, 0);
-        CHECK(found[0] / 2 == Approx(area * inside / kPoints).margin(0.004 * area));
+        CHECK(found == Approx(area * inside / kPoints).margin(0.004 * area));
     }
 }
 
@@ -147,4 +149,23 @@ TEST_CASE("fold areas: of more slivers than may be opened, no more than there ar
                 CHECK(area < 1.001 * surfaces.area_at(face));
             }
     }
+}
+
+TEST_CASE("fold areas: the same bits on every processor", "[maps]")
+{
+    const TriangleMesh mesh = ellipsoid(48, {1, 0.5f, 0.1f});
+    const auto ready = tiny::ready(tiny::make_scene(mesh));
+    const MapSurfaces surfaces(mesh, ready->partition);
+    const auto areas_of = [&](FaceId face) {
+        const SurfacePoint at = surface_point(mesh, face, {0.3f, 0.3f});
+        return surfaces.facing_areas(face, at.position, std::array{0.4f, 0.3f, 0.1f},
+                                     face % 2 == 0 ? AreaOf::surface : AreaOf::projection);
+    };
+    std::vector<FoldAreas> first;
+    for (FaceId face = 0; face < mesh.face_count(); ++face)
+        first.push_back(areas_of(face));
+    with_each_instruction_set([&] {
+        for (FaceId face = 0; face < mesh.face_count(); ++face)
+            CHECK(areas_of(face) == first[face]);
+    });
 }

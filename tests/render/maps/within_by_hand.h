@@ -72,7 +72,7 @@ struct ByHand {
     Radii areas_of(const PhotonQuery& query, const Radii& radii, bool open,
                    const VisibleDisc& disc) const
     {
-        FoldAreas::Areas facing{};
+        FoldAreas facing{};
         if (!one_map && surfaces.may_fold(query.face))
             facing = surfaces.facing_areas(query.face, query.position, radii,
                                            open ? AreaOf::surface : AreaOf::projection);
