@@ -50,7 +50,7 @@ struct FoldTrees {
 
 /// Builds a tree for each map that folds, in parallel.  fold_of: [maps of stored faces] its tree,
 /// numbered from 0 on; kNone: it does not fold.  The same trees at any thread count.  Cost: O(n log
-/// n), and about 57 bytes for each face of such maps.
+/// n), and about 60 bytes for each face of such maps.
 FoldTrees build_fold_trees(const TriangleMesh& mesh, const Partition& partition,
                            std::span<const std::uint32_t> fold_of);
 
