@@ -1,5 +1,6 @@
 #include "render/maps/fold_areas.h"
 
+#include <algorithm>
 #include <bit>
 #include <limits>
 #include <numbers>

@@ -6,7 +6,7 @@
 #include <tbb/parallel_invoke.h>
 
 #include <algorithm>
-#include <limits>
+#include <array>
 #include <utility>
 
 namespace hipmap {
@@ -163,15 +163,15 @@ class TreeBuilder {
     {
         FaceSums out;
         for (std::size_t lane = 0; lane < kFoldWidth; ++lane) {
-            const auto corners = mesh_.triangle(items[lane < items.size() ? lane : 0].face);
+            const bool held = lane < items.size();
+            const FaceId face = items[held ? lane : 0].face;
+            auto corners = mesh_.triangle(face);
+            if (partition_.is_flipped(face))
+                std::swap(corners[1], corners[2]);
             for (std::size_t i = 0; i < 3; ++i)
-                write_lane(corners[lane < items.size() ? i : 0], block.corner[i], lane);
-            if (lane >= items.size())
-                continue;
-            out.add(sums_of(items[lane].face));
-            if (partition_.is_flipped(items[lane].face))
-                for (auto& axis : block.corner)
-                    std::swap(axis[1][lane], axis[2][lane]);
+                write_lane(corners[held ? i : 0], block.corner[i], lane);
+            if (held)
+                out.add(sums_of(face));
         }
         return out;
     }

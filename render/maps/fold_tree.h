@@ -3,7 +3,6 @@
 #include "common/partition/partition.h"
 #include "common/scene/mesh.h"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>

@@ -169,3 +169,26 @@ TEST_CASE("fold areas: the same bits on every processor", "[maps]")
             CHECK(areas_of(face) == first[face]);
     });
 }
+
+TEST_CASE("fold areas: the same where faces are turned round", "[maps]")
+{
+    const TriangleMesh mesh = tiny::torus(64, 16, 0.2f);
+    TriangleMesh turned = mesh;
+    for (FaceId face = 1; face < mesh.face_count(); face += 3)
+        std::swap(turned.corners[face].y, turned.corners[face].z);
+    const auto ready = tiny::ready(tiny::make_scene(mesh));
+    const auto ready_turned = tiny::ready(tiny::make_scene(turned));
+    const MapSurfaces surfaces(mesh, ready->partition);
+    const MapSurfaces surfaces_turned(turned, ready_turned->partition);
+    REQUIRE(ready_turned->partition.is_flipped(1) != ready_turned->partition.is_flipped(0));
+    const std::array<float, 3> radii{0.3f, 0.2f, 0.1f};
+    for (FaceId face = 0; face < mesh.face_count(); ++face) {
+        REQUIRE(surfaces.may_fold(face));
+        REQUIRE(surfaces_turned.may_fold(face));
+        const glm::vec3 at = surface_point(mesh, face, {0.3f, 0.3f}).position;
+        const FoldAreas expected = surfaces.facing_areas(face, at, radii, AreaOf::surface);
+        const FoldAreas found = surfaces_turned.facing_areas(face, at, radii, AreaOf::surface);
+        for (std::size_t r = 0; r < radii.size(); ++r)
+            CHECK(found[r] == Approx(expected[r]).epsilon(1e-3));
+    }
+}
