@@ -117,8 +117,8 @@ def measure_hipmap(options, scene, kept):
         passes *= 2
     for number, reference in enumerate(references):
         kept.of(reference.stem, lambda: hipmap(options, scene, "-o", reference, "--photons", 2000000,
-                                               "--neighbours", 20, "--seed", 998 + number, "--time",
-                                               options.reference))
+                                               "--neighbours", 20, "--seed", 998 + number,
+                                               "--fireflies", "keep", "--time", options.reference))
     one, two = map(read_pfm, references)
     weight = weights((one + two) / 2)
     return [(seconds, errors2((read_pfm(image) - one) * (read_pfm(image) - two), weight))

@@ -50,7 +50,8 @@ class Lab:
 
     def row(self, scene):
         """A row of the table."""
-        reference = self.render(scene, "reference", self.options.reference, "--seed", 99)[0]
+        reference = self.render(scene, "reference", self.options.reference, "--seed", 99,
+                                "--fireflies", "keep")[0]
         seconds, kinds = self.options.seconds, {}
         if self.options.before:
             kinds["before"] = self.render(scene, "before", seconds, tool=self.options.before)

@@ -17,7 +17,7 @@ namespace {
 std::string describe_removed(const RemovedFireflies& removed)
 {
     if (removed.pixels == 0)
-        return "fireflies: none to remove";
+        return "";
     return "fireflies: removed from " + counted(removed.pixels, "pixel") + ", with " +
            percent(removed.light) + " of the light";
 }
@@ -27,8 +27,8 @@ std::string describe_kept(const Fireflies& fireflies)
     return "fireflies: " + counted(fireflies.pixels, "pixel carries", "pixels carry") + " " +
            percent(fireflies.share) + " of the squared error, which is " +
            percent(fireflies.error_without) +
-           " without them; render more passes, remove them by --fireflies remove, or make small "
-           "bright lights larger";
+           " without them; render more passes, leave out --fireflies keep, or make small bright "
+           "lights larger";
 }
 
 } // namespace

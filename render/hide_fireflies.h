@@ -6,9 +6,8 @@
 
 namespace hipmap {
 
-/// Finds the fireflies of the state's film.  Removes them if `choice` says so, and makes the last
-/// check of the state tell the error of what is left: the state is then one to show, so write its
-/// file before.
+/// Removes the fireflies of the state's film if `choice` says so, as look_at_error has done by the
+/// same choice; else finds them.  The state is then one to show, so write its file before.
 ShownFireflies hide_fireflies(FireflyChoice choice, RenderState& state);
 
 } // namespace hipmap

@@ -31,21 +31,30 @@ bool WritingPace::write(const std::function<void()>& write)
     return true;
 }
 
-std::vector<std::filesystem::path> LiveImages::rewrite(const RenderState& state)
+std::vector<std::filesystem::path> LiveImages::rewrite(RenderState& state)
 {
     const OutputFiles& files = arguments_.files;
     std::vector<std::filesystem::path> out;
-    if (!files.images.empty() &&
-        images_.write([&] { write_images(film_image(state.film), state); }))
+    std::optional<HiddenFireflies> hidden; // found once something is to be written
+    const auto hide = [&] {
+        if (!hidden)
+            hidden.emplace(files.fireflies, state.film);
+    };
+    if (!files.images.empty() && images_.write([&] {
+            hide();
+            write_images(film_image(state.film), state);
+        }))
         out = files.images;
     const std::vector<RequestedPicture> pictures = known_pictures(files.pictures, state);
     if (!pictures.empty() && pictures_.write([&] {
+            hide();
             for (const RequestedPicture& picture : pictures)
                 write_picture(picture, state);
         }))
         for (const RequestedPicture& picture : pictures)
             out.push_back(picture.path);
     if (!files.layers.empty() && layers_.write([&] {
+            hide();
             write_layers_of(files.layers, arguments_.layers, surfaces_(), film_image(state.film),
                             state);
         }))

@@ -40,8 +40,9 @@ class LiveImages {
     /// Writes the images by the passes so far, each whole or not at all, unless writing takes more
     /// than a small share of the time.  Pictures follow once what they show is known.  An
     /// automatic exposure stays while the new one is near, so that viewers do not flicker.
-    /// Returns what was written.  Throws InputError if a file cannot be written.
-    std::vector<std::filesystem::path> rewrite(const RenderState& state);
+    /// Returns what was written; the state stays as it is.  Throws InputError if a file cannot be
+    /// written.
+    std::vector<std::filesystem::path> rewrite(RenderState& state);
 
     /// Writes the images by the coarse one, unless the first pass will be there soon.  Returns what
     /// was written.  Throws as rewrite.

@@ -51,7 +51,7 @@ int merge_states(const MergeArguments& arguments)
     OutputFiles files = arguments.files;
     complete_files(files);
     check_outputs(files);
-    MergedFiles merged = merge_files(arguments.states);
+    MergedFiles merged = merge_files(arguments.states, files.fireflies);
     RenderState& state = merged.state;
     report.line(counted(count(state.film.passes), "pass", "passes") + " from " +
                 counted(merged.files.size(), "state"));

@@ -103,7 +103,7 @@ void add(const ReadState& read, std::vector<HeldByFile>& held, MergedFiles& into
 
 } // namespace
 
-MergedFiles merge_files(const std::vector<std::filesystem::path>& named)
+MergedFiles merge_files(const std::vector<std::filesystem::path>& named, FireflyChoice fireflies)
 {
     using tbb::filter_mode;
     const std::vector<StateFile> files = files_of(named);
@@ -129,7 +129,8 @@ MergedFiles merge_files(const std::vector<std::filesystem::path>& named)
         throw InputError(out.left_out[0]);
     if (count(out.state.film.passes) == 0)
         throw InputError(out.files[0].string() + ": has no passes yet; render some first");
-    look_at_error(out.state);
+    look_again(fireflies, out.state);
+    look_at_error(fireflies, out.state);
     return out;
 }
 

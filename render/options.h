@@ -27,9 +27,6 @@ inline constexpr double kQuotedError = 0.01;
 /// What --quality chooses at once; docs/accuracy.md has the evidence.
 enum class Quality : std::uint8_t { standard, draft, good, final };
 
-/// What becomes of fireflies in the images that are written.
-enum class FireflyChoice : std::uint8_t { keep, remove };
-
 /// The files that `render` and `render merge` write.
 struct OutputFiles {
     std::vector<std::filesystem::path> images;
@@ -39,10 +36,10 @@ struct OutputFiles {
     std::filesystem::path statistics; ///< empty: none
     std::filesystem::path state;      ///< to keep, and for `render` to resume; empty: none
     bool replace_state = false;       ///< start over if the state is of another render
-    FireflyChoice fireflies = FireflyChoice::keep; ///< of all images
-    std::optional<float> exposure_ev;              ///< of 8-bit images; none: auto
-    ViewChoice view_choice;                        ///< of 8-bit images
-    DisplayView view;                              ///< what it names
+    FireflyChoice fireflies = FireflyChoice::remove; ///< of all images
+    std::optional<float> exposure_ev;                ///< of 8-bit images; none: auto
+    ViewChoice view_choice;                          ///< of 8-bit images
+    DisplayView view;                                ///< what it names
 
     /// Returns the paths of all output files but the images, so that they can be changed.
     std::vector<std::filesystem::path*> single_files()

@@ -117,9 +117,9 @@ std::vector<OptionRow> shown_rows(OutputFiles& files)
     return {{.name = "fireflies",
              .section = kImageSection,
              .field = choice_field<FireflyChoice>(files.fireflies, kFireflyChoices),
-             .help = "keep: rare bright samples stay in the images; remove: each is taken out of "
-                     "its pixel, and the error counts the light removed as bias. The state keeps "
-                     "them"},
+             .help = "remove: rare bright samples are taken out of their pixels, and the error "
+                     "counts the light removed as bias; keep: they stay in the images. The state "
+                     "keeps them"},
             {.name = "exposure",
              .section = kImageSection,
              .field = exposure_field(files.exposure_ev),

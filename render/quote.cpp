@@ -86,6 +86,7 @@ Sketch render_sketch(const QuotedFrame& frame, const Change& change, const Rende
     control.stop = &stop;
     StopRules rules;
     rules.passes = kSketchPasses;
+    rules.fireflies = frame.passes.frame.arguments.files.fireflies;
     run_passes(source, rules, control, out.state);
     out.whole = count(out.state.film.passes) == kSketchPasses;
     out.seconds = watch.seconds();

@@ -135,7 +135,7 @@ RunControl make_control(const FramePlace* place, const FrameControl& frame, Live
         report.progress(progress.done, describe_progress(progress, place), progress.left);
     };
     control.stop = &frame.stop;
-    control.pass = [&images, lines = frame.lines](const RenderState& now) {
+    control.pass = [&images, lines = frame.lines](RenderState& now) {
         const std::vector<std::filesystem::path> rewritten = images.rewrite(now);
         if (lines != nullptr)
             lines->pass(now, rewritten);
@@ -149,7 +149,7 @@ RunResult run_and_save(const RenderArguments& arguments, const PassSource& sourc
 {
     std::uint64_t saved = count(state.film.passes);
     Spent writing, showing;
-    control.pass = [&showing, show = std::move(control.pass)](const RenderState& now) {
+    control.pass = [&showing, show = std::move(control.pass)](RenderState& now) {
         const Stopwatch watch;
         show(now);
         showing.add(watch);
@@ -163,8 +163,10 @@ RunResult run_and_save(const RenderArguments& arguments, const PassSource& sourc
         writing.add(watch);
         saved = count(now.film.passes);
     };
-    RunResult out = ranks != nullptr ? run_ranks(source, arguments.stops, control, state, *ranks)
-                                     : run_passes(source, arguments.stops, control, state);
+    StopRules stops = arguments.stops;
+    stops.fireflies = arguments.files.fireflies;
+    RunResult out = ranks != nullptr ? run_ranks(source, stops, control, state, *ranks)
+                                     : run_passes(source, stops, control, state);
     together(ranks, [&] { control.save(state); });
     out.costs.state = writing;
     out.costs.previews = showing;

@@ -169,6 +169,8 @@ Json check_json(const ErrorCheck& check)
     }
     if (error.clamp2 > 0)
         json["clamp"] = std::sqrt(error.clamp2);
+    if (error.removed2 > 0)
+        json["removed"] = std::sqrt(error.removed2);
     return json;
 }
 

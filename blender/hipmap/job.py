@@ -68,8 +68,8 @@ def _render_options(settings, picture):
                "--seed", str(settings.seed), "--threads", str(settings.threads)]
     if settings.photons > 0:
         options += ["--photons", str(settings.photons)]
-    if settings.remove_fireflies:
-        options += ["--fireflies", "remove"]
+    if not settings.remove_fireflies:
+        options += ["--fireflies", "keep"]
     return options
 
 

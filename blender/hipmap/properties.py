@@ -46,7 +46,7 @@ class HipmapSettings(bpy.types.PropertyGroup):
     seed: bpy.props.IntProperty(
         name="Seed", default=0, min=0, description="The same seed gives the same image")
     remove_fireflies: bpy.props.BoolProperty(
-        name="Remove Fireflies", default=False,
+        name="Remove Fireflies", default=True,
         description="Take rare bright samples out of the finished image; its error counts the "
                     "light removed")
     angle: bpy.props.FloatProperty(

@@ -67,7 +67,7 @@ class Lab:
                             probed["pass"]))
         seconds = self.render(scene, setting, self.study.reference_size, "-o",
                               self.half(scene, by_filter, number), "--passes", passes, "--seed",
-                              plan.REFERENCE_SEED + number)
+                              plan.REFERENCE_SEED + number, "--fireflies", "keep")
         return {"passes": passes, "seconds": seconds}
 
     @functools.lru_cache

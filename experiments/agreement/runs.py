@@ -87,7 +87,7 @@ class Lab:
         image, stats = self.folder / "image.pfm", self.folder / "stats.json"
         programs.run(self.tools, "render", SCENES[scene], self.folder / "scene.hpm", "-o", image,
                      "--stats", stats, "--size", f"{self.size}x{self.size}", "--threads",
-                     self.threads, *method.options, *options)
+                     self.threads, "--fireflies", "keep", *method.options, *options)
         return arithmetic.read_pfm(image), json.loads(stats.read_text())
 
     def series(self, scene, method, effects=""):

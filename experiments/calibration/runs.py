@@ -120,7 +120,7 @@ class Lab:
         """By passes until its stated error is a part of the target.  noise2: the part of the error's
         square that is noise."""
         check = self.render(scene, method, self.reference(scene, method), "--error",
-                            target / BETTER, "--seed", REFERENCE_SEED)
+                            target / BETTER, "--seed", REFERENCE_SEED, "--fireflies", "keep")
         return {"error": check["error"], "noise2": check["noise"] ** 2}
 
     def try_image(self, scene, integrator, target, seed, noise2):

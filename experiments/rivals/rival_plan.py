@@ -124,4 +124,4 @@ def reference(scene, kind):
 
 
 COMMON = ("--threads", 1)
-OF_RENDER = ("--look", "gltf", "--filter", "box")
+OF_RENDER = ("--look", "gltf", "--filter", "box", "--fireflies", "keep")

@@ -73,7 +73,7 @@ class Lab:
         image, stats = self.folder / f"{name}.pfm", self.folder / f"{name}.json"
         self.call("render", self.folder / f"{name}.glb", self.folder / f"{name}.hpm", "-o", image,
                   "--stats", stats, "--size", f"{self.size}x{self.size}", "--filter", "box",
-                  "--threads", self.threads, *method.options, *options)
+                  "--threads", self.threads, "--fireflies", "keep", *method.options, *options)
         return arithmetic.read_pfm(image), json.loads(stats.read_text())
 
     def passes_in_time(self, name, method):

@@ -45,7 +45,7 @@ ErrorLaw error_law(std::span<const ErrorCheck> checks, double alpha)
     ErrorLaw law;
     law.photon_power = alpha;
     law.bias_power = (1 - alpha) * error.order;
-    law.by_pass = (error.noise2 - error.photon2) * passes;
+    law.by_pass = (error.noise2 + error.removed2 - error.photon2) * passes;
     law.by_photon = error.photon2 * std::pow(passes, law.photon_power);
     law.by_bias = std::max(error.bias2, 0.0) * std::pow(passes, law.bias_power);
     law.by_clamp = error.clamp2;

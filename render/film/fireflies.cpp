@@ -8,7 +8,6 @@
 #include <cmath>
 #include <numeric>
 #include <utility>
-#include <vector>
 
 namespace hipmap {
 
@@ -102,20 +101,6 @@ std::optional<Candidates> find_candidates(const Film& film, const ChannelReader&
     return out;
 }
 
-/// A batch of a pixel whose sums are set aside.
-struct SetAside {
-    std::uint64_t batch;
-    std::uint32_t lost; ///< passes that had kept no sample of the pixel
-    std::array<std::int64_t, 3> radiance{};
-};
-
-/// The sums of a pixel that share the photons of one batch.
-struct PixelSums {
-    std::vector<SetAside> wide;
-    std::uint64_t narrow_batch = 0;
-    std::array<std::array<std::int64_t, 3>, 3> narrow{}; ///< of narrow, narrower and cut
-};
-
 std::array<std::vector<std::int64_t>*, 3> narrow_sums(Film& film)
 {
     return {&film.narrow, &film.narrower, &film.cut};
@@ -129,13 +114,13 @@ void exchange(std::vector<std::int64_t>& sums, std::size_t place,
         std::swap(sums[place * 3 + channel], values[channel]);
 }
 
-void exchange(Film& film, std::size_t pixel, PixelSums& aside)
+void exchange(Film& film, PixelSums& aside)
 {
     const std::size_t pixels = film.pixel_count();
-    for (SetAside& one : aside.wide)
-        exchange(film.radiance, one.batch * pixels + pixel, one.radiance);
+    for (PixelSums::Batch& one : aside.wide)
+        exchange(film.radiance, one.number * pixels + aside.pixel, one.radiance);
     for (std::size_t i = 0; i < 3; ++i)
-        exchange(*narrow_sums(film)[i], aside.narrow_batch * pixels + pixel, aside.narrow[i]);
+        exchange(*narrow_sums(film)[i], aside.narrow_batch * pixels + aside.pixel, aside.narrow[i]);
 }
 
 /// Sets the sums of the batches aside that share narrow sums with `batch`, or of it alone where
@@ -143,6 +128,7 @@ void exchange(Film& film, std::size_t pixel, PixelSums& aside)
 PixelSums set_aside(Film& film, const KeptPasses& kept, std::size_t pixel, std::uint64_t batch)
 {
     PixelSums out;
+    out.pixel = pixel;
     out.narrow_batch = batch % kNarrowBatches;
     const bool alone = film.narrow.empty() && film.cut.empty();
     for (std::uint64_t one = 0; one < kBatches; ++one) {
@@ -153,18 +139,18 @@ PixelSums set_aside(Film& film, const KeptPasses& kept, std::size_t pixel, std::
         out.wide.push_back({one, lost});
         lost += passes;
     }
-    exchange(film, pixel, out);
+    exchange(film, out);
     return out;
 }
 
-void put_back(Film& film, std::size_t pixel, PixelSums aside)
+void put_back(Film& film, PixelSums aside)
 {
-    exchange(film, pixel, aside);
-    for (const SetAside& one : aside.wide)
+    exchange(film, aside);
+    for (const PixelSums::Batch& one : aside.wide)
         if (one.lost > 0)
-            film.lost[pixel * kBatches + one.batch] = one.lost;
+            film.lost[aside.pixel * kBatches + one.number] = one.lost;
         else
-            film.lost.erase(pixel * kBatches + one.batch);
+            film.lost.erase(aside.pixel * kBatches + one.number);
 }
 
 /// Returns the noise after a batch was set aside, with the weights before it was: a darker pixel
@@ -230,7 +216,7 @@ std::optional<Fireflies> find_fireflies(const Film& film, const ImageError& erro
     return out;
 }
 
-RemovedFireflies remove_fireflies(Film& film)
+RemovedFireflies remove_fireflies(Film& film, std::vector<PixelSums>* aside)
 {
     RemovedFireflies out;
     const double light = sum_of(film_image(film));
@@ -240,6 +226,9 @@ RemovedFireflies remove_fireflies(Film& film)
     const std::optional<Candidates> found = find_candidates(film, reader, kRemoved);
     if (!found)
         return out;
+    if (aside != nullptr)
+        aside->reserve(
+            found->pixels.size()); // nothing may fail while sums are neither here nor there
     const KeptPasses kept(film);
     double more_than_once = kLeastFireflies, carried = 0;
     for (const std::size_t pixel : found->pixels) {
@@ -249,21 +238,35 @@ RemovedFireflies remove_fireflies(Film& film)
         const PixelStatistics before = read_pixel(reader, pixel);
         if (!is_bright(before))
             continue;
-        PixelSums aside = set_aside(film, kept, pixel, brightest_batch(reader, before));
+        PixelSums sums = set_aside(film, kept, pixel, brightest_batch(reader, before));
         const PixelStatistics after = read_pixel(reader, pixel);
         const double left = noise_left(before, after);
         if (after[0].batches < 2 || left > std::max(found->bright, kSeenAgain * noise)) {
-            put_back(film, pixel, std::move(aside));
+            put_back(film, std::move(sums));
             ++more_than_once;
             continue;
         }
         ++out.pixels;
         out.light += (light_of(before) - light_of(after)) / light;
         carried += noise - left;
+        if (aside != nullptr)
+            aside->push_back(std::move(sums));
     }
     const double once = static_cast<double>(out.pixels + kLeastFireflies);
     out.bias2 = std::min(1.0, 2 * more_than_once / once) * scale_of_noise(film, reader) * carried;
     return out;
+}
+
+HiddenFireflies::HiddenFireflies(FireflyChoice choice, Film& film) : film_(film)
+{
+    if (choice == FireflyChoice::remove)
+        removed_ = remove_fireflies(film, &aside_);
+}
+
+HiddenFireflies::~HiddenFireflies()
+{
+    for (PixelSums& one : aside_)
+        put_back(film_, std::move(one));
 }
 
 std::optional<ImageError> estimate_error(const Film& film, const RemovedFireflies& removed)
@@ -275,6 +278,12 @@ std::optional<ImageError> estimate_error(const Film& film, const RemovedFireflie
     out->error = std::sqrt(out->error * out->error + removed.bias2);
     out->high = std::sqrt(out->high * out->high + removed.bias2);
     return out;
+}
+
+std::optional<ImageError> error_of_shown(FireflyChoice choice, Film& film)
+{
+    const HiddenFireflies hidden(choice, film);
+    return estimate_error(film, hidden.removed());
 }
 
 } // namespace hipmap

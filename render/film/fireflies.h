@@ -2,7 +2,13 @@
 
 #include "render/film/image_error.h"
 
+#include <array>
+#include <vector>
+
 namespace hipmap {
+
+/// What becomes of fireflies in an image.
+enum class FireflyChoice : std::uint8_t { keep, remove };
 
 /// Few pixels that carry much of the estimated error, each mostly by one rare bright sample.
 struct Fireflies {
@@ -25,11 +31,41 @@ struct RemovedFireflies {
     double bias2 = 0; ///< relMSE of the light that is missing now, docs/error.md (24)
 };
 
+/// The sums of a pixel that share the photons of one batch, set aside.
+struct PixelSums {
+    struct Batch {
+        std::uint64_t number;
+        std::uint32_t lost; ///< passes that had kept no sample of the pixel
+        std::array<std::int64_t, 3> radiance{};
+    };
+    std::size_t pixel = 0;
+    std::vector<Batch> wide;
+    std::uint64_t narrow_batch = 0;
+    std::array<std::array<std::int64_t, 3>, 3> narrow{}; ///< of narrow, narrower and cut
+};
+
 /// Takes the batches that hold fireflies out of their pixels, as if their passes had kept no sample
 /// there, docs/error.md (24).  What two batches or more have found is no firefly and stays.  A film
 /// with passes in fewer than kFewestBatches batches loses nothing.  The film is then one to show:
-/// write its state before.  Costs about as much as find_fireflies.
-RemovedFireflies remove_fireflies(Film& film);
+/// write its state before.  aside: takes what it loses; null: nobody asks.  Costs about as much as
+/// find_fireflies.
+RemovedFireflies remove_fireflies(Film& film, std::vector<PixelSums>* aside = nullptr);
+
+/// Keeps the fireflies of a film out of it while it lives, if they are to be removed.
+class HiddenFireflies {
+  public:
+    HiddenFireflies(FireflyChoice choice, Film& film);
+    ~HiddenFireflies();
+    HiddenFireflies(const HiddenFireflies&) = delete;
+    HiddenFireflies& operator=(const HiddenFireflies&) = delete;
+
+    const RemovedFireflies& removed() const { return removed_; }
+
+  private:
+    Film& film_;
+    std::vector<PixelSums> aside_;
+    RemovedFireflies removed_;
+};
 
 /// The fireflies of an image to show.
 struct ShownFireflies {
@@ -40,5 +76,8 @@ struct ShownFireflies {
 /// Returns the error of the film that is left, as estimate_error does, with that of the light that
 /// is missing.
 std::optional<ImageError> estimate_error(const Film& film, const RemovedFireflies& removed);
+
+/// Returns the error of the image that a film shows; the film stays as it is.
+std::optional<ImageError> error_of_shown(FireflyChoice choice, Film& film);
 
 } // namespace hipmap

@@ -60,8 +60,9 @@ void put_check(StateWriter& out, const ErrorCheck& check)
     const ImageError& error = check.error;
     out.put(check.passes);
     out.put(static_cast<std::uint32_t>(error.bias));
-    for (const double value : {check.seconds, error.noise2, error.photon2, error.bias2,
-                               error.clamp2, error.order, error.error, error.low, error.high})
+    for (const double value :
+         {check.seconds, error.noise2, error.photon2, error.bias2, error.clamp2, error.removed2,
+          error.order, error.error, error.low, error.high})
         out.put(value);
 }
 
@@ -194,7 +195,7 @@ ErrorCheck get_check(StateReader& in)
     check.error.bias = get_bias(in);
     ImageError& error = check.error;
     for (double* value : {&check.seconds, &error.noise2, &error.photon2, &error.bias2,
-                          &error.clamp2, &error.order, &error.error, &error.low}) {
+                          &error.clamp2, &error.removed2, &error.order, &error.error, &error.low}) {
         *value = in.get<double>();
         in.require(std::isfinite(*value), "check");
     }
@@ -251,13 +252,21 @@ std::vector<ErrorCheck> common_checks(const RenderState& a, const RenderState& b
 
 } // namespace
 
-void look_at_error(RenderState& state)
+void look_at_error(FireflyChoice fireflies, RenderState& state)
 {
     const std::uint64_t passes = count(state.film.passes);
     if (!state.checks.empty() && state.checks.back().passes >= passes)
         return;
-    if (const std::optional<ImageError> error = estimate_error(state.film))
+    if (const std::optional<ImageError> error = error_of_shown(fireflies, state.film))
         state.checks.push_back({passes, state.seconds, *error});
+}
+
+void look_again(FireflyChoice fireflies, RenderState& state)
+{
+    if (state.checks.empty() || state.checks.back().passes != count(state.film.passes))
+        return;
+    state.checks.pop_back();
+    look_at_error(fireflies, state);
 }
 
 bool error_is_met(const RenderState& state, double error)

@@ -3,6 +3,7 @@
 #include "common/input_error.h"
 #include "common/setting.h"
 #include "render/film/error_cost.h"
+#include "render/film/fireflies.h"
 
 #include <filesystem>
 #include <string>
@@ -10,7 +11,7 @@
 namespace hipmap {
 
 /// The version of the format of states.
-inline constexpr std::uint32_t kStateVersion = 7;
+inline constexpr std::uint32_t kStateVersion = 8;
 
 /// Everything needed to resume a render, or to merge it with others; docs/error.md.
 struct RenderState {
@@ -29,8 +30,12 @@ struct RenderState {
     bool operator==(const RenderState&) const = default;
 };
 
-/// Records the current error, unless it was already recorded at this number of passes.
-void look_at_error(RenderState& state);
+/// Records the error of the image that the film shows, unless it was already recorded at this
+/// number of passes.
+void look_at_error(FireflyChoice fireflies, RenderState& state);
+
+/// Records it anew if it was recorded at this number of passes, maybe by another choice.
+void look_again(FireflyChoice fireflies, RenderState& state);
 
 /// Returns whether the error recorded after the last pass is at most `error` and has an interval.
 /// error: 0: none is asked for, and none is met.

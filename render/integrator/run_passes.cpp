@@ -62,7 +62,7 @@ class Run {
         state_.seconds += seconds;
         times_.whole.push_back(seconds);
         if (passes() >= next_look_) {
-            look_at_error(state_);
+            look_at_error(rules_.fireflies, state_);
             next_look_ = next_look(passes());
         }
         film_.add(adding);
@@ -212,6 +212,7 @@ RunResult run_passes(const PassSource& source, const StopRules& rules, const Run
                      RenderState& state)
 {
     RunResult out;
+    look_again(rules.fireflies, state);
     Run run(rules, source.alpha, control, state);
     PassImages unfinished;
     std::optional<StopReason> reason;
@@ -232,7 +233,7 @@ RunResult run_passes(const PassSource& source, const StopRules& rules, const Run
     out.reason = *reason;
     out.costs.film = run.film();
     const Stopwatch ending;
-    look_at_error(state);
+    look_at_error(rules.fireflies, state);
     set_image(state, std::move(unfinished), out);
     out.costs.film.add(ending);
     return out;

@@ -15,6 +15,7 @@ struct StopRules {
     double seconds =
         std::numeric_limits<double>::infinity(); ///< of this run; a pass is done anyhow
     double error = 0;                            ///< 0.05: 5 %; looked at after next_check() passes
+    FireflyChoice fireflies = FireflyChoice::remove; ///< in the image whose error that is
     double quoted_error = 0; ///< stop once the time to this error is known well enough; 0: do not
 };
 
@@ -45,8 +46,9 @@ struct RunControl {
     /// Saves the state.  Called between passes, often enough that little is lost and rarely enough
     /// to cost little time; not at the end.  May be empty.
     std::function<void(const RenderState&)> save;
-    /// Called after each pass that was added.  May be empty.
-    std::function<void(const RenderState&)> pass;
+    /// Called after each pass that was added, with the state, which it leaves as it was.  May be
+    /// empty.
+    std::function<void(RenderState&)> pass;
 };
 
 /// What a run took besides rendering passes.

@@ -129,7 +129,7 @@ class Lead {
         state_.seconds = spent_ + queue_.seconds();
         const Stopwatch looking;
         if (rules_.error > 0)
-            look_at_error(state_);
+            look_at_error(rules_.fireflies, state_);
         costs.film.add(looking);
         if (control_.pass)
             control_.pass(state_);
@@ -186,8 +186,9 @@ class Lead {
     PassImages unfinished_;
 };
 
-RunResult lead(Lead& run, RenderState& state, Ranks& ranks)
+RunResult lead(Lead& run, FireflyChoice fireflies, RenderState& state, Ranks& ranks)
 {
+    look_again(fireflies, state);
     Round round{empty_like(state.film), {}};
     std::optional<StopReason> reason;
     while (!(reason = run.reason_to_stop())) {
@@ -198,7 +199,7 @@ RunResult lead(Lead& run, RenderState& state, Ranks& ranks)
     }
     ranks.from_lead(static_cast<std::uint64_t>(*reason));
     const Stopwatch ending;
-    look_at_error(state);
+    look_at_error(fireflies, state);
     RunResult out;
     out.reason = *reason;
     set_image(state, std::move(run.unfinished()), out);
@@ -231,7 +232,7 @@ RunResult run_ranks(const PassSource& source, const StopRules& rules, const RunC
     if (!ranks.leads())
         return work(source, control, state.film, ranks);
     Lead run(source, rules, control, state, ranks);
-    return lead(run, state, ranks);
+    return lead(run, rules.fireflies, state, ranks);
 }
 
 } // namespace hipmap

@@ -212,21 +212,26 @@ class State(ToolsTestCase):
     def test_fireflies_are_removed_from_images_and_not_from_states(self):
         """Paths find the light behind the glass ball by rare bright samples."""
         self.size = "40x40"
-        options = ["--integrator", "path", "--passes", 8]
-        self.render("kept.pfm", *options, "--state", self.path("a.state"))
+        options = ["--integrator", "path", "--passes", 8, "--stats", self.path("stats.json")]
+        self.render("kept.pfm", *options, "--state", self.path("a.state"), "--fireflies", "keep")
         with open(self.path("a.state"), "rb") as file:
             state = file.read()
-        printed = self.render("removed.pfm", *options, "--state", self.path("a.state"),
-                              "--fireflies", "remove", "--stats", self.path("stats.json"))
+        kept = self.read_json("stats.json")["error"]
+        self.assertIsNone(kept["removed_fireflies"])
+        printed = self.render("removed.pfm", *options, "--state", self.path("a.state"))
         self.assertIn("fireflies: removed from", printed)
         with open(self.path("a.state"), "rb") as file:
             self.assertEqual(file.read(), state)
-        removed = self.read_json("stats.json")["error"]["removed_fireflies"]
+        error = self.read_json("stats.json")["error"]
+        self.assertLess(error["checks"][-1]["noise"], kept["checks"][-1]["noise"])
+        removed = error["removed_fireflies"]
+        self.assertEqual(error["checks"][-1]["removed"], removed["error"])
         self.assertGreater(removed["pixels"], 0)
         self.assertTrue(0 < removed["light"] < 0.2, removed)
         self.succeed("render", "merge", self.path("a.state"), "-o", self.path("merged.pfm"),
-                     "--fireflies", "remove", "--state", self.path("b.state"))
-        self.succeed("render", "merge", self.path("b.state"), "-o", self.path("again.pfm"))
+                     "--state", self.path("b.state"))
+        self.succeed("render", "merge", self.path("b.state"), "-o", self.path("again.pfm"),
+                     "--fireflies", "keep")
         self.same("merged.pfm", "removed.pfm")
         self.same("again.pfm", "kept.pfm")
         with self.assertRaises(AssertionError):

@@ -137,6 +137,24 @@ TEST_CASE("remove_fireflies: what one pass found leaves its pixels, and the erro
     }
 }
 
+TEST_CASE("error_of_shown: that of a film without fireflies, which stays", "[film]")
+{
+    for (const bool radii : {false, true}) {
+        const Film film = noisy_film({.pixels = 5, .radiance = 100, .radii = radii});
+        Film shown = film, left = film;
+        CHECK(error_of_shown(FireflyChoice::keep, shown) == estimate_error(film));
+        const RemovedFireflies removed = remove_fireflies(left);
+        CHECK(error_of_shown(FireflyChoice::remove, shown) == estimate_error(left, removed));
+        CHECK(shown == film);
+        {
+            const HiddenFireflies hidden(FireflyChoice::remove, shown);
+            CHECK(hidden.removed().pixels == 5);
+            CHECK(shown == left);
+        }
+        CHECK(shown == film);
+    }
+}
+
 TEST_CASE("remove_fireflies: what two batches found stays", "[film]")
 {
     const Film film = noisy_film({.pixels = 5, .radiance = 100, .passes = {3, 6}});

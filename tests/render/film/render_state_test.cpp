@@ -196,8 +196,9 @@ TEST_CASE("render state: states merge in any order into the bits of one run", "[
         CHECK(merged.film == one.film);
         CHECK(merged.seconds == 7.5);
         CHECK(merged.checks == first);
-        look_at_error(merged);
-        look_at_error(merged);
+        look_at_error(FireflyChoice::keep, merged);
+        look_at_error(FireflyChoice::keep, merged);
+        look_again(FireflyChoice::keep, merged);
         REQUIRE(merged.checks.size() == 2);
         CHECK(merged.checks[1] == ErrorCheck{20, 7.5, estimate_error(one.film).value()});
     }
@@ -207,7 +208,7 @@ TEST_CASE("render state: of merged checks those of the first passes stay", "[fil
 {
     RenderState apart = state_of(0, 5);
     merge_state(apart, state_of(11, 20), "b"); // passes 5 to 10 are missing
-    look_at_error(apart);
+    look_at_error(FireflyChoice::keep, apart);
     REQUIRE(apart.checks.size() == 2);
     merge_state(apart, state_of(5, 11), "c");
     REQUIRE(apart.checks.size() == 1); // what held of 14 passes holds of the first 14 no more
