@@ -47,7 +47,7 @@ class HipmapSettings(bpy.types.PropertyGroup):
         name="Seed", default=0, min=0, description="The same seed gives the same image")
     remove_fireflies: bpy.props.BoolProperty(
         name="Remove Fireflies", default=True,
-        description="Take rare bright samples out of the finished image; its error counts the "
+        description="Take rare bright samples out of the image; its error counts the "
                     "light removed")
     angle: bpy.props.FloatProperty(
         name="Angle Threshold", default=math.radians(30), min=0, max=math.pi, subtype="ANGLE",
