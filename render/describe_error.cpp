@@ -14,12 +14,16 @@ namespace hipmap {
 
 namespace {
 
+/// The share of the light that is worth a second look when it was removed.
+constexpr double kMuchLight = 0.05;
+
 std::string describe_removed(const RemovedFireflies& removed)
 {
     if (removed.pixels == 0)
         return "";
     return "fireflies: removed from " + counted(removed.pixels, "pixel") + ", with " +
-           percent(removed.light) + " of the light";
+           percent(removed.light) + " of the light" +
+           (removed.light > kMuchLight ? "; --fireflies keep leaves them in" : "");
 }
 
 std::string describe_kept(const Fireflies& fireflies)
