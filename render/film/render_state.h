@@ -34,7 +34,8 @@ struct RenderState {
 /// number of passes.
 void look_at_error(FireflyChoice fireflies, RenderState& state);
 
-/// Records it anew if it was recorded at this number of passes, maybe by another choice.
+/// Replaces the error recorded at this number of passes, if there is one: an earlier run may have
+/// shown an image of the other choice.
 void look_again(FireflyChoice fireflies, RenderState& state);
 
 /// Returns whether the error recorded after the last pass is at most `error` and has an interval.

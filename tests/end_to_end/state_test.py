@@ -238,7 +238,7 @@ class State(ToolsTestCase):
             self.same("kept.pfm", "removed.pfm")
 
     def test_much_light_of_fireflies_is_told(self):
-        """Stars a thousandth of a pixel wide over a sunlit floor: most are hit once or never."""
+        """Stars far smaller than a pixel, over a floor under them: most are hit once or never."""
         corners, faces = [(-2, -1.2, -3), (2, -1.2, -3), (2, -1.2, 1), (-2, -1.2, 1)], []
         for i in range(400):
             x, y = i % 20 / 10 - 0.95, i // 20 / 10 - 0.95
