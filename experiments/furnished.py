@@ -38,5 +38,9 @@ class Scenes(dict):
         super().__init__(files)
         self.update(dict.fromkeys(NAMES))
 
+    def written(self):
+        """The names without those of files that are not there yet."""
+        return [name for name in self if name not in NAMES or (FOLDER / f"{name}.glb").exists()]
+
     def __getitem__(self, name):
         return path_of(name) if name in NAMES else super().__getitem__(name)

@@ -145,6 +145,12 @@ class Notebooks(unittest.TestCase):
                 path.write_bytes(b"a")
                 self.assertEqual(jobs.image_key("room", "path", 0), first)
 
+    def test_no_scene_is_written_to_look_for_what_is_known(self):
+        with unittest.mock.patch.object(runs.furnished, "path_of", side_effect=AssertionError), \
+                tempfile.TemporaryDirectory() as folder, \
+                unittest.mock.patch.object(runs.furnished, "FOLDER", pathlib.Path(folder)):
+            self.assertEqual(jobs.cases({}, 1), [])
+
     def test_a_reference_is_the_same_whichever_integrators_are_asked_for(self):
         self.assertEqual(jobs.sharing("cornell", runs.LONG_PATH), ["progressive", "path"])
         asked = [jobs.stages(None, None, ["cornell"], names, 1) for names in
