@@ -1,6 +1,7 @@
 #include "render/film/fireflies.h"
 
 #include "render/film/batch_products.h"
+#include "render/film/rare_samples.h"
 
 #include <tbb/parallel_for.h>
 
@@ -175,6 +176,28 @@ std::uint64_t brightest_batch(const ChannelReader& reader, const PixelStatistics
         .batch[static_cast<std::size_t>(std::ranges::max_element(above) - above.begin())];
 }
 
+/// Returns those candidates whose noise is mostly of one bright batch, or of few; the film stays as
+/// it is.
+std::vector<OutstandingPixel> find_outstanding(Film& film, const KeptPasses& kept,
+                                               const ChannelReader& reader, const Candidates& found)
+{
+    std::vector<OutstandingPixel> out;
+    for (const std::size_t pixel : found.pixels) {
+        const double noise = found.noise[pixel];
+        const PixelStatistics before = read_pixel(reader, pixel);
+        if (!(noise > found.bright) || !is_bright(before))
+            continue;
+        const std::uint64_t batch = brightest_batch(reader, before);
+        PixelSums sums = set_aside(film, kept, pixel, batch);
+        const PixelStatistics after = read_pixel(reader, pixel);
+        put_back(film, std::move(sums));
+        const double left = noise_left(before, after);
+        out.push_back({pixel, batch, std::max(noise - left, 0.0),
+                       after[0].batches < 2 || left > std::max(found.bright, kSeenAgain * noise)});
+    }
+    return out;
+}
+
 double light_of(const PixelStatistics& pixel)
 {
     return pixel[0].mean + pixel[1].mean + pixel[2].mean;
@@ -226,34 +249,23 @@ RemovedFireflies remove_fireflies(Film& film, std::vector<PixelSums>* aside)
     const std::optional<Candidates> found = find_candidates(film, reader, kRemoved);
     if (!found)
         return out;
-    if (aside != nullptr)
-        aside->reserve(
-            found->pixels.size()); // nothing may fail while sums are neither here nor there
     const KeptPasses kept(film);
-    double more_than_once = kLeastFireflies, carried = 0;
-    for (const std::size_t pixel : found->pixels) {
-        const double noise = found->noise[pixel];
-        if (!(noise > found->bright))
+    const std::vector<OutstandingPixel> pixels = find_outstanding(film, kept, reader, *found);
+    const RareSamples rare = judge_rare_samples(pixels, static_cast<std::size_t>(film.width));
+    if (aside != nullptr)
+        aside->reserve(pixels.size()); // nothing may fail while sums are neither here nor there
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        if (rare.removed[i] == 0)
             continue;
-        const PixelStatistics before = read_pixel(reader, pixel);
-        if (!is_bright(before))
-            continue;
-        PixelSums sums = set_aside(film, kept, pixel, brightest_batch(reader, before));
-        const PixelStatistics after = read_pixel(reader, pixel);
-        const double left = noise_left(before, after);
-        if (after[0].batches < 2 || left > std::max(found->bright, kSeenAgain * noise)) {
-            put_back(film, std::move(sums));
-            ++more_than_once;
-            continue;
-        }
+        const double before = light_of(read_pixel(reader, pixels[i].pixel));
+        PixelSums sums = set_aside(film, kept, pixels[i].pixel, pixels[i].batch);
         ++out.pixels;
-        out.light += (light_of(before) - light_of(after)) / light;
-        carried += noise - left;
+        out.light += (before - light_of(read_pixel(reader, pixels[i].pixel))) / light;
         if (aside != nullptr)
             aside->push_back(std::move(sums));
     }
-    const double once = static_cast<double>(out.pixels + kLeastFireflies);
-    out.bias2 = std::min(1.0, 2 * more_than_once / once) * scale_of_noise(film, reader) * carried;
+    out.bias2 = scale_of_noise(film, reader) * rare.missing;
+    out.most2 = scale_of_noise(film, reader) * rare.most_missing;
     return out;
 }
 
@@ -276,7 +288,7 @@ std::optional<ImageError> estimate_error(const Film& film, const RemovedFireflie
         return out;
     out->removed2 = removed.bias2;
     out->error = std::sqrt(out->error * out->error + removed.bias2);
-    out->high = std::sqrt(out->high * out->high + removed.bias2);
+    out->high = std::sqrt(out->high * out->high + removed.most2);
     return out;
 }
 

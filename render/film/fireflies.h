@@ -28,7 +28,8 @@ std::optional<Fireflies> find_fireflies(const Film& film, const ImageError& erro
 struct RemovedFireflies {
     std::uint64_t pixels = 0;
     double light = 0; ///< share of the sum of all channels that they carried
-    double bias2 = 0; ///< relMSE of the light that is missing now, docs/error.md (24)
+    double bias2 = 0; ///< relMSE of the light that is missing now, docs/error.md (25)
+    double most2 = 0; ///< 95 % upper limit of that
 };
 
 /// The sums of a pixel that share the photons of one batch, set aside.
@@ -45,10 +46,10 @@ struct PixelSums {
 };
 
 /// Takes the batches that hold fireflies out of their pixels, as if their passes had kept no sample
-/// there, docs/error.md (24).  What two batches or more have found is no firefly and stays.  A film
-/// with passes in fewer than kFewestBatches batches loses nothing.  The film is then one to show:
-/// write its state before.  aside: takes what it loses; null: nobody asks.  Costs about as much as
-/// find_fireflies.
+/// there, docs/error.md (24).  What two batches or more have found is no firefly and stays, and so
+/// does what is too often found.  A film with passes in fewer than kFewestBatches batches loses
+/// nothing.  The film is then one to show: write its state before.  aside: takes what it loses;
+/// null: nobody asks.  Costs about as much as find_fireflies.
 RemovedFireflies remove_fireflies(Film& film, std::vector<PixelSums>* aside = nullptr);
 
 /// Keeps the fireflies of a film out of it while it lives, if they are to be removed.

@@ -1,20 +1,13 @@
 #include "render/photons/unseen_light.h"
 
+#include "common/math/poisson.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace hipmap {
 
 namespace {
-
-/// Returns the 95 % upper limit of the mean of a Poisson distribution that gave `count`.  Source:
-/// Wilson and Hilferty 1931.
-double most_expected(double count)
-{
-    constexpr double kQuantile = 1.645;
-    const double one = count + 1;
-    return one * std::pow(1 - 1 / (9 * one) + kQuantile / (3 * std::sqrt(one)), 3);
-}
 
 /// Returns the most that a photon of a light is worth.
 double worth_of_path(const SeenClasses::OfLight& light, const SeenScale& scale)

@@ -238,15 +238,15 @@ class State(ToolsTestCase):
             self.same("kept.pfm", "removed.pfm")
 
     def test_much_light_of_fireflies_is_told(self):
-        """Stars far smaller than a pixel, over a floor under them: most are hit once or never."""
+        """Stars far smaller than a pixel, over a floor under them: few are hit, once."""
         corners, faces = [(-2, -1.2, -3), (2, -1.2, -3), (2, -1.2, 1), (-2, -1.2, 1)], []
         for i in range(400):
             x, y = i % 20 / 10 - 0.95, i // 20 / 10 - 0.95
-            corners += [(x + 1e-3 * dx, y + 1e-3 * dy, -2)
+            corners += [(x + 3e-4 * dx, y + 3e-4 * dy, -2)
                         for dx, dy in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
             faces.append("f %d %d %d %d\n" % tuple(range(4 * i + 5, 4 * i + 9)))
         with open(self.path("stars.mtl"), "w", encoding="utf-8") as file:
-            file.write("newmtl floor\nKd 0.5 0.5 0.5\nnewmtl star\nKd 0 0 0\nKe 99 99 99\n")
+            file.write("newmtl floor\nKd 0.5 0.5 0.5\nnewmtl star\nKd 0 0 0\nKe 999 999 999\n")
         with open(self.path("stars.obj"), "w", encoding="utf-8") as file:
             file.write("mtllib stars.mtl\n" + "".join("v %g %g %g\n" % at for at in corners) +
                        "usemtl floor\nf 1 4 3 2\nusemtl star\n" + "".join(faces))

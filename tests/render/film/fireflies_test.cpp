@@ -54,6 +54,32 @@ Film noisy_film(std::size_t bright, float radiance)
     return noisy_film({.pixels = bright, .radiance = radiance});
 }
 
+/// Passes of noise in which some pixels, as far apart as can be, get all of a part of their light
+/// by bright samples.
+Film film_hit_by_few(int pixels, double hits, std::uint64_t seed)
+{
+    constexpr float kPart = 0.3f;
+    const SyntheticPasses passes{
+        .photon_noise = 0.05, .pixel_noise = 0.1, .seed = seed, .radii = false};
+    Film film = make_film(passes.side, passes.side, 1, BiasKnowledge::unbiased);
+    const auto all = static_cast<int>(film.pixel_count());
+    const double chance = hits / kPasses;
+    for (std::uint64_t number = 0; number < kPasses; ++number) {
+        PassImages images = passes.pass(number);
+        for (int i = 0; i < pixels; ++i) {
+            const int pixel = i * all / pixels;
+            RandomSequence random(seed, RandomStream::pictures, number,
+                                  static_cast<std::uint64_t>(pixel));
+            const double light = random.next() < chance ? 1 / chance : 0;
+            images.radiance.pixels[static_cast<std::size_t>(pixel)] +=
+                passes.truth(pixel % passes.side, pixel / passes.side) * kPart *
+                static_cast<float>(light - 1);
+        }
+        add_pass(film, number, images);
+    }
+    return film;
+}
+
 std::optional<Fireflies> fireflies_of(const Film& film)
 {
     return find_fireflies(film, *estimate_error(film));
@@ -195,4 +221,32 @@ TEST_CASE("remove_fireflies: noise, few passes and black images stay as they are
         add_pass(few, number, images);
     }
     CHECK(stays(few));
+}
+
+TEST_CASE("error_of_shown: intervals hold where rare samples hit few pixels, once or more",
+          "[film]")
+{
+    struct Case {
+        int pixels;
+        double hits; ///< expected, of each of these pixels
+    };
+    constexpr int kRuns = 100;
+    for (const auto& [pixels, hits] : {Case{40, 0.2}, Case{12, 1.0}}) {
+        int inside = 0;
+        double stated2 = 0, true2 = 0;
+        for (std::uint64_t seed = 0; seed < kRuns; ++seed) {
+            Film film = film_hit_by_few(pixels, hits, seed);
+            const ImageError error = *error_of_shown(FireflyChoice::remove, film);
+            remove_fireflies(film);
+            const double truth = true_error(film_image(film), SyntheticPasses{}.truth());
+            inside += truth >= error.low && truth <= error.high ? 1 : 0;
+            stated2 += error.error * error.error;
+            true2 += truth * truth;
+        }
+        INFO(pixels << " pixels: " << inside << " inside, stated " << stated2 << ", true "
+                    << true2);
+        CHECK(inside > 0.75 * kRuns);
+        CHECK(stated2 > 0.7 * true2);
+        CHECK(stated2 < 1.5 * true2);
+    }
 }

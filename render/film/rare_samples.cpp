@@ -1,0 +1,114 @@
+#include "render/film/rare_samples.h"
+
+#include "common/math/poisson.h"
+
+#include <algorithm>
+
+namespace hipmap {
+
+namespace {
+
+/// Between pixels that one sample counts in by the widest filter.
+constexpr std::size_t kReach = 2;
+
+/// Samples of like brightness that tell how often such samples hit a pixel: so many, with noise up
+/// to so many times more or less, which goes as the square of the brightness.
+constexpr std::size_t kAlike = 16;
+constexpr double kAlikeNoise = 256;
+
+/// Hits of a pixel from which on removal adds more error than it takes.
+constexpr double kMostHits = 0.5;
+
+/// A rare sample: pixels side by side that one batch lights.
+struct Sample {
+    double noise = 0;
+    bool again = false;
+    double hits = 0; ///< expected, of each pixel that it may reach
+};
+
+bool is_of_one_sample(const OutstandingPixel& a, const OutstandingPixel& b, std::size_t width)
+{
+    const std::size_t left = std::min(a.pixel % width, b.pixel % width);
+    const std::size_t right = std::max(a.pixel % width, b.pixel % width);
+    return a.batch == b.batch && a.again == b.again && right - left <= kReach;
+}
+
+/// Returns [pixels] the number of each pixel's sample, by first pixel.
+std::vector<std::size_t> find_samples(std::span<const OutstandingPixel> pixels, std::size_t width)
+{
+    std::vector<std::size_t> sample_of;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        std::size_t sample = count;
+        for (std::size_t j = i; j-- > 0 && sample == count;) {
+            if (pixels[i].pixel / width - pixels[j].pixel / width > kReach)
+                break;
+            if (is_of_one_sample(pixels[i], pixels[j], width))
+                sample = sample_of[j];
+        }
+        count += sample == count ? 1 : 0;
+        sample_of.push_back(sample);
+    }
+    return sample_of;
+}
+
+/// Returns the places of samples alike, in an order of falling brightness, beside `place`: dimmer
+/// ones first, as the brighter are the rarer.
+std::span<const Sample* const> find_alike(std::span<const Sample* const> order, std::size_t place)
+{
+    const double noise = order[place]->noise;
+    std::size_t begin = place, end = place + 1;
+    while (end < order.size() && end - begin < kAlike && order[end]->noise * kAlikeNoise >= noise)
+        ++end;
+    while (begin > 0 && end - begin < kAlike && order[begin - 1]->noise <= noise * kAlikeNoise)
+        --begin;
+    return order.subspan(begin, end - begin);
+}
+
+void count_hits(std::vector<Sample>& samples)
+{
+    std::vector<Sample*> order;
+    for (Sample& sample : samples)
+        order.push_back(&sample);
+    std::ranges::stable_sort(order, std::ranges::greater{},
+                             [](const Sample* sample) { return sample->noise; });
+    const std::vector<const Sample*> read_only(order.begin(), order.end());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const std::span<const Sample* const> alike = find_alike(read_only, i);
+        const auto again = static_cast<double>(
+            std::ranges::count_if(alike, [](const Sample* sample) { return sample->again; }));
+        order[i]->hits = 2 * (again + 0.5) / (static_cast<double>(alike.size()) - again + 1);
+    }
+}
+
+} // namespace
+
+RareSamples judge_rare_samples(std::span<const OutstandingPixel> pixels, std::size_t width)
+{
+    const std::vector<std::size_t> sample_of = find_samples(pixels, width);
+    std::vector<Sample> samples;
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        samples.resize(std::max(samples.size(), sample_of[i] + 1));
+        samples[sample_of[i]].noise += pixels[i].noise;
+        samples[sample_of[i]].again = pixels[i].again;
+    }
+    count_hits(samples);
+
+    RareSamples out;
+    double sum = 0, squares = 0;
+    for (const Sample& sample : samples)
+        if (!sample.again && sample.hits <= kMostHits) {
+            out.missing += 2 * sample.hits * sample.noise;
+            sum += sample.noise;
+            squares += sample.noise * sample.noise;
+        }
+    if (sum > 0) // as much is known of their mean as by so many alike
+        out.most_missing = out.missing * most_expected(sum * sum / squares) / (sum * sum / squares);
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        const Sample& sample = samples[sample_of[i]];
+        out.removed.push_back(!sample.again && sample.hits <= kMostHits ? 1 : 0);
+    }
+    return out;
+}
+
+} // namespace hipmap
