@@ -4,6 +4,7 @@ are meshes of their own, in a fraction of the memory.
     instances_test.py FOLDER_OF_TOOLS
 """
 
+import functools
 import json
 import math
 import random
@@ -15,7 +16,7 @@ import tools
 from tools import ToolsTestCase
 
 SIDE = 7
-PASSES = 8
+PASSES = 4
 INTEGRATORS = "progressive", "path", "direct"
 
 
@@ -58,7 +59,9 @@ def nodes(numbers):
     return out
 
 
-def write_grove(path, one_mesh):
+@functools.cache
+def grove(one_mesh):
+    """The bytes of a .glb file."""
     vertices, corners = tree()
     lawn = [(-3, 0, -3), (-3, 0, 3), (3, 0, 3), (3, 0, -3)], [(0, 1, 2), (0, 2, 3)]
     binary, views, accessors = b"", [], []
@@ -93,9 +96,8 @@ def write_grove(path, one_mesh):
         "buffers": [{"byteLength": len(binary)}]}
     text = json.dumps(document).encode()
     text += b" " * (-len(text) % 4)
-    with open(path, "wb") as file:
-        file.write(struct.pack("<5I", 0x46546c67, 2, 28 + len(text) + len(binary), len(text), 0x4e4f534a))
-        file.write(text + struct.pack("<2I", len(binary), 0x004e4942) + binary)
+    return (struct.pack("<5I", 0x46546c67, 2, 28 + len(text) + len(binary), len(text), 0x4e4f534a) + text +
+            struct.pack("<2I", len(binary), 0x004e4942) + binary)
 
 
 def difference(a, b):
@@ -108,7 +110,8 @@ class Instances(ToolsTestCase):
     def setUp(self):
         super().setUp()
         for name in "instances", "meshes":
-            write_grove(self.path(name + ".glb"), name == "instances")
+            with open(self.path(name + ".glb"), "wb") as file:
+                file.write(grove(name == "instances"))
 
     def preprocess(self, name, *options):
         self.succeed("preprocess", self.path(name + ".glb"), "-o", self.path(name + ".hpm"), "--json",

@@ -12,7 +12,7 @@ import tools
 from pictures import read_pfm
 from tools import Tools, ToolsTestCase
 
-SIZE = 96
+SIZE = 64
 ROW = re.compile(r"^(--\S+(?: \w+)?): (.*)$", re.M)
 
 

@@ -206,9 +206,9 @@ TEST_CASE("glossy light: what a plastic floor reflects onto the ceiling is count
     const auto ready = tiny::ready(scene);
     ImageOptions options;
     options.width = options.height = 16;
-    options.photons = 500000;
+    options.photons = 200000;
     options.integrator = Integrator::path;
-    const RunningMean paths = means_of(*ready, options, 640);
+    const RunningMean paths = means_of(*ready, options, 400);
     options.integrator = Integrator::progressive;
     const RunningMean maps = means_of(*ready, options, 32);
     const double noise = std::hypot(maps.standard_error(), paths.standard_error());

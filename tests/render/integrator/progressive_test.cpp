@@ -101,7 +101,7 @@ TEST_CASE("progressive: photons and rays share the light that a mirror sends to 
     CHECK(statistics.glossy.searches.photons_found > 0);
     const Means shared = mean_of_passes(*ready, options, 12);
     options.integrator = Integrator::path;
-    options.samples = 4000;
+    options.samples = 1500;
     check_same_light(shared, mean_of_passes(*ready, options, 12), 0.05);
 }
 
