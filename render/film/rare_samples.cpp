@@ -52,8 +52,8 @@ std::vector<std::size_t> find_samples(std::span<const OutstandingPixel> pixels, 
     return sample_of;
 }
 
-/// Returns the places of samples alike, in an order of falling brightness, beside `place`: dimmer
-/// ones first, as the brighter are the rarer.
+/// Returns the samples alike about a place in an order of falling brightness: dimmer ones first, as
+/// the brighter are the rarer.
 std::span<const Sample* const> find_alike(std::span<const Sample* const> order, std::size_t place)
 {
     const double noise = order[place]->noise;
@@ -65,6 +65,7 @@ std::span<const Sample* const> find_alike(std::span<const Sample* const> order, 
     return order.subspan(begin, end - begin);
 }
 
+/// Sets the hits of each by those of samples alike, docs/error.md (25).
 void count_hits(std::vector<Sample>& samples)
 {
     std::vector<Sample*> order;
@@ -102,7 +103,7 @@ RareSamples judge_rare_samples(std::span<const OutstandingPixel> pixels, std::si
             sum += sample.noise;
             squares += sample.noise * sample.noise;
         }
-    if (sum > 0) // as much is known of their mean as by so many alike
+    if (squares > 0) // as much is known of their mean as by so many alike
         out.most_missing = out.missing * most_expected(sum * sum / squares) / (sum * sum / squares);
     for (std::size_t i = 0; i < pixels.size(); ++i) {
         const Sample& sample = samples[sample_of[i]];

@@ -11,7 +11,7 @@ namespace hipmap {
 struct OutstandingPixel {
     std::size_t pixel = 0;
     std::uint64_t batch = 0; ///< that is above the others by most
-    double noise = 0;        ///< that this batch carries, above 0
+    double noise = 0;        ///< that this batch carries, not below 0
     bool again = false;      ///< another batch has found the light too
 };
 
