@@ -235,6 +235,21 @@ void pass_face(const RenderScene& scene, const Interaction& at, const Wanted& wa
     path.ray.origin = offset_origin(at.point, path.ray.direction);
 }
 
+/// A path that starts inside absorbing glass shows by its first surface, which it meets from
+/// behind: takes what the glass has absorbed on the way there.
+void find_start_inside(const Interaction& at, float distance, LightPath& path,
+                       PowerBalance& balance)
+{
+    if (!at.solid || at.front || at.in_media() || is_black(at.bsdf().absorption))
+        return;
+    path.absorption = at.bsdf().absorption;
+    const Rgb sent = path.power;
+    const Rgb left = transmittance(path.absorption, distance);
+    path.power *= left;
+    path.radiance *= left;
+    balance.absorbed += glm::dvec3(sent - path.power);
+}
+
 /// Follows the path to its end.
 void trace(const RenderScene& scene, const Wanted& wanted, RandomSequence& random, LightPath& path,
            TracedPhotons& out)
@@ -248,6 +263,8 @@ void trace(const RenderScene& scene, const Wanted& wanted, RandomSequence& rando
         if (!hit)
             return;
         Interaction at = meet_face(scene, *hit, path);
+        if (bounce == 0)
+            find_start_inside(at, hit->distance, path, out.power);
         if (at.opacity < 1 && random.next() >= at.opacity) {
             pass_face(scene, at, wanted, path, out);
             continue;

@@ -279,3 +279,20 @@ TEST_CASE("bounced photons know the photon their light bounced from", "[photons]
     options.link_bounces = false;
     CHECK(trace_photons(*ready->render, options).bounces.empty());
 }
+
+TEST_CASE("trace photons: glass around a light absorbs from the light on", "[photons]")
+{
+    Material tinted = tiny::glass(1); // which neither refracts nor reflects
+    tinted.absorption = {0.5f, 1.0f, 2.0f};
+    Scene scene = tiny::make_scene(tiny::uv_sphere(96, 48)); // of radius 1
+    scene.materials[0] = tinted;
+    ScenePointLight light;
+    light.intensity = Rgb(1);
+    scene.lights.push_back(light);
+    const auto ready = tiny::ready(std::move(scene));
+    const TracedPhotons traced = trace_photons(*ready->render, {4096, 1, 0, true});
+    for (int channel = 0; channel < 3; ++channel)
+        CHECK(traced.power.escaped[channel] ==
+              Approx(traced.power.emitted[channel] * std::exp(-tinted.absorption[channel]))
+                  .epsilon(0.01));
+}
