@@ -24,6 +24,8 @@ struct Sample {
     double noise = 0;
     bool again = false;
     double hits = 0; ///< expected, of each pixel that it may reach
+
+    bool is_removed() const { return !again && hits <= kMostHits; }
 };
 
 bool is_of_one_sample(const OutstandingPixel& a, const OutstandingPixel& b, std::size_t width)
@@ -54,7 +56,7 @@ std::vector<std::size_t> find_samples(std::span<const OutstandingPixel> pixels, 
 
 /// Returns the samples alike about a place in an order of falling brightness: dimmer ones first, as
 /// the brighter are the rarer.
-std::span<const Sample* const> find_alike(std::span<const Sample* const> order, std::size_t place)
+std::span<Sample* const> find_alike(std::span<Sample* const> order, std::size_t place)
 {
     const double noise = order[place]->noise;
     std::size_t begin = place, end = place + 1;
@@ -73,9 +75,8 @@ void count_hits(std::vector<Sample>& samples)
         order.push_back(&sample);
     std::ranges::stable_sort(order, std::ranges::greater{},
                              [](const Sample* sample) { return sample->noise; });
-    const std::vector<const Sample*> read_only(order.begin(), order.end());
     for (std::size_t i = 0; i < order.size(); ++i) {
-        const std::span<const Sample* const> alike = find_alike(read_only, i);
+        const std::span<Sample* const> alike = find_alike(order, i);
         const auto again = static_cast<double>(
             std::ranges::count_if(alike, [](const Sample* sample) { return sample->again; }));
         order[i]->hits = 2 * (again + 0.5) / (static_cast<double>(alike.size()) - again + 1);
@@ -98,17 +99,15 @@ RareSamples judge_rare_samples(std::span<const OutstandingPixel> pixels, std::si
     RareSamples out;
     double sum = 0, squares = 0;
     for (const Sample& sample : samples)
-        if (!sample.again && sample.hits <= kMostHits) {
+        if (sample.is_removed()) {
             out.missing += 2 * sample.hits * sample.noise;
             sum += sample.noise;
             squares += sample.noise * sample.noise;
         }
     if (squares > 0) // as much is known of their mean as by so many alike
         out.most_missing = out.missing * most_expected(sum * sum / squares) / (sum * sum / squares);
-    for (std::size_t i = 0; i < pixels.size(); ++i) {
-        const Sample& sample = samples[sample_of[i]];
-        out.removed.push_back(!sample.again && sample.hits <= kMostHits ? 1 : 0);
-    }
+    for (const std::size_t sample : sample_of)
+        out.removed.push_back(samples[sample].is_removed() ? 1 : 0);
     return out;
 }
 

@@ -205,6 +205,16 @@ bool scatter(const RenderScene& scene, const Interaction& at, LightPath& path,
     return true;
 }
 
+/// Takes the light that is absorbed over a distance, scene units, by what the path travels in.
+void absorb_on_way(float distance, LightPath& path, PowerBalance& balance)
+{
+    const Rgb sent = path.power;
+    const Rgb left = transmittance(path.absorption, distance);
+    path.power *= left;
+    path.radiance *= left;
+    balance.absorbed += glm::dvec3(sent - path.power);
+}
+
 /// Brings the path to the next surface, without media; none: it has left the scene.
 std::optional<RayHit> fly(const RenderScene& scene, LightPath& path, TracedPhotons& out)
 {
@@ -213,11 +223,7 @@ std::optional<RayHit> fly(const RenderScene& scene, LightPath& path, TracedPhoto
         out.power.escaped += glm::dvec3(path.power);
         return hit;
     }
-    const Rgb sent = path.power;
-    const Rgb left = transmittance(path.absorption, hit->distance);
-    path.power *= left;
-    path.radiance *= left;
-    out.power.absorbed += glm::dvec3(sent - path.power);
+    absorb_on_way(hit->distance, path, out.power);
     return hit;
 }
 
@@ -243,11 +249,7 @@ void find_start_inside(const Interaction& at, float distance, LightPath& path,
     if (!at.solid || at.front || at.in_media() || is_black(at.bsdf().absorption))
         return;
     path.absorption = at.bsdf().absorption;
-    const Rgb sent = path.power;
-    const Rgb left = transmittance(path.absorption, distance);
-    path.power *= left;
-    path.radiance *= left;
-    balance.absorbed += glm::dvec3(sent - path.power);
+    absorb_on_way(distance, path, balance);
 }
 
 /// Follows the path to its end.

@@ -91,11 +91,13 @@ TEST_CASE("light classes: light that comes by glass alone is gone without causti
 {
     const auto ready = tiny::ready(light_in_glass());
     for (const Integrator integrator : {Integrator::direct, Integrator::progressive}) {
-        for (const bool caustic : {true, false}) {
+        const auto mean = [&](bool caustic) {
             RenderOptions options = small_options(integrator, {caustic, true});
             options.photons = 1000; // a third of them never leave the glass
-            CHECK((render(*ready, options, 2).radiance.mean() > 0) == caustic);
-        }
+            return render(*ready, options, 2).radiance.mean();
+        };
+        CHECK(mean(true) > 0);
+        CHECK(mean(false) == 0);
     }
 }
 
