@@ -4,7 +4,10 @@
 #include "common/scene/store_copies.h"
 #include "render/media/material_insides.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
+#include <atomic>
 
 namespace hipmap {
 
@@ -37,6 +40,38 @@ bool needs_media(const Material& material)
     return material.holds_medium() || (material.transmission == 0 && !material.inside().is_clear());
 }
 
+bool absorbs_at(const MediaSet& media, const glm::vec3& point)
+{
+    return !media.medium(medium_stack_at(media, point).current()).is_clear();
+}
+
+glm::vec3 middle_of(const TriangleMesh& mesh, FaceId face)
+{
+    const auto corners = mesh.triangle(face);
+    return (corners[0] + corners[1] + corners[2]) / 3.0f;
+}
+
+/// Paths start where something absorbs: their rays do not know it, as they have not entered it, nor
+/// do the shadow rays between what is in there.
+bool starts_in_absorption(const MediaSet& media, const Scene& scene)
+{
+    if (absorbs_at(media, scene.cameras[scene.camera].position))
+        return true;
+    for (const SceneLight& light : scene.lights) {
+        const MeanEmission sent =
+            std::visit([](const auto& of_kind) { return mean_emission(of_kind); }, light);
+        if (sent.from != MeanEmission::From::afar && absorbs_at(media, sent.centre))
+            return true;
+    }
+    std::atomic<bool> found = false;
+    tbb::parallel_for(FaceId{0}, static_cast<FaceId>(scene.mesh.face_count()), [&](FaceId face) {
+        if (!is_black(scene.materials[scene.mesh.material_of(face)].emission) && !found &&
+            absorbs_at(media, middle_of(scene.mesh, face)))
+            found = true;
+    });
+    return found;
+}
+
 /// Any direction that is unlikely to run along edges.
 glm::vec3 way_out()
 {
@@ -55,7 +90,7 @@ std::optional<MediaSet> collect_media(const Scene& scene, const Partition& parti
     }
     MediaSet out{.mesh = scene.mesh, .partition = partition, .rays = rays, .around = scene.around};
     out.nested = scene.nested_dielectrics;
-    bool wanted = out.nested || !scene.around.is_clear();
+    bool wanted = out.nested || !scene.around.is_clear(), absorbs = false;
     out.scatters = scene.around.scatters();
     out.emits = scene.around.emits();
     for (std::size_t m = 0; m < scene.materials.size(); ++m) {
@@ -67,13 +102,16 @@ std::optional<MediaSet> collect_media(const Scene& scene, const Partition& parti
         out.priority.push_back(material.priority);
         wanted = wanted || (out.has_inside.back() != 0 && needs_media(material)) ||
                  (worn[m] != 0 && !material.boundary);
+        absorbs |= out.has_inside.back() != 0 && !out.insides.back().is_clear();
         out.scatters |= out.has_inside.back() != 0 && out.insides.back().scatters();
         out.emits |= out.has_inside.back() != 0 && out.insides.back().emits();
     }
-    if (!wanted)
+    if (!wanted && !absorbs)
+        return std::nullopt;
+    find_spaces(out);
+    if (!wanted && !starts_in_absorption(out, scene))
         return std::nullopt;
     out.densities = place_densities(scene, partition);
-    find_spaces(out);
     if (out.emits)
         out.emission_power = mean_media_emission(out);
     return out;

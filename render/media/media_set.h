@@ -46,8 +46,9 @@ struct MediaSet {
 };
 
 /// Collects the media of a scene.  Returns nothing if no medium scatters, emits or surrounds the
-/// scene, every material has a surface and dielectrics do not overlap: then the only medium may be
-/// glass that absorbs.
+/// scene, every material has a surface, dielectrics do not overlap, and neither the camera nor a
+/// light stands in glass that absorbs: then the only medium may be such glass, which every path
+/// enters through its surface.
 std::optional<MediaSet> collect_media(const Scene& scene, const Partition& partition,
                                       const EmbreeScene& rays);
 

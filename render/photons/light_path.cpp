@@ -205,16 +205,6 @@ bool scatter(const RenderScene& scene, const Interaction& at, LightPath& path,
     return true;
 }
 
-/// Takes the light that is absorbed over a distance, scene units, by what the path travels in.
-void absorb_on_way(float distance, LightPath& path, PowerBalance& balance)
-{
-    const Rgb sent = path.power;
-    const Rgb left = transmittance(path.absorption, distance);
-    path.power *= left;
-    path.radiance *= left;
-    balance.absorbed += glm::dvec3(sent - path.power);
-}
-
 /// Brings the path to the next surface, without media; none: it has left the scene.
 std::optional<RayHit> fly(const RenderScene& scene, LightPath& path, TracedPhotons& out)
 {
@@ -223,7 +213,11 @@ std::optional<RayHit> fly(const RenderScene& scene, LightPath& path, TracedPhoto
         out.power.escaped += glm::dvec3(path.power);
         return hit;
     }
-    absorb_on_way(hit->distance, path, out.power);
+    const Rgb sent = path.power;
+    const Rgb left = transmittance(path.absorption, hit->distance);
+    path.power *= left;
+    path.radiance *= left;
+    out.power.absorbed += glm::dvec3(sent - path.power);
     return hit;
 }
 
@@ -241,17 +235,6 @@ void pass_face(const RenderScene& scene, const Interaction& at, const Wanted& wa
     path.ray.origin = offset_origin(at.point, path.ray.direction);
 }
 
-/// A path that starts inside absorbing glass shows by its first surface, which it meets from
-/// behind: takes what the glass has absorbed on the way there.
-void find_start_inside(const Interaction& at, float distance, LightPath& path,
-                       PowerBalance& balance)
-{
-    if (!at.solid || at.front || at.in_media() || is_black(at.bsdf().absorption))
-        return;
-    path.absorption = at.bsdf().absorption;
-    absorb_on_way(distance, path, balance);
-}
-
 /// Follows the path to its end.
 void trace(const RenderScene& scene, const Wanted& wanted, RandomSequence& random, LightPath& path,
            TracedPhotons& out)
@@ -265,8 +248,6 @@ void trace(const RenderScene& scene, const Wanted& wanted, RandomSequence& rando
         if (!hit)
             return;
         Interaction at = meet_face(scene, *hit, path);
-        if (bounce == 0)
-            find_start_inside(at, hit->distance, path, out.power);
         if (at.opacity < 1 && random.next() >= at.opacity) {
             pass_face(scene, at, wanted, path, out);
             continue;

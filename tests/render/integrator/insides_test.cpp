@@ -153,3 +153,61 @@ TEST_CASE("subsurface: photons and paths agree on wax", "[integrator][media]")
     options.photons = 10000;
     check_agreement(*tiny::ready(scene), options, 16, 100, {.most_noise = 0.02});
 }
+
+namespace {
+
+/// A ball of radius 2 that neither refracts nor reflects, but absorbs.
+Scene tinted_ball(const Rgb& absorption)
+{
+    Scene scene = tiny::make_scene(tiny::uv_sphere(192, 96));
+    tiny::scale(scene.mesh, 2);
+    scene.materials[0] = tiny::glass(1);
+    scene.materials[0].absorption = absorption;
+    return scene;
+}
+
+void check_image(const Scene& scene, double expected)
+{
+    const auto ready = tiny::ready(scene);
+    for (const Integrator integrator : kAllIntegrators) {
+        const RunningMean found = means_of(*ready, small_picture(integrator), 16);
+        INFO(found.mean() << " +- " << found.standard_error() << ", expected " << expected
+                          << ", integrator " << int(integrator));
+        CHECK(std::abs(found.mean() - expected) <
+              kMostZ * found.standard_error() + 2e-3 * expected);
+        CHECK(found.standard_error() < 0.01 * expected);
+    }
+}
+
+} // namespace
+
+TEST_CASE("tinted glass: it absorbs from a camera on that stands in it", "[integrator][media]")
+{
+    const Rgb absorption{0.1f, 0.3f, 0.6f};
+    Scene scene = tinted_ball(absorption);
+    scene.environment = Rgb(1);
+    scene.cameras[0].position = {0, 0, 0};
+    check_image(scene, luminance(transmittance(absorption, 2)));
+}
+
+TEST_CASE("tinted glass: it absorbs between what lies in it", "[integrator][media]")
+{
+    const Rgb absorption{0.4f, 1, 2};
+    Scene scene = tinted_ball(absorption);
+    tiny::add(scene, tiny::floor_at(0, 0.4f), tiny::diffuse(Rgb(0.5f)));
+    scene.cameras[0] = tiny::square_view({0, 0, 0}, {0, -1, 0}, 0.1f, 0.7f);
+    const double distance = 0.8;
+    const double left = luminance(transmittance(absorption, float(distance) + 0.7f));
+    const auto light_left = [&](double irradiance) { return left * irradiance * 0.5 / M_PI; };
+    Scene by_point = scene;
+    ScenePointLight point;
+    point.position = {distance * 0.6, distance * 0.8, 0};
+    point.intensity = Rgb(1);
+    by_point.lights = {point};
+    check_image(by_point, light_left(0.8 / (distance * distance)));
+    // A face that shines down, small and far enough to be a point.
+    TriangleMesh lamp = tiny::floor_at(0, -0.04f);
+    tiny::move(lamp, {distance * 0.6, distance * 0.8, 0});
+    tiny::add(scene, lamp, tiny::emissive(Rgb(100)));
+    check_image(scene, light_left(100 * 0.04 * 0.04 * 0.8 * 0.8 / (distance * distance)));
+}
