@@ -157,7 +157,8 @@ OptionRow gather_row(GatherDirections& gather)
             .field = choice_field<GatherDirections>(gather, kGatherDirections),
             .help =
                 "Directions of the final-gather rays of --integrator progressive: guided, where "
-                "pilots found light, or by the lobes of the surface alone",
+                "pilots found light, with samples of the sky where little of it is seen, or by the "
+                "lobes of the surface alone",
             .changes = Changes::passes,
             .only_with = {{"", "integrator", {"progressive"}}}};
 }

@@ -25,7 +25,8 @@ enum class RandomStream : std::uint64_t {
     caustics = 4,
     seen_lights = 5,
     seeds = 6,
-    reached_lights = 7
+    reached_lights = 7,
+    sky = 8
 };
 
 /// The first steps of a sequence, where each call of next() or next2() is one: a point of the unit

@@ -28,7 +28,9 @@ GatherBranch scatter(const RenderScene& scene, const GatherBranch& from, const I
     const bool through = go_by_lobes(
         scene, at, {.lobes = lobes, .guide = lobes == Lobes::gathered ? from.guide : nullptr},
         random, next);
-    next.guide = nullptr;
+    if (lobes == Lobes::gathered)
+        next.source.sky = from.sky;
+    next.guide = next.sky = nullptr;
     if (lobes == Lobes::followed && !through)
         next.source.photons =
             Rgb(from.photons * std::max(0.0f, glm::dot(at.normal, next.ray.direction)));

@@ -18,6 +18,7 @@ struct GatherBranch : PathState {
     float indirect_radius = 0;             ///< the first, of the indirect map there
     float transmitted_radius = 0;          ///< the same on the other side
     const DirectionGuide* guide = nullptr; ///< of the ray that the gathered lobes are to send
+    const DirectionGuide* sky = nullptr;   ///< of samples of environments there
     std::size_t record = kNoRecord;        ///< of the gather ray behind it
     float photons = 0; ///< that the ray of the followed lobes competes with, by its cosine
 };

@@ -13,12 +13,6 @@ namespace {
 
 using Shares = DirectionGuide::Shares;
 
-/// Rays that a leaf of the tree has at least; one with twice as many is split.
-constexpr std::size_t kFewestRays = 512;
-
-/// A grid is used where it makes the mean square of what rays find this many times smaller.
-constexpr double kLeastGain = 1.05;
-
 /// Probabilities of drawing from the lobes.
 constexpr float kByLobes[] = {0.5f, 0.25f};
 
@@ -87,12 +81,12 @@ double sum_of_squares(std::span<const GatherRecord> records, const Every& every,
 
 /// Returns how often directions are to be drawn from the lobes, by records that the grid was not
 /// learnt from.
-float best_by_lobes(std::span<const GatherRecord> records)
+float best_by_lobes(std::span<const GatherRecord> records, double least_gain)
 {
     float out = 1;
     const Shares learnt = grid_of(records, {.from = 0, .step = 2});
     const Every test{.from = 1, .step = 2};
-    double best = sum_of_squares(records, test, guide_by(learnt, 1)) / kLeastGain;
+    double best = sum_of_squares(records, test, guide_by(learnt, 1)) / least_gain;
     for (const float by_lobes : kByLobes) {
         const double found = sum_of_squares(records, test, guide_by(learnt, by_lobes));
         if (found < best) {
@@ -103,21 +97,23 @@ float best_by_lobes(std::span<const GatherRecord> records)
     return out;
 }
 
-DirectionGuide guide_of(std::span<const GatherRecord> records)
+DirectionGuide guide_of(std::span<const GatherRecord> records, double least_gain)
 {
-    return guide_by(grid_of(records, {}), best_by_lobes(records));
+    return guide_by(grid_of(records, {}), best_by_lobes(records, least_gain));
 }
 
 /// The tree of a side of a map, with places of its own.
 class TreeBuilder {
   public:
+    explicit TreeBuilder(const LearningRule& rule) : rule_(rule) {}
+
     void build(Side records)
     {
         const std::size_t here = out_.nodes.size();
         out_.nodes.push_back({});
-        if (records.size() < 2 * kFewestRays) {
+        if (records.size() < 2 * rule_.fewest_rays) {
             out_.nodes[here].next = static_cast<std::uint32_t>(out_.directions.size());
-            out_.directions.push_back(guide_of(records));
+            out_.directions.push_back(guide_of(records, rule_.least_gain));
             return;
         }
         const int axis = longest_axis(records);
@@ -145,6 +141,7 @@ class TreeBuilder {
         return extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
     }
 
+    const LearningRule& rule_;
     GatherGuide out_;
 };
 
@@ -227,16 +224,17 @@ const DirectionGuide* directions_at(const GatherGuide& guide, const Partition& p
     }
 }
 
-GatherGuide learn_directions(const Partition& partition, std::vector<GatherRecord>& records)
+GatherGuide learn_directions(const Partition& partition, std::vector<GatherRecord>& records,
+                             const LearningRule& rule)
 {
     const auto [sides, all_ends] = sort_by_side(partition, records);
     const std::vector<std::size_t>& ends = all_ends; // lambdas capture no bindings
     std::vector<GatherGuide> trees(ends.size());
     tbb::parallel_for(std::size_t{0}, ends.size(), [&](std::size_t i) {
         const std::size_t begin = i == 0 ? 0 : ends[i - 1];
-        if (ends[i] - begin < kFewestRays)
+        if (ends[i] - begin < rule.fewest_rays)
             return;
-        TreeBuilder builder;
+        TreeBuilder builder(rule);
         builder.build(Side(records).subspan(begin, ends[i] - begin));
         GatherGuide tree = builder.take();
         if (helps(tree))

@@ -30,9 +30,16 @@ struct GatherGuide {
 const DirectionGuide* directions_at(const GatherGuide& guide, const Partition& partition,
                                     const PhotonQuery& query);
 
-/// Learns from gather rays that the lobes drew.  Records move within their vector.  In parallel;
-/// the result is the same at any thread count.  No record: no guide.
-GatherGuide learn_directions(const Partition& partition, std::vector<GatherRecord>& records);
+/// When directions are worth learning.
+struct LearningRule {
+    std::size_t fewest_rays = 512; ///< of a leaf of the tree; one with twice as many is split
+    double least_gain = 1.05;      ///< by which the mean square of what rays find must fall
+};
+
+/// Learns from rays that the lobes drew.  Records move within their vector.  In parallel; the
+/// result is the same at any thread count.  No record: no guide.
+GatherGuide learn_directions(const Partition& partition, std::vector<GatherRecord>& records,
+                             const LearningRule& rule = {});
 
 /// Returns a checksum of the guide, by which states know it.
 std::uint64_t checksum(const GatherGuide& guide);

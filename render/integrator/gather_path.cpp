@@ -84,9 +84,11 @@ class GatherTracer {
         const bool onward = at.gathers() && !add_photons(gathering, at, reached.hit->distance);
         if (onward)
             add(gathering.throughput *
-                light_sampled_light(scene, at, {.gathered = 1, .guide = gathering.guide}, random_));
+                light_sampled_light(scene, at,
+                                    {.gathered = 1, .guide = gathering.guide, .sky = gathering.sky},
+                                    random_));
         if (onward && !maps_.bounces)
-            add(gathering.throughput * bsdf_sampled_light(scene, at, random_));
+            add(gathering.throughput * bsdf_sampled_light(scene, at, random_, gathering.sky));
         if (at.follows() && !is_gathered(branch.behind) && adds_highlights(seen_, branch.behind))
             add(branch.throughput * light_sampled_light(scene, at, {.followed = 1}, random_));
         branch.photons =
@@ -123,7 +125,11 @@ class GatherTracer {
         branch.gathered_at = query.position;
         if (maps_.guide != nullptr && maps_.bounces)
             branch.guide = directions_at(*maps_.guide, maps_.scene.partition, query);
-        if (!shared_maps(maps_.indirect).maps.empty()) {
+        if (maps_.sky != nullptr)
+            branch.sky = directions_at(*maps_.sky, maps_.scene.partition, query);
+        if (shared_maps(maps_.indirect).maps.empty()) {
+            keep(scratch_.importons, &Importons::indirect, query, branch.throughput * factor);
+        } else {
             branch.indirect_radius = radius_at(maps_.first.indirect, maps_.surfaces, query);
             add_indirect(branch.throughput * factor, query, branch.indirect_radius);
         }

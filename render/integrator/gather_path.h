@@ -22,6 +22,7 @@ struct GatherMaps {
     bool bounces = true;                ///< false: rays of gathered lobes only look for lights
     const VolumeMap* volume = nullptr;  ///< of the pass, of radii shrunk; null: there are no media
     const GatherGuide* guide = nullptr; ///< of final-gather rays; null: lobes draw them
+    const GatherGuide* sky = nullptr;   ///< by which environments are sampled; null: they are not
     const ChosenMaps* glossy = nullptr; ///< of the pass, weighed by weigh_glossy; null: none
 };
 

@@ -22,6 +22,7 @@ struct ProgressiveRadii {
     FirstRadii surfaces;
     VolumeRadii volume;
     GatherGuide guide = {};
+    GatherGuide sky = {};
 };
 
 /// The maps and radii that integrator progressive keeps for images of one scene from several

@@ -9,6 +9,7 @@
 #include "render/integrator/photon_cache.h"
 #include "render/integrator/photon_guides.h"
 #include "render/integrator/picture_tiles.h"
+#include "render/integrator/sky_guide.h"
 
 #include <tbb/parallel_invoke.h>
 
@@ -232,6 +233,7 @@ GatherMaps gathered_maps(const ProgressivePass& pass, const ProgressiveRadii& fi
             pass.options.light.indirect,
             photons.volume ? &*photons.volume : nullptr,
             &first.guide,
+            &first.sky,
             &photons.glossy};
 }
 
@@ -407,6 +409,8 @@ void prepare(const MappedScene& mapped, const RenderOptions& options, const Pilo
         pilot.guides = shared.guides.get();
         first = find_first_radii(pilot, pilots.team);
     }
+    if (options.gather == GatherDirections::guided && !stopped)
+        first.sky = learn_sky(mapped.scene, importons, options.seed);
     if (options.gather == GatherDirections::guided && options.light.indirect && !stopped)
         first.guide = find_directions(pilot, first, pilots.team);
     shared.first = std::make_shared<const ProgressiveRadii>(std::move(first));
@@ -430,6 +434,7 @@ PassSource make_progressive_source(const RenderScene& scene, const RenderOptions
     source.photons = options.photons;
     source.allocation = checksum(shared->allocation);
     source.allocation = mix_bits(source.allocation ^ checksum(shared->first->guide));
+    source.allocation = mix_bits(source.allocation ^ checksum(shared->first->sky));
     if (shared->seen)
         statistics.seen_scale = scale_of(*shared->seen);
     if (shared->guides) {

@@ -64,6 +64,12 @@ struct SampledLight {
     double samples = 1; ///< of the light at a point, on average
 };
 
+/// The density of the samples by a guide to the sky.
+float sky_pdf(const DirectionGuide* sky, const glm::vec3& direction)
+{
+    return sky == nullptr ? 0 : mixed_pdf(*sky, 0, direction);
+}
+
 Rgb from_light(const RenderScene& scene, const Interaction& at, const SampledLight& sampled,
                const LobeRays& rays, RandomSequence& random)
 {
@@ -138,12 +144,40 @@ Rgb analytic_light(const RenderScene& scene, const Interaction& at, const LobeRa
     return sum;
 }
 
+/// The light of an environment from a direction that its own samples or the guide have drawn
+/// (balance heuristic).
+Rgb from_sky(const RenderScene& scene, const Interaction& at, const Light& environment,
+             const glm::vec3& direction, const LobeRays& rays)
+{
+    const Ray shadow = far_ray(at.point, direction);
+    const std::optional<LightHit> hit = intersect(environment, shadow);
+    if (!hit)
+        return Rgb(0);
+    const float pdf = hit->pdf + sky_pdf(rays.sky, direction);
+    const Rgb sent = pdf > 0
+                         ? weighed(in_lobes(at, direction, rays), rays, pdf) * (hit->radiance / pdf)
+                         : Rgb(0);
+    return is_black(sent) ? sent : sent * unoccluded(scene, at, shadow);
+}
+
+/// Radiance towards `at.back` of light straight from the environments, by samples of their own and
+/// one by a guide to the sky.
 Rgb environment_light(const RenderScene& scene, const Interaction& at, const LobeRays& rays,
                       RandomSequence& random)
 {
     Rgb sum(0.0f);
-    for (const std::uint32_t light : scene.lights.environments)
-        sum += from_light(scene, at, {.light = scene.lights.lights[light]}, rays, random);
+    const std::optional<glm::vec3> guided =
+        rays.sky != nullptr ? std::optional(draw(*rays.sky, random.next2())) : std::nullopt;
+    for (const std::uint32_t place : scene.lights.environments) {
+        const Light& light = scene.lights.lights[place];
+        if (!guided) {
+            sum += from_light(scene, at, {.light = light}, rays, random);
+            continue;
+        }
+        sum += from_sky(scene, at, light, *guided, rays);
+        if (const std::optional<LightSample> own = sample_li(light, receiver(at), random))
+            sum += from_sky(scene, at, light, own->direction, rays);
+    }
     return sum;
 }
 
@@ -192,8 +226,10 @@ Rgb met_environment(const RenderScene& scene, const glm::vec3& direction, const 
     ray.direction = direction;
     Rgb sum(0.0f);
     for (const std::uint32_t light : scene.lights.environments)
-        if (const std::optional<LightHit> hit = intersect(scene.lights.lights[light], ray))
+        if (std::optional<LightHit> hit = intersect(scene.lights.lights[light], ray)) {
+            hit->pdf += sky_pdf(source.sky, direction);
             sum += weighed_hit(*hit, source, [] { return 1.0f; });
+        }
     return sum;
 }
 
@@ -216,7 +252,8 @@ Rgb emissive_light(const RenderScene& scene, const Interaction& at, const LobeRa
     return is_black(out) ? out : out * unoccluded(scene, at, shadow);
 }
 
-Rgb bsdf_sampled_light(const RenderScene& scene, const Interaction& at, RandomSequence& random)
+Rgb bsdf_sampled_light(const RenderScene& scene, const Interaction& at, RandomSequence& random,
+                       const DirectionGuide* sky)
 {
     if (!can_be_met(scene.lights))
         return Rgb(0);
@@ -224,7 +261,8 @@ Rgb bsdf_sampled_light(const RenderScene& scene, const Interaction& at, RandomSe
     if (is_black(sample.weight))
         return Rgb(0);
     const Ray ray = scattered_ray(at, sample);
-    const RaySource source = source_at(at, sample.pdf);
+    RaySource source = source_at(at, sample.pdf);
+    source.sky = sky;
     Rgb throughput = sample.weight;
     const std::optional<RayHit> hit = first_surface(scene, at, ray, throughput);
     const MediumStack inside = medium_stack_towards(scene, at, ray.direction);

@@ -12,6 +12,7 @@ struct LobeRays {
     float gathered = 0.0f;
     float followed = 0.0f;
     const DirectionGuide* guide = nullptr; ///< of the gathered rays; null: their lobes alone
+    const DirectionGuide* sky = nullptr;   ///< by which environments have a sample; null: none
 };
 
 /// The start of a ray and the pdf of its direction.
@@ -19,21 +20,26 @@ struct RaySource {
     LightReceiver at;
     float pdf = 0.0f; ///< pdf per solid angle with which lobes sent it; 0: a mirror, glass or
                       ///<   the eye did, and sampling the lights could not have found its light
+    const DirectionGuide* sky = nullptr; ///< by which environments were sampled there; null: not
     bool eye = false; ///< it comes straight from the eye, which does not see analytic lights
     /// How many photons find light of unit radiance that the ray meets, for each such ray: where
     /// specular surfaces (pdf 0) lie between it and a followed lobe, docs/light_transport.md (44).
     Rgb photons{0.0f};
 };
 
+/// Returns the ray from a point that leaves the scene in a direction.
+inline Ray far_ray(const SurfacePoint& from, const glm::vec3& direction)
+{
+    Ray out;
+    out.direction = direction;
+    out.origin = offset_origin(from, direction);
+    return out;
+}
+
 /// Returns the ray from a point to where sampled light comes from; it stops short of the light.
 inline Ray shadow_ray(const SurfacePoint& from, const LightSample& sample)
 {
-    if (!sample.is_far)
-        return ray_between(from, sample.point);
-    Ray out;
-    out.direction = sample.direction;
-    out.origin = offset_origin(from, out.direction);
-    return out;
+    return sample.is_far ? far_ray(from, sample.direction) : ray_between(from, sample.point);
 }
 
 /// Returns the length of a ray: infinite if it hits nothing.
@@ -98,8 +104,9 @@ inline Rgb light_sampled_light(const RenderScene& scene, const Interaction& at,
 }
 
 /// Returns BSDF-sampled light: the direct light that one ray drawn from the gathered lobes finds.
-/// Added to `light_sampled_light` at {.gathered = 1}, it is an unbiased estimate of all direct
-/// light in these lobes.
-Rgb bsdf_sampled_light(const RenderScene& scene, const Interaction& at, RandomSequence& random);
+/// Added to `light_sampled_light` at {.gathered = 1, .sky = sky}, it is an unbiased estimate of all
+/// direct light in these lobes.
+Rgb bsdf_sampled_light(const RenderScene& scene, const Interaction& at, RandomSequence& random,
+                       const DirectionGuide* sky = nullptr);
 
 } // namespace hipmap

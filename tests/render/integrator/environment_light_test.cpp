@@ -43,7 +43,22 @@ std::unique_ptr<tiny::ReadyScene> under(const Image& picture, Scene scene)
     return out;
 }
 
-RunningMean irradiance_of_floor(const tiny::ReadyScene& ready, int samples)
+/// Anything: half of its cells are never drawn.
+DirectionGuide any_guide()
+{
+    DirectionGuide out{.by_lobes = 0};
+    RandomSequence random(3, RandomStream::pictures, 0, 0);
+    float sum = 0;
+    for (float& up_to : out.up_to)
+        up_to = sum += std::max(0.0f, random.next() - 0.5f);
+    for (float& up_to : out.up_to)
+        up_to /= sum;
+    return out;
+}
+
+/// sky: by which the sky has a sample; null: none.
+RunningMean irradiance_of_floor(const tiny::ReadyScene& ready, int samples,
+                                const DirectionGuide* sky = nullptr)
 {
     Ray down;
     down.origin = {0, 0.05f, 0};
@@ -52,8 +67,9 @@ RunningMean irradiance_of_floor(const tiny::ReadyScene& ready, int samples)
     RunningMean mean;
     for (int i = 0; i < samples; ++i) {
         RandomSequence random(17, RandomStream::eye_paths, 0, static_cast<std::uint64_t>(i));
-        const Rgb light = light_sampled_light(*ready.render, at, {1, 0}, random) +
-                          bsdf_sampled_light(*ready.render, at, random);
+        const Rgb light =
+            light_sampled_light(*ready.render, at, {.gathered = 1, .sky = sky}, random) +
+            bsdf_sampled_light(*ready.render, at, random, sky);
         mean.add(light.y * M_PI / 0.5);
     }
     return mean;
@@ -78,6 +94,21 @@ TEST_CASE("sky light: a small sun in an environment map lights by its cosine", "
         irradiance_of_floor(*under(sky.picture, tiny::diffuse_floor()), 20'000);
     CHECK(std::abs(mean.z_score(sky.irradiance)) < kMostZ);
     CHECK(mean.standard_error() < 0.005 * sky.irradiance); // which rays of lobes alone are far from
+}
+
+TEST_CASE("sky light: it is the same whatever guides its samples", "[integrator]")
+{
+    const DirectionGuide guide = any_guide();
+    const SunnySky sky = sunny_sky(0.1f, 500);
+    const auto by_map = under(sky.picture, tiny::diffuse_floor());
+    const RunningMean of_map = irradiance_of_floor(*by_map, 20'000, &guide);
+    CHECK(std::abs(of_map.z_score(sky.irradiance)) < kMostZ);
+    CHECK(of_map.standard_error() < 0.01 * sky.irradiance);
+    Scene even = tiny::diffuse_floor();
+    even.environment = Rgb(0.25f);
+    const RunningMean of_even = irradiance_of_floor(*tiny::ready(even), 20'000, &guide);
+    CHECK(std::abs(of_even.z_score(M_PI * 0.25)) < kMostZ);
+    CHECK(of_even.standard_error() < 0.01 * M_PI * 0.25);
 }
 
 TEST_CASE("sky light: photons from an environment map carry its power", "[integrator]")

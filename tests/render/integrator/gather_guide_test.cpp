@@ -1,6 +1,7 @@
 #include "common/math/frame.h"
 #include "render/integrator/gather_guide.h"
 #include "render/integrator/integrators.h"
+#include "render/integrator/sky_guide.h"
 #include "tests/support/statistics.h"
 #include "tests/support/tiny_rooms.h"
 
@@ -133,6 +134,42 @@ TEST_CASE("gather guide: the image is that of rays by the lobes, with less noise
     CHECK(std::abs(guided.radiance.mean() - by_lobes.radiance.mean()) < kMostZ * noise);
     CHECK(kMostZ * noise < 0.1 * by_lobes.radiance.mean());
     CHECK(guided.noise.mean() < 0.8 * by_lobes.noise.mean());
+}
+
+TEST_CASE("sky guide: where little of the sky is seen, its samples go there", "[integrator]")
+{
+    const auto room = tiny::ready(room_below_a_lid());
+    const FaceId floor = room->render->rays.nearest({.direction = {0, -1, 0}})->face;
+    const PhotonQuery query{{0.1f, -0.5f, 0}, {0, 1, 0}, floor, 0};
+    RandomSequence random(4, RandomStream::pictures, 0, 0);
+    Importons importons;
+    for (int i = 0; i < 2000; ++i) {
+        const glm::vec3 place{random.next() - 0.5f, -0.5f, random.next() - 0.5f};
+        importons.indirect.push_back({place, Rgb(1), query.normal, floor, query.side});
+    }
+    const GatherGuide guide = learn_sky(*room->render, importons, 1);
+    const DirectionGuide* const found = directions_at(guide, room->partition, query);
+    REQUIRE(found != nullptr);
+    const auto sees_sky = [&](const glm::vec3& direction) {
+        Ray ray;
+        ray.origin = query.position + 1e-4f * query.normal;
+        ray.direction = direction;
+        return !room->render->rays.nearest(ray);
+    };
+    int by_guide = 0, by_cosine = 0;
+    for (int i = 0; i < 1000; ++i) {
+        by_guide += sees_sky(draw(*found, random.next2())) ? 1 : 0;
+        by_cosine +=
+            sees_sky(Frame(query.normal).to_world(sample_cosine_hemisphere(random.next2())));
+    }
+    INFO(by_guide << " and by the cosine " << by_cosine);
+    CHECK(by_guide > 2 * by_cosine);
+    Scene open = tiny::diffuse_floor();
+    open.environment = Rgb(3);
+    for (Photon& importon : importons.indirect)
+        importon.face = 0;
+    CHECK(learn_sky(*tiny::ready(open)->render, importons, 1).directions.empty());
+    CHECK(learn_sky(*room->render, {}, 1).directions.empty());
 }
 
 TEST_CASE("gather guide: a pass has the same bits by however many threads", "[integrator]")
