@@ -54,6 +54,14 @@ class Room(Glb):
             "yfov": 1.3, "aspectRatio": 1, "znear": 0.001 * scale}}]
         self.camera = (0, 1, 0.95)
 
+    def widen_lights(self):
+        """Makes lights so wide that paths find them in mirrors and behind glass.  Returns whether there are any."""
+        found = self.root.get("extensions", {}).get("KHR_lights_punctual", {"lights": []})["lights"]
+        for light in found:
+            wide = {"angle_deg": 40} if light["type"] == "directional" else {"radius": 0.25 * self.scale}
+            light.setdefault("extras", {})["hipmap"] = wide
+        return bool(found)
+
     def glowing(self, radiance, **parts):
         """radiance: W/(m2 sr), of fronts alone unless `doubleSided`."""
         return self.material(

@@ -111,7 +111,8 @@ light. `direct` is shown for comparison.
   bias, each added in squares.
 * **Verdict**: `agree` if chance alone explains the mean and the regions (Student's distribution exceeds the limit once
   in {1 / CHANCE:.0f} rooms). `within the bias` if chance and the stated bias explain them. `no reference` if they do not, but
-  the images state errors above {percent(MOST_ERROR)}. `refused` if an error names what hipmap cannot render.
+  the images state errors above {percent(MOST_ERROR)}; such a room is rendered again with wide lights (`_wide`), if
+  they can be widened. `refused` if an error names what hipmap cannot render.
 
 {len(found)} rooms: {counts}.
 
