@@ -2,6 +2,7 @@
 
 #include "common/math/frame.h"
 #include "common/math/sampling.h"
+#include "render/paths/direct_light.h"
 
 #include <tbb/parallel_for.h>
 
@@ -49,9 +50,7 @@ void trace_back(const RenderScene& scene, const Photon& importon, RandomSequence
     const SurfacePoint from = {
         .face = importon.face, .position = importon.position, .geometric_normal = normal};
     const auto look = [&](const glm::vec3& direction) {
-        Ray ray;
-        ray.direction = direction;
-        ray.origin = offset_origin(from, direction);
+        const Ray ray = far_ray(from, direction);
         if (!scene.rays.nearest(ray))
             add_seeds(scene, ray, importon, random, out);
     };

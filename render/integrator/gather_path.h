@@ -2,9 +2,9 @@
 
 #include "common/math/random.h"
 #include "render/integrator/eye_path.h"
-#include "render/integrator/gather_guide.h"
 #include "render/integrator/gather_radius.h"
 #include "render/integrator/importons.h"
+#include "render/integrator/placed_guides.h"
 #include "render/maps/volume_map.h"
 #include "render/shading/interaction.h"
 
@@ -19,11 +19,11 @@ struct GatherMaps {
     const ChosenMaps& indirect; ///< of the pass, weighed by weigh_bounces
     const FirstRadii& first;
     GatherScale scale = {};
-    bool bounces = true;                ///< false: rays of gathered lobes only look for lights
-    const VolumeMap* volume = nullptr;  ///< of the pass, of radii shrunk; null: there are no media
-    const GatherGuide* guide = nullptr; ///< of final-gather rays; null: lobes draw them
-    const GatherGuide* sky = nullptr;   ///< by which environments are sampled; null: they are not
-    const ChosenMaps* glossy = nullptr; ///< of the pass, weighed by weigh_glossy; null: none
+    bool bounces = true;                 ///< false: rays of gathered lobes only look for lights
+    const VolumeMap* volume = nullptr;   ///< of the pass, of radii shrunk; null: there are no media
+    const PlacedGuides* guide = nullptr; ///< of final-gather rays; null: lobes draw them
+    const PlacedGuides* sky = nullptr;   ///< by which environments are sampled; null: they are not
+    const ChosenMaps* glossy = nullptr;  ///< of the pass, weighed by weigh_glossy; null: none
 };
 
 /// Scratch memory of one thread for gather paths.

@@ -21,8 +21,8 @@ struct ProgressiveMaps {
 struct ProgressiveRadii {
     FirstRadii surfaces;
     VolumeRadii volume;
-    GatherGuide guide = {};
-    GatherGuide sky = {};
+    PlacedGuides guide = {};
+    PlacedGuides sky = {};
 };
 
 /// The maps and radii that integrator progressive keeps for images of one scene from several

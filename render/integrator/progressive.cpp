@@ -294,13 +294,13 @@ std::shared_ptr<const PhotonGuides> find_guides(const ProgressivePass& pilot,
 
 /// Learns where gather rays find light, from rays of pilots that read the maps of one; from few, if
 /// they show that lobes alone are as good.
-GatherGuide find_directions(const ProgressivePass& pilot, const ProgressiveRadii& first,
-                            const PilotTeam& team)
+PlacedGuides find_directions(const ProgressivePass& pilot, const ProgressiveRadii& first,
+                             const PilotTeam& team)
 {
     const RenderScene& scene = pilot.mapped.scene;
     return with_few_photons(pilot, first, [&](const GatherMaps& maps) {
         std::vector<GatherRecord> records;
-        GatherGuide out;
+        PlacedGuides out;
         for (const SampleRange& of_pixel : kGatherRounds) {
             const std::vector<GatherRecord> found = trace_gather_rays(
                 scene, pilot.options, of_pixel,

@@ -24,7 +24,7 @@ enum class Emission : std::uint8_t {
 
 /// How the directions of final-gather rays are drawn.
 enum class GatherDirections : std::uint8_t {
-    guided,   ///< as gather_guide.h says
+    guided,   ///< as placed_guides.h says
     by_lobes, ///< by the lobes of the surface alone
 };
 

@@ -2,6 +2,7 @@
 
 #include "common/math/frame.h"
 #include "common/math/sampling.h"
+#include "render/paths/direct_light.h"
 
 #include <tbb/parallel_for.h>
 
@@ -49,12 +50,10 @@ class SkyRays {
         const float cosine = glm::dot(importon_.direction, direction);
         if (!(cosine > 0))
             return;
-        Ray ray;
-        ray.direction = direction;
-        ray.origin = offset_origin({.face = importon_.face,
-                                    .position = importon_.position,
-                                    .geometric_normal = importon_.direction},
-                                   direction);
+        const Ray ray = far_ray({.face = importon_.face,
+                                 .position = importon_.position,
+                                 .geometric_normal = importon_.direction},
+                                direction);
         GatherRecord record{.position = importon_.position,
                             .direction = direction,
                             .face = importon_.face,
@@ -80,9 +79,9 @@ class SkyRays {
 
 } // namespace
 
-GatherGuide learn_sky(const RenderScene& scene, const Importons& importons, std::uint64_t seed)
+PlacedGuides learn_sky(const RenderScene& scene, const Importons& importons, std::uint64_t seed)
 {
-    GatherGuide out;
+    PlacedGuides out;
     if (scene.lights.environments.empty())
         return out;
     const std::vector<Photon>& from = importons.indirect;

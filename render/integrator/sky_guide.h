@@ -1,7 +1,7 @@
 #pragma once
 
-#include "render/integrator/gather_guide.h"
 #include "render/integrator/importons.h"
+#include "render/integrator/placed_guides.h"
 
 #include <cstdint>
 
@@ -11,6 +11,6 @@ namespace hipmap {
 /// importons.  Places that see little of the sky get directions by which it is sampled; elsewhere
 /// lobes and the environments' own samples are as good.  No environment: none.  In parallel; the
 /// same at any thread count.  docs/light_transport.md (49).
-GatherGuide learn_sky(const RenderScene& scene, const Importons& importons, std::uint64_t seed);
+PlacedGuides learn_sky(const RenderScene& scene, const Importons& importons, std::uint64_t seed);
 
 } // namespace hipmap

@@ -8,8 +8,9 @@
 namespace hipmap {
 
 /// A density over directions by which final-gather rays look for light, mixed with that of the
-/// lobes.  It is even within the cells of a grid of equal solid angles: rows of equal height about
-/// the y axis, columns of equal longitude.  docs/light_transport.md (43).
+/// lobes, or by which the sky is sampled.  It is even within the cells of a grid of equal solid
+/// angles: rows of equal height about the y axis, columns of equal longitude.
+/// docs/light_transport.md (43), (49).
 struct DirectionGuide {
     static constexpr std::size_t kRows = 16, kColumns = 32, kCells = kRows * kColumns;
     using Shares = std::array<float, kCells>;

@@ -1,4 +1,4 @@
-#include "render/integrator/gather_guide.h"
+#include "render/integrator/placed_guides.h"
 
 #include <tbb/parallel_for.h>
 
@@ -129,7 +129,7 @@ class TreeBuilder {
         build({middle, records.end()});
     }
 
-    GatherGuide take() { return std::move(out_); }
+    PlacedGuides take() { return std::move(out_); }
 
   private:
     static int longest_axis(Side records)
@@ -142,29 +142,29 @@ class TreeBuilder {
     }
 
     const LearningRule& rule_;
-    GatherGuide out_;
+    PlacedGuides out_;
 };
 
-bool helps(const GatherGuide& tree)
+bool helps(const PlacedGuides& tree)
 {
     return std::ranges::any_of(tree.directions,
                                [](const DirectionGuide& guide) { return guide.by_lobes < 1; });
 }
 
 /// sides: [trees].
-GatherGuide join(const std::vector<GatherGuide>& trees, std::span<const std::uint64_t> sides)
+PlacedGuides join(const std::vector<PlacedGuides>& trees, std::span<const std::uint64_t> sides)
 {
-    GatherGuide out;
+    PlacedGuides out;
     for (std::size_t i = 0; i < trees.size(); ++i) {
-        const GatherGuide& tree = trees[i];
+        const PlacedGuides& tree = trees[i];
         if (tree.nodes.empty())
             continue;
         const auto node0 = static_cast<std::uint32_t>(out.nodes.size());
         const auto first = static_cast<std::uint32_t>(out.directions.size());
         out.sides.push_back(sides[i]);
         out.roots.push_back(node0);
-        for (GatherGuide::Node node : tree.nodes) {
-            node.next += node.axis == GatherGuide::kLeaf ? first : node0;
+        for (PlacedGuides::Node node : tree.nodes) {
+            node.next += node.axis == PlacedGuides::kLeaf ? first : node0;
             out.nodes.push_back(node);
         }
         out.directions.insert(out.directions.end(), tree.directions.begin(), tree.directions.end());
@@ -203,7 +203,7 @@ RecordedSides sort_by_side(const Partition& partition, std::vector<GatherRecord>
 
 } // namespace
 
-const DirectionGuide* directions_at(const GatherGuide& guide, const Partition& partition,
+const DirectionGuide* directions_at(const PlacedGuides& guide, const Partition& partition,
                                     const PhotonQuery& query)
 {
     const std::uint32_t map = partition.map_of(query.face);
@@ -215,8 +215,8 @@ const DirectionGuide* directions_at(const GatherGuide& guide, const Partition& p
         return nullptr;
     std::uint32_t here = guide.roots[static_cast<std::size_t>(side_at - guide.sides.begin())];
     for (;;) {
-        const GatherGuide::Node& node = guide.nodes[here];
-        if (node.axis == GatherGuide::kLeaf) {
+        const PlacedGuides::Node& node = guide.nodes[here];
+        if (node.axis == PlacedGuides::kLeaf) {
             const DirectionGuide& found = guide.directions[node.next];
             return found.by_lobes < 1 ? &found : nullptr;
         }
@@ -224,26 +224,26 @@ const DirectionGuide* directions_at(const GatherGuide& guide, const Partition& p
     }
 }
 
-GatherGuide learn_directions(const Partition& partition, std::vector<GatherRecord>& records,
-                             const LearningRule& rule)
+PlacedGuides learn_directions(const Partition& partition, std::vector<GatherRecord>& records,
+                              const LearningRule& rule)
 {
     const auto [sides, all_ends] = sort_by_side(partition, records);
     const std::vector<std::size_t>& ends = all_ends; // lambdas capture no bindings
-    std::vector<GatherGuide> trees(ends.size());
+    std::vector<PlacedGuides> trees(ends.size());
     tbb::parallel_for(std::size_t{0}, ends.size(), [&](std::size_t i) {
         const std::size_t begin = i == 0 ? 0 : ends[i - 1];
         if (ends[i] - begin < rule.fewest_rays)
             return;
         TreeBuilder builder(rule);
         builder.build(Side(records).subspan(begin, ends[i] - begin));
-        GatherGuide tree = builder.take();
+        PlacedGuides tree = builder.take();
         if (helps(tree))
             trees[i] = std::move(tree);
     });
     return join(trees, sides);
 }
 
-std::uint64_t checksum(const GatherGuide& guide)
+std::uint64_t checksum(const PlacedGuides& guide)
 {
     std::uint64_t sum = 0;
     for (const DirectionGuide& directions : guide.directions) {

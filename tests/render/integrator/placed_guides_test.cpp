@@ -1,5 +1,5 @@
 #include "common/math/frame.h"
-#include "render/integrator/gather_guide.h"
+#include "render/integrator/placed_guides.h"
 #include "render/integrator/integrators.h"
 #include "render/integrator/sky_guide.h"
 #include "tests/support/statistics.h"
@@ -102,7 +102,7 @@ TEST_CASE("gather guide: rays go where records found light", "[integrator]")
     const glm::vec3 window = glm::normalize(glm::vec3(1, 0.7f, 0));
     std::vector<GatherRecord> records = records_below(window, 0.95f, 4000);
     const Partition partition = one_map();
-    const GatherGuide guide = learn_directions(partition, records);
+    const PlacedGuides guide = learn_directions(partition, records);
     const DirectionGuide* const found = directions_at(guide, partition, query_on_side(0));
     REQUIRE(found != nullptr);
     RandomSequence random(2, RandomStream::pictures, 0, 0);
@@ -147,7 +147,7 @@ TEST_CASE("sky guide: where little of the sky is seen, its samples go there", "[
         const glm::vec3 place{random.next() - 0.5f, -0.5f, random.next() - 0.5f};
         importons.indirect.push_back({place, Rgb(1), query.normal, floor, query.side});
     }
-    const GatherGuide guide = learn_sky(*room->render, importons, 1);
+    const PlacedGuides guide = learn_sky(*room->render, importons, 1);
     const DirectionGuide* const found = directions_at(guide, room->partition, query);
     REQUIRE(found != nullptr);
     const auto sees_sky = [&](const glm::vec3& direction) {

@@ -9,9 +9,9 @@
 
 namespace hipmap {
 
-/// The directions from which light comes that final-gather rays find, by place on each side of the
-/// shared maps.  docs/light_transport.md (43).
-struct GatherGuide {
+/// The directions from which light comes, by place on each side of the shared maps: what
+/// final-gather rays find, docs/light_transport.md (43), or the sky (49).
+struct PlacedGuides {
     static constexpr std::uint32_t kLeaf = 3; ///< as an axis
 
     /// A node of the tree over the points of one side of a map; its lower child comes next.
@@ -27,7 +27,7 @@ struct GatherGuide {
 };
 
 /// Returns the directions at a place.  Null: the lobes alone are as good.  Thread-safe.
-const DirectionGuide* directions_at(const GatherGuide& guide, const Partition& partition,
+const DirectionGuide* directions_at(const PlacedGuides& guide, const Partition& partition,
                                     const PhotonQuery& query);
 
 /// When directions are worth learning.
@@ -38,10 +38,10 @@ struct LearningRule {
 
 /// Learns from rays that the lobes drew.  Records move within their vector.  In parallel; the
 /// result is the same at any thread count.  No record: no guide.
-GatherGuide learn_directions(const Partition& partition, std::vector<GatherRecord>& records,
-                             const LearningRule& rule = {});
+PlacedGuides learn_directions(const Partition& partition, std::vector<GatherRecord>& records,
+                              const LearningRule& rule = {});
 
 /// Returns a checksum of the guide, by which states know it.
-std::uint64_t checksum(const GatherGuide& guide);
+std::uint64_t checksum(const PlacedGuides& guide);
 
 } // namespace hipmap
