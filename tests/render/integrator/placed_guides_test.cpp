@@ -1,6 +1,6 @@
 #include "common/math/frame.h"
-#include "render/integrator/placed_guides.h"
 #include "render/integrator/integrators.h"
+#include "render/integrator/placed_guides.h"
 #include "render/integrator/sky_guide.h"
 #include "tests/support/statistics.h"
 #include "tests/support/tiny_rooms.h"
