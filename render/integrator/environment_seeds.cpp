@@ -1,8 +1,6 @@
 #include "render/integrator/environment_seeds.h"
 
-#include "common/math/frame.h"
-#include "common/math/sampling.h"
-#include "render/paths/direct_light.h"
+#include "render/integrator/sky_rays.h"
 
 #include <tbb/parallel_for.h>
 
@@ -17,7 +15,7 @@ constexpr std::size_t kMostImportons = 1 << 15;
 constexpr int kRays = 4;
 
 /// Adds the seeds of a ray from an importon that leaves the scene, drawn by the cosine or by a
-/// light (balance heuristic).
+/// light (balance heuristic).  docs/light_transport.md (41).
 void add_seeds(const RenderScene& scene, const Ray& ray, const Photon& importon,
                RandomSequence& random, std::vector<EmissionSeed>& out)
 {
@@ -42,27 +40,6 @@ void add_seeds(const RenderScene& scene, const Ray& ray, const Photon& importon,
     }
 }
 
-/// Adds the seeds of an importon.  docs/light_transport.md (41).
-void trace_back(const RenderScene& scene, const Photon& importon, RandomSequence& random,
-                std::vector<EmissionSeed>& out)
-{
-    const glm::vec3& normal = importon.direction;
-    const SurfacePoint from = {
-        .face = importon.face, .position = importon.position, .geometric_normal = normal};
-    const auto look = [&](const glm::vec3& direction) {
-        const Ray ray = far_ray(from, direction);
-        if (!scene.rays.nearest(ray))
-            add_seeds(scene, ray, importon, random, out);
-    };
-    for (int i = 0; i < kRays; ++i) {
-        look(Frame(normal).to_world(sample_cosine_hemisphere(random.next2())));
-        for (const std::uint32_t environment : scene.lights.environments)
-            if (const std::optional<LightSample> drawn = sample_li(
-                    scene.lights.lights[environment], {importon.position, normal}, random))
-                look(drawn->direction);
-    }
-}
-
 } // namespace
 
 std::vector<EmissionSeed> environment_seeds(const RenderScene& scene, const Importons& importons,
@@ -76,7 +53,11 @@ std::vector<EmissionSeed> environment_seeds(const RenderScene& scene, const Impo
         std::vector<std::vector<EmissionSeed>> found((kind->size() + step - 1) / step);
         tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t i) {
             RandomSequence random(seed, RandomStream::seeds, kind == &importons.global, i);
-            trace_back(scene, (*kind)[i * step], random, found[i]);
+            const Photon& importon = (*kind)[i * step];
+            draw_sky_rays(scene, importon, kRays, random, [&](const Ray& ray) {
+                if (!scene.rays.nearest(ray))
+                    add_seeds(scene, ray, importon, random, found[i]);
+            });
         });
         for (const std::vector<EmissionSeed>& seeds : found)
             out.insert(out.end(), seeds.begin(), seeds.end());

@@ -127,12 +127,7 @@ class GatherTracer {
             branch.guide = directions_at(*maps_.guide, maps_.scene.partition, query);
         if (maps_.sky != nullptr)
             branch.sky = directions_at(*maps_.sky, maps_.scene.partition, query);
-        if (shared_maps(maps_.indirect).maps.empty()) {
-            keep(scratch_.importons, &Importons::indirect, query, branch.throughput * factor);
-        } else {
-            branch.indirect_radius = radius_at(maps_.first.indirect, maps_.surfaces, query);
-            add_indirect(branch.throughput * factor, query, branch.indirect_radius);
-        }
+        add_indirect(branch.throughput * factor, query, branch.indirect_radius);
         return false;
     }
 
@@ -154,10 +149,9 @@ class GatherTracer {
                 keep(scratch_.importons, &Importons::global, query, weight);
                 add_gathered(weight, query, maps_.scale.shrink * first);
             } else if (!is_gathered(branch.behind) && !shared_maps(maps_.indirect).maps.empty()) {
-                const float first = radius_at(maps_.first.indirect, maps_.surfaces, query);
-                (other ? branch.transmitted_radius : branch.indirect_radius) = first;
                 branch.gathered_at = query.position;
-                add_indirect(branch.throughput * factor, query, first);
+                add_indirect(branch.throughput * factor, query,
+                             other ? branch.transmitted_radius : branch.indirect_radius);
             }
         }
         return is_gathered(branch.behind);
@@ -199,10 +193,14 @@ class GatherTracer {
         return glossy_density(maps_.first, first, maps_.scale) / followed_peak(at);
     }
 
-    /// first: the first radius; infinite where gather rays alone find the light.
-    void add_indirect(const Rgb& factor, const PhotonQuery& query, float first)
+    /// first: becomes the first radius, infinite where gather rays alone find the light; stays if
+    /// there are no photons.
+    void add_indirect(const Rgb& factor, const PhotonQuery& query, float& first)
     {
         keep(scratch_.importons, &Importons::indirect, query, factor);
+        if (shared_maps(maps_.indirect).maps.empty())
+            return;
+        first = radius_at(maps_.first.indirect, maps_.surfaces, query);
         if (std::isfinite(first))
             add_within(factor, maps_.indirect, query, maps_.scale.shrink * first,
                        scratch_.indirect);

@@ -21,8 +21,8 @@ struct ProgressiveMaps {
 struct ProgressiveRadii {
     FirstRadii surfaces;
     VolumeRadii volume;
-    PlacedGuides guide = {};
-    PlacedGuides sky = {};
+    PlacedGuides guide = {}; ///< of final-gather rays
+    PlacedGuides sky = {};   ///< of samples of the environments
 };
 
 /// The maps and radii that integrator progressive keeps for images of one scene from several

@@ -409,10 +409,11 @@ void prepare(const MappedScene& mapped, const RenderOptions& options, const Pilo
         pilot.guides = shared.guides.get();
         first = find_first_radii(pilot, pilots.team);
     }
-    if (options.gather == GatherDirections::guided && !stopped)
+    if (options.gather == GatherDirections::guided && !stopped) {
         first.sky = learn_sky(mapped.scene, importons, options.seed);
-    if (options.gather == GatherDirections::guided && options.light.indirect && !stopped)
-        first.guide = find_directions(pilot, first, pilots.team);
+        if (options.light.indirect)
+            first.guide = find_directions(pilot, first, pilots.team);
+    }
     shared.first = std::make_shared<const ProgressiveRadii>(std::move(first));
 }
 

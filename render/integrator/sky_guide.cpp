@@ -1,12 +1,8 @@
 #include "render/integrator/sky_guide.h"
 
-#include "common/math/frame.h"
-#include "common/math/sampling.h"
-#include "render/paths/direct_light.h"
+#include "render/integrator/sky_rays.h"
 
 #include <tbb/parallel_for.h>
-
-#include <span>
 
 namespace hipmap {
 
@@ -25,57 +21,31 @@ struct Round {
 constexpr Round kRounds[] = {{4, {.fewest_rays = 512, .least_gain = 2}},
                              {60, {.fewest_rays = 4096, .least_gain = 2}}};
 
-/// Appends rays from an importon, drawn by the cosine or by an environment (balance heuristic).
-class SkyRays {
-  public:
-    SkyRays(const RenderScene& scene, const Photon& importon) : scene_(scene), importon_(importon)
-    {
-    }
-
-    void look(int rays, RandomSequence& random, std::vector<GatherRecord>& out) const
-    {
-        const glm::vec3& normal = importon_.direction;
-        for (int i = 0; i < rays; ++i) {
-            add(Frame(normal).to_world(sample_cosine_hemisphere(random.next2())), out);
-            for (const std::uint32_t environment : scene_.lights.environments)
-                if (const std::optional<LightSample> drawn = sample_li(
-                        scene_.lights.lights[environment], {importon_.position, normal}, random))
-                    add(drawn->direction, out);
+/// Appends what a ray from an importon finds, drawn by the cosine or by an environment (balance
+/// heuristic).
+void add_record(const RenderScene& scene, const Ray& ray, const Photon& importon,
+                std::vector<GatherRecord>& out)
+{
+    const float cosine = glm::dot(importon.direction, ray.direction);
+    if (!(cosine > 0))
+        return;
+    GatherRecord record{.position = importon.position,
+                        .direction = ray.direction,
+                        .face = importon.face,
+                        .side = importon.side,
+                        .pdf = cosine / kPi};
+    Rgb sky(0.0f);
+    for (const std::uint32_t environment : scene.lights.environments)
+        if (const std::optional<LightHit> hit = intersect(scene.lights.lights[environment], ray)) {
+            sky += hit->radiance;
+            record.pdf += hit->pdf;
         }
+    if (!is_black(sky) && !scene.rays.nearest(ray)) {
+        const Rgb light = importon.power * sky * (cosine / (kPi * record.pdf));
+        record.light = light.x + light.y + light.z;
     }
-
-  private:
-    void add(const glm::vec3& direction, std::vector<GatherRecord>& out) const
-    {
-        const float cosine = glm::dot(importon_.direction, direction);
-        if (!(cosine > 0))
-            return;
-        const Ray ray = far_ray({.face = importon_.face,
-                                 .position = importon_.position,
-                                 .geometric_normal = importon_.direction},
-                                direction);
-        GatherRecord record{.position = importon_.position,
-                            .direction = direction,
-                            .face = importon_.face,
-                            .side = importon_.side,
-                            .pdf = cosine / kPi};
-        Rgb sky(0.0f);
-        for (const std::uint32_t environment : scene_.lights.environments)
-            if (const std::optional<LightHit> hit =
-                    intersect(scene_.lights.lights[environment], ray)) {
-                sky += hit->radiance;
-                record.pdf += hit->pdf;
-            }
-        if (!is_black(sky) && !scene_.rays.nearest(ray)) {
-            const Rgb light = importon_.power * sky * (cosine / (kPi * record.pdf));
-            record.light = light.x + light.y + light.z;
-        }
-        out.push_back(record);
-    }
-
-    const RenderScene& scene_;
-    const Photon& importon_;
-};
+    out.push_back(record);
+}
 
 } // namespace
 
@@ -92,7 +62,9 @@ PlacedGuides learn_sky(const RenderScene& scene, const Importons& importons, std
         tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t i) {
             RandomSequence random(seed, RandomStream::sky, static_cast<std::uint64_t>(round.rays),
                                   i);
-            SkyRays(scene, from[i * step]).look(round.rays, random, found[i]);
+            const Photon& importon = from[i * step];
+            draw_sky_rays(scene, importon, round.rays, random,
+                          [&](const Ray& ray) { add_record(scene, ray, importon, found[i]); });
         });
         for (const std::vector<GatherRecord>& rays : found)
             records.insert(records.end(), rays.begin(), rays.end());

@@ -205,7 +205,7 @@ TEST_CASE("tinted glass: it absorbs between what lies in it", "[integrator][medi
     point.intensity = Rgb(1);
     by_point.lights = {point};
     check_image(by_point, light_left(0.8 / (distance * distance)));
-    // A face that shines down, small and far enough to be a point.
+    // An emissive face that looks down, so small that it lights as a point does.
     TriangleMesh lamp = tiny::floor_at(0, -0.04f);
     tiny::move(lamp, {distance * 0.6, distance * 0.8, 0});
     tiny::add(scene, lamp, tiny::emissive(Rgb(100)));
