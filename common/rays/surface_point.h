@@ -22,6 +22,15 @@ SurfacePoint surface_point(const TriangleMesh& mesh, FaceId face, const glm::vec
 /// face it starts on).  Source: Pharr, Jakob and Humphreys 2023, section 6.8.6.
 glm::vec3 offset_origin(const SurfacePoint& point, const glm::vec3& direction);
 
+/// Returns a ray without end that leaves a point in a direction.  direction: unit.
+inline Ray ray_from(const SurfacePoint& from, const glm::vec3& direction)
+{
+    Ray out;
+    out.direction = direction;
+    out.origin = offset_origin(from, direction);
+    return out;
+}
+
 /// Returns a ray from one point towards another that stops short of it.
 Ray ray_between(const SurfacePoint& from, const glm::vec3& to);
 

@@ -2,8 +2,8 @@
 
 #include "common/math/frame.h"
 #include "common/math/sampling.h"
-#include "render/paths/direct_light.h"
 #include "render/photons/photon.h"
+#include "render/shading/render_scene.h"
 
 namespace hipmap {
 
@@ -18,11 +18,11 @@ void draw_sky_rays(const RenderScene& scene, const Photon& importon, int count,
     const SurfacePoint from = {
         .face = importon.face, .position = importon.position, .geometric_normal = normal};
     for (int i = 0; i < count; ++i) {
-        visit(far_ray(from, Frame(normal).to_world(sample_cosine_hemisphere(random.next2()))));
+        visit(ray_from(from, Frame(normal).to_world(sample_cosine_hemisphere(random.next2()))));
         for (const std::uint32_t environment : scene.lights.environments)
             if (const std::optional<LightSample> drawn = sample_li(
                     scene.lights.lights[environment], {importon.position, normal}, random))
-                visit(far_ray(from, drawn->direction));
+                visit(ray_from(from, drawn->direction));
     }
 }
 

@@ -149,7 +149,7 @@ Rgb analytic_light(const RenderScene& scene, const Interaction& at, const LobeRa
 Rgb from_sky(const RenderScene& scene, const Interaction& at, const Light& environment,
              const glm::vec3& direction, const LobeRays& rays)
 {
-    const Ray shadow = far_ray(at.point, direction);
+    const Ray shadow = ray_from(at.point, direction);
     const std::optional<LightHit> hit = intersect(environment, shadow);
     if (!hit)
         return Rgb(0);

@@ -27,19 +27,10 @@ struct RaySource {
     Rgb photons{0.0f};
 };
 
-/// Returns the ray from a point that leaves the scene in a direction.
-inline Ray far_ray(const SurfacePoint& from, const glm::vec3& direction)
-{
-    Ray out;
-    out.direction = direction;
-    out.origin = offset_origin(from, direction);
-    return out;
-}
-
 /// Returns the ray from a point to where sampled light comes from; it stops short of the light.
 inline Ray shadow_ray(const SurfacePoint& from, const LightSample& sample)
 {
-    return sample.is_far ? far_ray(from, sample.direction) : ray_between(from, sample.point);
+    return sample.is_far ? ray_from(from, sample.direction) : ray_between(from, sample.point);
 }
 
 /// Returns the length of a ray: infinite if it hits nothing.

@@ -291,10 +291,7 @@ SpecularLobes specular_lobes(const Interaction& at)
 
 Ray scattered_ray(const Interaction& at, const LobeSample& sample)
 {
-    Ray ray;
-    ray.direction = sample.direction;
-    ray.origin = offset_origin(at.point, sample.direction);
-    return ray;
+    return ray_from(at.point, sample.direction);
 }
 
 } // namespace hipmap
