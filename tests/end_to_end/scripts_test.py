@@ -1,5 +1,5 @@
 """pipeline.sh, command/hipmap, test.sh and .ci/run with stand-ins for the programs they call, so
-that nothing is installed or built.
+that nothing is installed or built; and what bench/cost_of_absence.py takes out of the sources.
 
     scripts_test.py ROOT
 """
@@ -237,6 +237,15 @@ class Scripts(unittest.TestCase):
         code, output, _, _ = self.run_script(".ci/run", CTEST_RESULT="8")
         self.assertEqual(code, 8)
         self.assertEqual(output.splitlines()[-1], summary)
+
+
+class CostOfAbsence(unittest.TestCase):
+    def test_each_condition_to_take_out_is_in_the_sources_once(self):
+        sys.path.insert(0, os.path.join(ROOT, "bench"))
+        import cost_of_absence
+        for path, was, _ in cost_of_absence.MATTE:
+            with open(os.path.join(ROOT, path), encoding="utf-8") as file:
+                self.assertEqual(file.read().count(was), 1, f"{path}: {was}")
 
 
 if __name__ == "__main__":
