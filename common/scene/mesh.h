@@ -72,6 +72,13 @@ struct TriangleMesh {
     }
 };
 
+/// Returns the mean of the corners of a face.
+inline glm::vec3 centroid(const TriangleMesh& mesh, FaceId face)
+{
+    const auto [a, b, c] = mesh.triangle(face);
+    return (a + b + c) / 3.0f;
+}
+
 /// Returns the cross product of two edges of a face: along its front normal, with twice its area as
 /// length.  In double, so that tiny faces keep their direction.  Zero for a degenerate face.
 inline glm::dvec3 scaled_normal(const TriangleMesh& mesh, FaceId face)

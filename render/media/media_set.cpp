@@ -7,6 +7,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 
 namespace hipmap {
@@ -45,28 +46,50 @@ bool absorbs_at(const MediaSet& media, const glm::vec3& point)
     return !media.medium(medium_stack_at(media, point).current()).is_clear();
 }
 
-glm::vec3 middle_of(const TriangleMesh& mesh, FaceId face)
+/// The middle of what a named light's paths start from, and points at its rim.
+std::array<glm::dvec3, 7> parts_of(const MeanEmission& light)
 {
-    const auto corners = mesh.triangle(face);
-    return (corners[0] + corners[1] + corners[2]) / 3.0f;
+    std::array<glm::dvec3, 3> to_rim{light.half_right, light.half_up};
+    if (light.from == MeanEmission::From::sphere)
+        for (int axis = 0; axis < 3; ++axis)
+            to_rim[static_cast<std::size_t>(axis)][axis] = light.radius;
+    if (light.from == MeanEmission::From::rectangle)
+        to_rim = {light.half_right + light.half_up, light.half_right - light.half_up};
+    std::array<glm::dvec3, 7> out;
+    out.fill(light.centre);
+    for (std::size_t i = 0; i < to_rim.size(); ++i) {
+        out[2 * i] += to_rim[i];
+        out[2 * i + 1] -= to_rim[i];
+    }
+    return out;
+}
+
+/// The middle of a face, and points beside its corners.
+std::array<glm::vec3, 4> parts_of(const TriangleMesh& mesh, FaceId face)
+{
+    const glm::vec3 middle = centroid(mesh, face);
+    const auto [a, b, c] = mesh.triangle(face);
+    const auto beside = [&](const glm::vec3& corner) { return glm::mix(corner, middle, 0.01f); };
+    return {middle, beside(a), beside(b), beside(c)};
 }
 
 /// Paths start where something absorbs: their rays do not know it, as they have not entered it, nor
 /// do the shadow rays between what is in there.
 bool starts_in_absorption(const MediaSet& media, const Scene& scene)
 {
-    if (absorbs_at(media, scene.cameras[scene.camera].position))
+    const auto absorbs = [&](const auto& point) { return absorbs_at(media, glm::vec3(point)); };
+    if (absorbs(scene.cameras[scene.camera].position))
         return true;
     for (const SceneLight& light : scene.lights) {
         const MeanEmission sent =
             std::visit([](const auto& of_kind) { return mean_emission(of_kind); }, light);
-        if (sent.from != MeanEmission::From::afar && absorbs_at(media, sent.centre))
+        if (sent.from != MeanEmission::From::afar && std::ranges::any_of(parts_of(sent), absorbs))
             return true;
     }
     std::atomic<bool> found = false;
     tbb::parallel_for(FaceId{0}, static_cast<FaceId>(scene.mesh.face_count()), [&](FaceId face) {
         if (!is_black(scene.materials[scene.mesh.material_of(face)].emission) && !found &&
-            absorbs_at(media, middle_of(scene.mesh, face)))
+            std::ranges::any_of(parts_of(scene.mesh, face), absorbs))
             found = true;
     });
     return found;

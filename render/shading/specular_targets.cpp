@@ -17,12 +17,6 @@ constexpr float kMargin = 1 + 1e-5f;
 constexpr int kHalvings = 5;
 static_assert(std::size_t{1} << kHalvings <= kMostTargets);
 
-glm::vec3 centroid(const TriangleMesh& mesh, FaceId face)
-{
-    const auto [a, b, c] = mesh.triangle(face);
-    return (a + b + c) / 3.0f;
-}
-
 Bounds<glm::vec3> box_of(const TriangleMesh& mesh, std::span<const FaceId> faces)
 {
     Bounds<glm::vec3> box;

@@ -82,6 +82,42 @@ TEST_CASE("media are found only where a scene has some", "[media]")
     CHECK(tiny::ready(scene)->render->media);
 }
 
+TEST_CASE("media are found where a light is partly in glass that absorbs", "[media]")
+{
+    Scene tinted = tiny::make_scene(tiny::cube());
+    tinted.materials[0] = tiny::glass(1.5f);
+    tinted.materials[0].absorption = Rgb(1);
+    tinted.cameras[0].position = {0, 0, 5};
+    const auto with_light = [&](const SceneLight& light) {
+        Scene scene = tinted;
+        scene.lights = {light};
+        return tiny::ready(scene)->render->media.has_value();
+    };
+    // Seen from the middle of the cube, whose faces are 1/2 away, along x.
+    ScenePointLight ball{.name = "", .position = {1, 0, 0}, .intensity = Rgb(1), .radius = 0.6};
+    CHECK(with_light(ball));
+    ball.radius = 0.4;
+    CHECK(!with_light(ball));
+    for (const bool is_disc : {false, true}) {
+        SceneAreaLight flat{
+            .name = "", .is_disc = is_disc, .centre = {1, 0, 0}, .radiance = Rgb(1)};
+        flat.half_right = {0.6, 0, 0};
+        flat.half_up = {0, 0.2, 0};
+        CHECK(with_light(flat));
+        flat.half_right = {0.4, 0, 0};
+        CHECK(!with_light(flat));
+    }
+    const auto with_face = [&](float side) {
+        Scene scene = tinted;
+        TriangleMesh lamp = tiny::floor_at(0, side);
+        tiny::move(lamp, {1, 0.1f, 0.5f});
+        tiny::add(scene, lamp, tiny::emissive(Rgb(1)));
+        return tiny::ready(scene)->render->media.has_value();
+    };
+    CHECK(with_face(1.2f)); // a corner is in the cube
+    CHECK(!with_face(0.8f));
+}
+
 namespace {
 
 /// Two cubes of glass of side 1 that share half of their height, the upper one of such a priority.
