@@ -19,13 +19,12 @@ PATIENCE = 4  # times the passes that were promised, after which an image is giv
 
 
 def schedule(start, each, seconds, spacing=SPACING):
-    """Passes at which a curve has its points: from 1 on, evenly spaced in logarithms, such that to
-    render from point to point takes so many seconds in all.  start: seconds before the first pass,
-    at each point anew.  each: of a pass."""
-    alone = max(1.0, (seconds - start) / each)
-    steps = max(1, round(math.log(alone) / math.log(spacing)))
-    last = max(1, int((seconds - (steps + 1) * start) / each))
-    return sorted({round(last ** (i / steps)) for i in range(steps + 1)})
+    """Passes at which a curve has its points: from 1 on, evenly spaced in logarithms, to as many as take
+    so many seconds.  start: seconds before the first pass, at each point anew, for which at most as
+    long is spent again.  each: seconds of a pass."""
+    last = max(1, int(seconds / each))
+    steps = min(round(math.log(last) / math.log(spacing)), int(seconds / start))
+    return sorted({round(last ** (i / max(1, steps))) for i in range(steps + 1)} | {1, last})
 
 
 @dataclasses.dataclass(frozen=True)

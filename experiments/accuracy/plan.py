@@ -43,7 +43,7 @@ SCENES = {scene.name: scene for scene in (
 
 @dataclasses.dataclass(frozen=True)
 class Setting:
-    """A way to render.  seconds: of the processor, that an image of the whole study may take.
+    """A way to render.  seconds: of the processor, that the passes of an image of the whole study take.
     photons: light paths a pass, where there are any.  filter: of pixels."""
 
     name: str

@@ -19,6 +19,7 @@ STYLES = {
     plan.BASE: ("#3a8f4b", "D-"), plan.DEFAULT: ("#2f6db3", "s-"), plan.PATH: ("#b3412e", "o-"),
     "direct": ("#d99a1c", "^-"), "progressive, 12,500 photons": ("#7b5aa6", "v-"),
     "progressive, k = 20": ("#8a8a1c", "<--"), "progressive, k = 125": ("#1c8a8a", ">--"),
+    "progressive, 2 samples": ("#444444", "1--"), "progressive, 8 samples": ("#b3412e", "2--"),
     "progressive, global": ("#b3412e", "o:"), "progressive, shared": ("#d99a1c", "^:"),
     "direct, 200,000 photons": ("#2f6db3", "s--"), "direct, k = 200": ("#7b5aa6", "v--"),
     "direct, global": ("#b3412e", "o:"), "direct, thesis": ("#444444", "x:"),

@@ -21,6 +21,7 @@ import arithmetic
 import findings
 import lab
 import plan
+import plots
 
 # A law of 0.4/sqrt(t), and what stays at a bias.
 CURVE = [(t, 0.4 / math.sqrt(t), 0.0, t) for t in (1, 4, 16)]
@@ -122,9 +123,19 @@ class Curves(unittest.TestCase):
         self.assertEqual(passes[0], 1)
         steps = [late / early for early, late in zip(passes, passes[1:])]
         self.assertTrue(all(2 <= step <= 4 for step in steps), passes)
-        spent = 0.5 * len(passes) + 0.25 * passes[-1]
-        self.assertTrue(29 < spent <= 30, spent)
+        self.assertEqual(passes[-1], 120)
         self.assertEqual(lab.schedule(5, 5, 1), [1])
+
+    def test_a_schedule_has_few_points_where_each_starts_anew_for_long(self):
+        self.assertEqual(lab.schedule(3, 0.25, 3.2), [1, 12])
+        self.assertEqual(lab.schedule(1, 0.25, 3.2), [1, 3, 12])
+
+
+class Plots(unittest.TestCase):
+    def test_each_curve_has_a_style_of_its_own(self):
+        for names in plots.PLOTS.values():
+            styles = [plots.STYLES[name] for name in names]
+            self.assertEqual(len(set(styles)), len(styles))
 
 
 class Marks(unittest.TestCase):
