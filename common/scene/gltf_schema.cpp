@@ -109,8 +109,8 @@ class SchemaCheck {
             if (!is_integer_in(value, 0, kLargest))
                 fail(place, "must be an index");
             if (value.get<std::uint64_t>() >= index_limit_)
-                fail(place, "names number " + value.dump() + " of " + std::to_string(index_limit_) +
-                                " in '" + rule.target + "'");
+                fail(place, "is " + value.dump() + ", but '" + rule.target + "' has only " +
+                                std::to_string(index_limit_) + " entries, counted from 0");
             return;
         }
     }

@@ -170,8 +170,8 @@ std::vector<IesPlane> all_around(const std::vector<double>& azimuths, const IesT
         out.push_back({azimuths[i], i});
     const double last = azimuths.back();
     if (azimuths.front() != 0 || (last > 0 && last < 180 && last != 90))
-        text.fail("horizontal angles must go from 0 to 0, 90, 180 or 360; files of other symmetry "
-                  "are not read");
+        text.fail("horizontal angles must go from 0 to 0, 90, 180 or 360; write the file with "
+                  "those from 0 to 360");
     if (last == 90)
         mirror(out);
     if (last == 90 || last == 180)

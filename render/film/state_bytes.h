@@ -48,9 +48,9 @@ class StateWriter {
     std::unique_ptr<Output> output_;
 };
 
-/// Reads what StateWriter wrote, from bytes that may hold anything, piece by piece: a few megabytes
-/// besides the values, and room for at most 16 times the file.  Every failure is an InputError that
-/// names the file.
+/// Reads what StateWriter wrote, piece by piece, from a file that may hold anything.  Memory: the
+/// values, at most 16 times the size of the file, and a few megabytes.  Every failure is an
+/// InputError that names the file.
 class StateReader {
   public:
     /// Opens the file and checks its mark.

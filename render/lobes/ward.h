@@ -19,7 +19,7 @@ struct Ward {
     bool is_directed() const { return slopes.x != slopes.y; }
 };
 
-/// Returns the slope, the same in all directions, that has the peak of two slopes.
+/// Returns the slope of the isotropic lobe that peaks as high as the lobe of two slopes.
 float mean_ward_slope(const glm::vec2& slopes);
 
 } // namespace hipmap
