@@ -15,10 +15,11 @@ PhotonQuery query_at(const Photon& photon, const MapSurfaces& surfaces)
     return {photon.position, photon.side == 0 ? up : -up, photon.face, photon.side};
 }
 
-GatherScale gather_scale(float samples, float shrink)
+GatherScale gather_scale(float samples, float shrink, std::uint32_t neighbours)
 {
-    constexpr float kSharing = 4;
-    return {samples / (1 + (kSharing - 1) * shrink * shrink), shrink, samples};
+    constexpr float kUnshared = 50; // photons from which on a ray counts less than half
+    const float photons = static_cast<float>(neighbours) * shrink * shrink;
+    return {samples / (1 + photons / kUnshared), shrink, samples};
 }
 
 float gather_weight(const Bounce& bounce, const GatherScale& scale)

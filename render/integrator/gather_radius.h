@@ -34,8 +34,8 @@ struct GatherScale {
 /// Returns the scale of a pass.  A gather ray counts for less than one: all photons that it reads
 /// share its direction, so that together they tell less than as many photons that came by ways of
 /// their own.  docs/light_transport.md (42).  samples: gather rays of a pixel in the pass, on
-/// average.
-GatherScale gather_scale(float samples, float shrink);
+/// average.  neighbours: photons within the first radius of the maps that they read.
+GatherScale gather_scale(float samples, float shrink, std::uint32_t neighbours);
 
 /// Returns the weight of final gathering against direct photons.  The light of a bounce is found in
 /// two ways: by the final-gather ray from x that reads a map at y, and by the photon that continued

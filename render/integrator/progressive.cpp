@@ -54,11 +54,6 @@ struct ProgressivePass {
     const SeenSurfaces* seen_surfaces = nullptr; ///< where photons count; null: not counted
     double shrink = 1;                           ///< radius over the first radius
     SeenLights seen = SeenLights::added; ///< left_out: wherever they have no samples of their own
-
-    GatherScale scale() const
-    {
-        return gather_scale(static_cast<float>(options.samples), static_cast<float>(shrink));
-    }
 };
 
 /// Pass `number` of the image, with the radii of its number.
@@ -116,6 +111,12 @@ MapOptions radius_options(const ProgressivePass& pilot, EmissionGuide PhotonGuid
         neighbours *= std::cbrt(std::min(kMostGain, 1 / (pilot.guides->*kind).variance));
     out.neighbours = std::max(2u, static_cast<std::uint32_t>(std::lround(neighbours)));
     return out;
+}
+
+GatherScale scale_of(const ProgressivePass& pass)
+{
+    return gather_scale(static_cast<float>(pass.options.samples), static_cast<float>(pass.shrink),
+                        radius_options(pass, &PhotonGuides::without_aim).neighbours);
 }
 
 /// By photons of their own, as many as a pass has.
@@ -193,7 +194,7 @@ ProgressiveMaps make_maps(const ProgressivePass& pass, const ProgressiveRadii& f
         maps.*to = build_maps(mapped, photons, request, kind);
         free_array(photons);
     };
-    auto indirect = weigh_bounces(traced, first.surfaces, mapped.surfaces, pass.scale());
+    auto indirect = weigh_bounces(traced, first.surfaces, mapped.surfaces, scale_of(pass));
     free_array(traced.bounces);
     const DissertationOptions read = estimated(options), ends = gathered(scene, options);
     const MapRequest plain{options.maps, read};
@@ -209,7 +210,7 @@ ProgressiveMaps make_maps(const ProgressivePass& pass, const ProgressiveRadii& f
         [&] { build(&Maps::caustic, traced.caustic, plain, statistics.caustic); },
         [&] {
             std::vector<Photon> glossy =
-                weigh_glossy(traced, first.surfaces, mapped.surfaces, pass.scale());
+                weigh_glossy(traced, first.surfaces, mapped.surfaces, scale_of(pass));
             build(&Maps::glossy, glossy, {directed, read}, statistics.glossy);
         },
         [&] {
@@ -229,7 +230,7 @@ GatherMaps gathered_maps(const ProgressivePass& pass, const ProgressiveRadii& fi
             photons.global,
             photons.indirect,
             first.surfaces,
-            pass.scale(),
+            scale_of(pass),
             pass.options.light.indirect,
             photons.volume ? &*photons.volume : nullptr,
             &first.guide,
@@ -284,7 +285,7 @@ std::shared_ptr<const PhotonGuides> find_guides(const ProgressivePass& pilot,
         return nullptr;
     const MapSurfaces& surfaces = pilot.mapped.surfaces;
     const PhotonWorth worth = make_worth(importons, surfaces, [&](const TracedPhotons& traced) {
-        return weigh_bounces(traced, first.surfaces, surfaces, pilot.scale());
+        return weigh_bounces(traced, first.surfaces, surfaces, scale_of(pilot));
     });
     PhotonOptions learning = linked_options(pilot);
     learning.pass = kPilotPass - 1;
