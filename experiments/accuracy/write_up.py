@@ -197,7 +197,7 @@ def quotes(results):
                           f"{true / quote['error']:.2f}" if true else "-", verdict(held[-1])])
     return f"""## Quotes: are predicted costs right?
 
-`--quote --error E` predicts the cost from eight passes; then `--error E` renders with the same setting (`{plan.BASE}`) and
+`--quote --error E` predicts the cost from two to eight passes; then `--error E` renders with the same setting (`{plan.BASE}`) and
 seed. A render stops only at passes that are a factor of √2 apart. The mark: passes and true error within a factor of
 {findings.WITHIN} of the prediction. Held by {sum(held)} of {len(held)}.
 
