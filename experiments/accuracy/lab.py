@@ -19,12 +19,13 @@ PATIENCE = 4  # times the passes that were promised, after which an image is giv
 
 
 def schedule(start, each, seconds, spacing=SPACING):
-    """Passes at which a curve has its points: from 1 on, evenly spaced in logarithms, to as many as take
-    so many seconds.  start: seconds before the first pass, at each point anew, for which at most as
-    long is spent again.  each: seconds of a pass."""
+    """Passes at which a curve has its points: from 1 to as many as take so many seconds, evenly spaced in
+    logarithms.  start: seconds before the first pass.  Every point takes them again, so there are only as
+    many points between as these repeated starts take no more than `seconds` in all.  each: seconds of a
+    pass."""
     last = max(1, int(seconds / each))
-    steps = min(round(math.log(last) / math.log(spacing)), int(seconds / start))
-    return sorted({round(last ** (i / max(1, steps))) for i in range(steps + 1)} | {1, last})
+    steps = max(1, min(round(math.log(last) / math.log(spacing)), int(seconds / start)))
+    return sorted({round(last ** (i / steps)) for i in range(steps + 1)})
 
 
 @dataclasses.dataclass(frozen=True)
