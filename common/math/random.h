@@ -26,7 +26,8 @@ enum class RandomStream : std::uint64_t {
     seen_lights = 5,
     seeds = 6,
     reached_lights = 7,
-    sky = 8
+    sky = 8,
+    emissive_faces = 9
 };
 
 /// The first steps of a sequence, where each call of next() or next2() is one: a point of the unit

@@ -37,7 +37,7 @@ Rgb see_surfaces(const RenderScene& scene, const Ray& ray, RandomSequence& rando
 inline Rgb direct_light(const RenderScene& scene, const Interaction& at, RandomSequence& random)
 {
     return light_sampled_light(scene, at, {.gathered = 1}, random) +
-           bsdf_sampled_light(scene, at, random);
+           bsdf_sampled_light(scene, at, {.gathered = 1}, random);
 }
 
 /// Returns the connected surface's side that a ray meets a face on: Interaction::side.

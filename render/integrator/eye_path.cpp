@@ -50,7 +50,7 @@ Rgb scattered_light(const PassMaps& maps, const Interaction& at, bool highlights
     if (rays.gathered + rays.followed > 0)
         light = light_sampled_light(maps.scene, at, rays, random);
     if (samples)
-        light += bsdf_sampled_light(maps.scene, at, random);
+        light += bsdf_sampled_light(maps.scene, at, {.gathered = 1}, random);
     if (gathers)
         light += photon_light(maps, at, scratch);
     return light;
@@ -84,6 +84,26 @@ void send_on(const RenderScene& scene, const Interaction& at, const GatherBranch
     send(out, from.depth >= kSplitDepth, random, stack);
 }
 
+/// Calls visit(branch, at, distance) at all surfaces behind specular ones alone, and at the first
+/// behind the followed lobes of one.  Adds the lights on the way to `radiance`.
+template <typename Visit>
+void over_surfaces(const RenderScene& scene, const Ray& ray, RandomSequence& random, Rgb& radiance,
+                   const Visit& visit)
+{
+    GatherBranchStack stack;
+    stack.push({path_from_eye(scene, ray)});
+    while (!stack.empty()) {
+        GatherBranch branch = stack.pop();
+        const MediaFlight reached = reach_by_beams(scene, nullptr, true, branch, radiance);
+        if (!reached.hit)
+            continue;
+        const Interaction at = meet(scene, *reached.hit, random, branch);
+        visit(branch, at, reached.hit->distance);
+        if (branch.behind != EyePathClass::highlight)
+            send_on(scene, at, branch, random, stack);
+    }
+}
+
 } // namespace
 
 Rgb trace_eye_path(const PassMaps& maps, const Ray& ray, SeenLights seen, RandomSequence& random,
@@ -111,22 +131,29 @@ Rgb trace_eye_path(const PassMaps& maps, const Ray& ray, SeenLights seen, Random
 Rgb trace_seen_lights(const RenderScene& scene, const Ray& ray, RandomSequence& random)
 {
     Rgb radiance(0.0f);
-    GatherBranchStack stack;
-    stack.push({path_from_eye(scene, ray)});
-    while (!stack.empty()) {
-        GatherBranch branch = stack.pop();
-        const MediaFlight reached = reach_by_beams(scene, nullptr, true, branch, radiance);
-        if (!reached.hit)
-            continue;
-        const Interaction at = meet(scene, *reached.hit, random, branch);
-        radiance += met_emission(scene, at, reached.hit->distance, branch);
-        if (branch.behind == EyePathClass::highlight)
-            continue;
-        if (at.follows())
-            radiance += branch.throughput * light_sampled_light(scene, at, {.followed = 1}, random);
-        send_on(scene, at, branch, random, stack);
-    }
+    over_surfaces(scene, ray, random, radiance,
+                  [&](const GatherBranch& branch, const Interaction& at, float distance) {
+                      radiance += met_emission(scene, at, distance, branch);
+                      if (at.follows() && branch.behind != EyePathClass::highlight)
+                          radiance += branch.throughput *
+                                      light_sampled_light(scene, at, {.followed = 1}, random);
+                  });
     return radiance;
+}
+
+Rgb trace_emissive_difference(const RenderScene& scene, const Ray& ray, RandomSequence& random)
+{
+    Rgb difference(0.0f), lights_on_way(0.0f);
+    over_surfaces(scene, ray, random, lights_on_way,
+                  [&](const GatherBranch& branch, const Interaction& at, float) {
+                      if (!at.gathers())
+                          return;
+                      const LobeRays rays{.gathered = 1};
+                      const Rgb first = emissive_light(scene, at, rays, random);
+                      difference +=
+                          branch.throughput * (first - emissive_light(scene, at, rays, random));
+                  });
+    return difference;
 }
 
 } // namespace hipmap

@@ -58,4 +58,9 @@ Rgb trace_eye_path(const PassMaps& maps, const Ray& ray, SeenLights seen, Random
 /// nothing more, so it costs a small part of an eye path.  Thread-safe.
 Rgb trace_seen_lights(const RenderScene& scene, const Ray& ray, RandomSequence& random);
 
+/// Returns the difference between what two points on emissive faces bring to the gathered lobes of
+/// all surfaces that an eye path meets: its variance is twice that of one point a surface.
+/// Thread-safe.
+Rgb trace_emissive_difference(const RenderScene& scene, const Ray& ray, RandomSequence& random);
+
 } // namespace hipmap

@@ -82,13 +82,14 @@ class GatherTracer {
             add(lights + met_emission(scene, at, reached.hit->distance, branch));
         GatherBranch gathering = branch;
         const bool onward = at.gathers() && !add_photons(gathering, at, reached.hit->distance);
+        const LobeRays rays{.gathered = 1,
+                            .guide = gathering.guide,
+                            .sky = gathering.sky,
+                            .points = maps_.emissive_points};
         if (onward)
-            add(gathering.throughput *
-                light_sampled_light(scene, at,
-                                    {.gathered = 1, .guide = gathering.guide, .sky = gathering.sky},
-                                    random_));
+            add(gathering.throughput * light_sampled_light(scene, at, rays, random_));
         if (onward && !maps_.bounces)
-            add(gathering.throughput * bsdf_sampled_light(scene, at, random_, gathering.sky));
+            add(gathering.throughput * bsdf_sampled_light(scene, at, rays, random_));
         if (at.follows() && !is_gathered(branch.behind) && adds_highlights(seen_, branch.behind))
             add(branch.throughput * light_sampled_light(scene, at, {.followed = 1}, random_));
         branch.photons =
@@ -237,6 +238,7 @@ class GatherTracer {
         Departures out;
         if (gathering != nullptr) {
             GatherBranch sent = scatter(maps_.scene, *gathering, at, Lobes::gathered, random_);
+            sent.source.points = maps_.emissive_points;
             if (!is_gathered(from.behind))
                 keep_record(at, sent);
             out.add(sent);

@@ -24,6 +24,7 @@ struct GatherMaps {
     const PlacedGuides* guide = nullptr; ///< of final-gather rays; null: lobes draw them
     const PlacedGuides* sky = nullptr;   ///< by which environments are sampled; null: they are not
     const ChosenMaps* glossy = nullptr;  ///< of the pass, weighed by weigh_glossy; null: none
+    int emissive_points = 1;             ///< sampled on emissive faces for gathered lobes
 };
 
 /// Scratch memory of one thread for gather paths.

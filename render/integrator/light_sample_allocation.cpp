@@ -87,6 +87,26 @@ LightNoise measure_light_noise(const RenderScene& scene, const RenderOptions& op
     return out;
 }
 
+Image measure_emissive_noise(const RenderScene& scene, const RenderOptions& options,
+                             const PilotTeam& team)
+{
+    if (scene.lights.faces.empty())
+        return {};
+    const PictureJob job{scene, options, kPilotPass, {}};
+    const auto width = static_cast<std::size_t>(options.width);
+    const Part rows = team.part(static_cast<std::size_t>(options.height));
+    std::vector<Rgb> own(rows.size() * width);
+    tbb::parallel_for(rows.begin * width, rows.end * width, [&](std::size_t pixel) {
+        RandomSequence random = sample_sequence(job, RandomStream::emissive_faces, pixel, 1, 0);
+        const int x = static_cast<int>(pixel % width), y = static_cast<int>(pixel / width);
+        const Ray ray = pixel_ray(job, x, y, random).ray;
+        own[pixel - rows.begin * width] = trace_emissive_difference(scene, ray, random);
+    });
+    Image out(options.width, options.height);
+    out.pixels = joined(team, std::move(own));
+    return out;
+}
+
 std::vector<std::uint16_t> allocate_light_samples(const LightNoise& noise, std::uint32_t samples)
 {
     const auto taken =

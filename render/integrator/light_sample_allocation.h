@@ -1,5 +1,6 @@
 #pragma once
 
+#include "common/image/image.h"
 #include "render/integrator/pilot_team.h"
 #include "render/integrator/render_options.h"
 
@@ -22,6 +23,11 @@ double mean_of(const LightNoise& noise);
 /// On all threads, each process of a team some rows; cost: 8 of these samples a pixel.
 LightNoise measure_light_noise(const RenderScene& scene, const RenderOptions& options,
                                const PilotTeam& team = {});
+
+/// Measures the light of emissive faces: trace_emissive_difference of one ray of each pixel. Empty:
+/// nothing emits.  Depends on scene, seed and size alone.  As parallel as measure_light_noise.
+Image measure_emissive_noise(const RenderScene& scene, const RenderOptions& options,
+                             const PilotTeam& team = {});
 
 /// Returns how many samples of the seen lights each pixel takes besides its own in a pass, where
 /// nothing else is known of the image: 16, or --samples if more, where they differ by more than a

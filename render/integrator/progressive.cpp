@@ -222,7 +222,7 @@ ProgressiveMaps make_maps(const ProgressivePass& pass, const ProgressiveRadii& f
 }
 
 GatherMaps gathered_maps(const ProgressivePass& pass, const ProgressiveRadii& first,
-                         const ProgressiveMaps& photons)
+                         const ProgressiveMaps& photons, int emissive_points = 1)
 {
     return {pass.mapped.scene,
             pass.mapped.surfaces,
@@ -235,7 +235,8 @@ GatherMaps gathered_maps(const ProgressivePass& pass, const ProgressiveRadii& fi
             photons.volume ? &*photons.volume : nullptr,
             &first.guide,
             &first.sky,
-            &photons.glossy};
+            &photons.glossy,
+            emissive_points};
 }
 
 /// Calls `use` with the maps of a part of the photons of a pass.
@@ -325,7 +326,8 @@ RenderedPass gather_pass(const ProgressivePass& pass, const Progressive& shared,
                          RenderStatistics& statistics)
 {
     const RenderScene& scene = pass.mapped.scene;
-    const GatherMaps maps = gathered_maps(pass, *shared.first, photons);
+    const GatherMaps maps =
+        gathered_maps(pass, *shared.first, photons, shared.allocation.emissive_points);
     return render_clamped_tiles<3, GatherScratch>(
         {scene, pass.options, pass.number, shared.allocation}, after(control, kPhotonShare),
         statistics,
@@ -383,8 +385,9 @@ double render_pilot(const MappedScene& mapped, const RenderOptions& options,
     };
     const Image first = image_of(kPilotPass), second = image_of(kPilotPass - 1);
     const LightNoise lights = measure_light_noise(scene, options, pilots.team);
-    shared.allocation =
-        allocate_samples({first, second, lights}, options.width, options.height, options.samples);
+    const Image emissive = measure_emissive_noise(scene, small, pilots.team);
+    shared.allocation = allocate_samples({first, second, lights, &emissive}, options.width,
+                                         options.height, options.samples);
     return (mean_of(first) + mean_of(second)) / 2 + mean_of(lights);
 }
 

@@ -59,19 +59,17 @@ Brightness brightness_of(const PilotNoise& pilot, int width, int height)
     return out;
 }
 
-/// Square of the difference of the images, weighed as in docs/error.md (3), by pixel.
-std::vector<double> square_deviations(const PilotNoise& pilot, const Brightness& brightness)
+/// Squares of differences of two samples of each pixel, weighed as in docs/error.md (3).
+std::vector<double> square_deviations(const Brightness& brightness, const Image& differences)
 {
     std::vector<double> out(brightness.mean.size());
-    for (std::size_t i = 0; i < out.size(); ++i) {
-        const glm::dvec3 difference = glm::dvec3(finite_or_black(pilot.first.pixels[i])) -
-                                      glm::dvec3(finite_or_black(pilot.second.pixels[i]));
+    for (std::size_t i = 0; i < out.size(); ++i)
         for (int channel = 0; channel < 3; ++channel) {
             const double value = brightness.mean[i][channel];
             const double scale2 = value * value + brightness.least2;
-            out[i] += scale2 > 0 ? difference[channel] * difference[channel] / scale2 : 0;
+            const double difference = finite_or_black(differences.pixels[i])[channel];
+            out[i] += scale2 > 0 ? difference * difference / scale2 : 0;
         }
-    }
     return out;
 }
 
@@ -109,17 +107,48 @@ std::vector<double> blurred(std::vector<double> values, const Image& image, int 
 }
 
 /// docs/error.md (14), by pixel of the pilot's images: the variance of a sample, over the square of
-/// brightness.
-std::vector<double> variances_around(const PilotNoise& pilot, const Brightness& brightness)
+/// brightness.  differences: of two samples.
+std::vector<double> variances_around(const Brightness& brightness, const Image& differences)
 {
     // A difference of two has twice the variance, and there are three channels.
     constexpr double kShare = 1.0 / 6;
-    std::vector<double> out = square_deviations(pilot, brightness);
-    const std::vector<double> wide = blurred(out, pilot.first, kWideReach);
-    out = blurred(std::move(out), pilot.first, kReach);
+    std::vector<double> out = square_deviations(brightness, differences);
+    const std::vector<double> wide = blurred(out, differences, kWideReach);
+    out = blurred(std::move(out), differences, kReach);
     for (std::size_t i = 0; i < out.size(); ++i)
         out[i] = kShare * std::max((1 - kWideShare) * out[i] + kWideShare * wide[i], 0.0);
     return out;
+}
+
+Image difference_of(const Image& first, const Image& second)
+{
+    Image out = first;
+    for (std::size_t i = 0; i < out.pixels.size(); ++i)
+        out.pixels[i] = finite_or_black(first.pixels[i]) - finite_or_black(second.pixels[i]);
+    return out;
+}
+
+/// docs/error.md (26).  variances: by pixel of the pilot's images.
+int choose_emissive_points(const PilotNoise& pilot, const Brightness& brightness,
+                           const std::vector<double>& variances)
+{
+    constexpr double kCost = 0.05; // of a further point, over that of a sample with one
+    if (pilot.emissive == nullptr || pilot.emissive->pixels.empty())
+        return 1;
+    const std::vector<double> emissive = variances_around(brightness, *pilot.emissive);
+    double deviations = 0;
+    for (const double variance : variances)
+        deviations += std::sqrt(variance);
+    const double mean = deviations / static_cast<double>(variances.size());
+    double all = 0, part = 0; // of the image by one sample a pixel on average
+    for (std::size_t i = 0; i < variances.size() && mean > 0; ++i) {
+        const double samples =
+            std::clamp(std::sqrt(variances[i]) / mean, kLeastSamplesShare, kMostSamplesShare);
+        all += variances[i] / samples;
+        part += std::min(emissive[i], variances[i]) / samples;
+    }
+    const double best = std::sqrt(part * (1 - kCost) / ((2 * all - part) * kCost));
+    return best > 1 ? static_cast<int>(std::lround(best)) : 1;
 }
 
 /// The standard deviations of one sample of a pixel, over its brightness.
@@ -128,11 +157,10 @@ struct Deviations {
     double lights = 0; ///< of the seen lights, where they have samples of their own
 };
 
-/// docs/error.md (16), by pixel of the image.
-std::vector<Deviations> deviations_of(const PilotNoise& pilot, int width, int height)
+/// docs/error.md (16), by pixel of the image.  variances: by pixel of the pilot's images.
+std::vector<Deviations> deviations_of(const PilotNoise& pilot, const Brightness& brightness,
+                                      const std::vector<double>& variances, int width, int height)
 {
-    const Brightness brightness = brightness_of(pilot, width, height);
-    const std::vector<double> variances = variances_around(pilot, brightness);
     std::vector<Deviations> out;
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
@@ -165,7 +193,13 @@ std::uint16_t rounded(double wanted, std::size_t pixel)
 SampleAllocation allocate_samples(const PilotNoise& pilot, int width, int height,
                                   std::uint32_t mean)
 {
-    const std::vector<Deviations> deviations = deviations_of(pilot, width, height);
+    SampleAllocation out;
+    const Brightness brightness = brightness_of(pilot, width, height);
+    const std::vector<double> variances =
+        variances_around(brightness, difference_of(pilot.first, pilot.second));
+    out.emissive_points = choose_emissive_points(pilot, brightness, variances);
+    const std::vector<Deviations> deviations =
+        deviations_of(pilot, brightness, variances, width, height);
     double cost = 0;
     for (const Deviations& of : deviations)
         cost += of.rest + of.lights / kLightSamplesForOne;
@@ -173,7 +207,6 @@ SampleAllocation allocate_samples(const PilotNoise& pilot, int width, int height
     const double most = std::min(65534.0, kMostSamplesShare * mean);
     const double least = std::max(1.0, kLeastSamplesShare * mean);
     const double most_lights = std::min(65534.0, kMostLightSamplesShare * mean);
-    SampleAllocation out;
     for (std::size_t i = 0; i < deviations.size(); ++i) {
         const Deviations& of = deviations[i];
         const double wanted =
@@ -190,7 +223,7 @@ SampleAllocation allocate_samples(const PilotNoise& pilot, int width, int height
 
 std::uint64_t checksum(const SampleAllocation& allocation)
 {
-    std::uint64_t sum = 0;
+    std::uint64_t sum = static_cast<std::uint64_t>(allocation.emissive_points) - 1;
     for (const auto* counts : {&allocation.samples, &allocation.lights})
         for (const std::uint16_t samples : *counts)
             sum = mix_bits(sum + samples + 1);

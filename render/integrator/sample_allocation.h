@@ -15,6 +15,7 @@ struct SampleAllocation {
     /// Samples of the seen lights alone; 0: these are among the samples above.  Empty: 0
     /// everywhere.
     std::vector<std::uint16_t> lights;
+    int emissive_points = 1; ///< that each sample takes on emissive faces, docs/error.md (26)
 
     bool operator==(const SampleAllocation&) const = default;
 };
@@ -26,9 +27,12 @@ struct PilotNoise {
     const Image& first;
     const Image& second;
     const LightNoise& lights; ///< [height][width], or empty
+    /// By measure_emissive_noise, of the size of `first`; null or empty: nothing is known.
+    const Image* emissive = nullptr;
 };
 
-/// Distributes the work of `mean` samples a pixel over the image by docs/error.md (14) and (16).
+/// Distributes the work of `mean` samples a pixel over the image by docs/error.md (14), (16) and
+/// (26).
 /// Same pilots, same sample allocation.
 SampleAllocation allocate_samples(const PilotNoise& pilot, int width, int height,
                                   std::uint32_t mean);

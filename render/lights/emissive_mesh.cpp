@@ -42,10 +42,11 @@ EmissivePoint point_on(const EmissiveMesh& light, std::size_t i, const glm::vec2
             light.area_pdf[face - light.faces.front()]};
 }
 
+constexpr float kBelowOne = 0x1.fffffep-1f;
+
 /// By power, and by a number that gives a point on it as well; what is left of it remains.
 std::size_t select_by(float& u, const EmissiveMesh& light)
 {
-    constexpr float kBelowOne = 0x1.fffffep-1f;
     const double u_face = u;
     const std::size_t i = selected_face(light, u_face);
     const double first = i == 0 ? 0.0 : light.cumulative[i - 1];
@@ -113,14 +114,19 @@ void grow_tree(EmissiveMesh& light)
 }
 
 std::optional<EmissivePoint> sample_point(const EmissiveMesh& light, const LightReceiver& at,
-                                          RandomSequence& random)
+                                          RandomSequence& random, const PointPlace& of)
 {
+    const auto stratum = [&of](auto u) {
+        return (static_cast<decltype(u)>(of.place) + u) / static_cast<decltype(u)>(of.points);
+    };
     if (light.tree.empty()) {
         glm::vec2 u = random.next2();
+        u.x = std::min(stratum(u.x), kBelowOne);
         const std::size_t i = select_by(u.x, light);
         return point_on(light, i, u);
     }
-    const std::optional<ChosenLight> chosen = choose_light(light.tree, at, random.next());
+    const std::optional<ChosenLight> chosen =
+        choose_light(light.tree, at, stratum(double{random.next()}));
     const glm::vec2 u = random.next2();
     if (!chosen)
         return std::nullopt;

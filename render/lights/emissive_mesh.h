@@ -67,12 +67,18 @@ struct EmissivePoint {
     float area_pdf = 0.0f;       ///< per square scene unit, over all faces of the mesh
 };
 
+/// One of several points that are drawn for a receiver.
+struct PointPlace {
+    int place = 0;
+    int points = 1;
+};
+
 /// Draws a point for a receiver.  With a tree, the face is drawn by its importance there; else by
 /// power, with the first of the two numbers that also give the point on it, so that stratified
-/// samples are stratified over all faces.  Nothing: no face can light the receiver.  The mesh must
-/// not be empty.
+/// samples are stratified over all faces.  So are the points of one receiver.  Nothing: no face can
+/// light the receiver.  The mesh must not be empty.
 std::optional<EmissivePoint> sample_point(const EmissiveMesh& light, const LightReceiver& at,
-                                          RandomSequence& random);
+                                          RandomSequence& random, const PointPlace& of = {});
 
 /// Returns the radiance that a point emits towards `direction` (unit, away from it).
 inline Rgb radiance_towards(const EmissiveMesh& light, const EmissivePoint& point,

@@ -181,6 +181,26 @@ Rgb environment_light(const RenderScene& scene, const Interaction& at, const Lob
     return sum;
 }
 
+/// The light of one of the points that are drawn on the emissive faces, of which there must be
+/// some.
+Rgb from_faces(const RenderScene& scene, const Interaction& at, const LobeRays& rays,
+               RandomSequence& random, const PointPlace& of)
+{
+    const EmissiveMesh& faces = scene.lights.faces;
+    const std::optional<EmissivePoint> light = sample_point(faces, receiver(at), random, of);
+    if (!light)
+        return Rgb(0);
+    const Ray shadow = ray_between(at.point, light->surface);
+    const float distance = glm::length(light->surface.position - at.point.position);
+    const float pdf = static_cast<float>(of.points) *
+                      per_solid_angle(light->area_pdf, light->surface, shadow.direction, distance);
+    if (!(pdf > 0))
+        return Rgb(0);
+    const Rgb sent = weighed(in_lobes(at, shadow.direction, rays), rays, pdf);
+    const Rgb out = sent / pdf * radiance_towards(faces, *light, -shadow.direction);
+    return is_black(out) ? out : out * unoccluded(scene, at, shadow);
+}
+
 } // namespace
 
 float distance_of(const std::optional<RayHit>& hit)
@@ -198,8 +218,8 @@ float hit_weight(const RenderScene& scene, const SurfacePoint& on_light, const g
 {
     if (source.pdf == 0 || scene.lights.faces.empty())
         return 1;
-    return power_heuristic(source.pdf,
-                           pdf_li(scene.lights.faces, source.at, on_light, direction, distance));
+    const float pdf = pdf_li(scene.lights.faces, source.at, on_light, direction, distance);
+    return power_heuristic(source.pdf, static_cast<float>(source.points) * pdf);
 }
 
 Rgb lights_on_way(const RenderScene& scene, const Ray& ray, float distance, const Rgb& absorption,
@@ -236,24 +256,15 @@ Rgb met_environment(const RenderScene& scene, const glm::vec3& direction, const 
 Rgb emissive_light(const RenderScene& scene, const Interaction& at, const LobeRays& rays,
                    RandomSequence& random)
 {
-    const EmissiveMesh& faces = scene.lights.faces;
-    if (faces.empty())
-        return Rgb(0);
-    const std::optional<EmissivePoint> light = sample_point(faces, receiver(at), random);
-    if (!light)
-        return Rgb(0);
-    const Ray shadow = ray_between(at.point, light->surface);
-    const float distance = glm::length(light->surface.position - at.point.position);
-    const float pdf = per_solid_angle(light->area_pdf, light->surface, shadow.direction, distance);
-    if (!(pdf > 0))
-        return Rgb(0);
-    const Rgb sent = weighed(in_lobes(at, shadow.direction, rays), rays, pdf);
-    const Rgb out = sent / pdf * radiance_towards(faces, *light, -shadow.direction);
-    return is_black(out) ? out : out * unoccluded(scene, at, shadow);
+    Rgb sum(0.0f);
+    if (!scene.lights.faces.empty())
+        for (int i = 0; i < rays.points; ++i)
+            sum += from_faces(scene, at, rays, random, {i, rays.points});
+    return sum;
 }
 
-Rgb bsdf_sampled_light(const RenderScene& scene, const Interaction& at, RandomSequence& random,
-                       const DirectionGuide* sky)
+Rgb bsdf_sampled_light(const RenderScene& scene, const Interaction& at, const LobeRays& rays,
+                       RandomSequence& random)
 {
     if (!can_be_met(scene.lights))
         return Rgb(0);
@@ -262,7 +273,8 @@ Rgb bsdf_sampled_light(const RenderScene& scene, const Interaction& at, RandomSe
         return Rgb(0);
     const Ray ray = scattered_ray(at, sample);
     RaySource source = source_at(at, sample.pdf);
-    source.sky = sky;
+    source.sky = rays.sky;
+    source.points = rays.points;
     Rgb throughput = sample.weight;
     const std::optional<RayHit> hit = first_surface(scene, at, ray, throughput);
     const MediumStack inside = medium_stack_towards(scene, at, ray.direction);

@@ -13,6 +13,7 @@ struct LobeRays {
     float followed = 0.0f;
     const DirectionGuide* guide = nullptr; ///< of the gathered rays; null: their lobes alone
     const DirectionGuide* sky = nullptr;   ///< by which environments have a sample; null: none
+    int points = 1;                        ///< sampled on emissive faces
 };
 
 /// The start of a ray and the pdf of its direction.
@@ -21,6 +22,7 @@ struct RaySource {
     float pdf = 0.0f; ///< pdf per solid angle with which lobes sent it; 0: a mirror, glass or
                       ///<   the eye did, and sampling the lights could not have found its light
     const DirectionGuide* sky = nullptr; ///< by which environments were sampled there; null: not
+    int points = 1;                      ///< sampled on emissive faces there
     bool eye = false; ///< it comes straight from the eye, which does not see analytic lights
     /// How many photons find light of unit radiance that the ray meets, for each such ray: where
     /// specular surfaces (pdf 0) lie between it and a followed lobe, docs/light_transport.md (44).
@@ -74,7 +76,7 @@ Rgb met_lights_in_media(const RenderScene& scene, const Ray& ray, const MediumSt
 /// `hit_weight`.
 Rgb met_environment(const RenderScene& scene, const glm::vec3& direction, const RaySource& source);
 
-/// Returns the radiance towards `at.back` of direct light from the emissive faces, by one point on
+/// Returns the radiance towards `at.back` of direct light from the emissive faces, by points on
 /// them, weighted by the power heuristic against the rays of the lobes.  Zero if there are none.
 Rgb emissive_light(const RenderScene& scene, const Interaction& at, const LobeRays& rays,
                    RandomSequence& random);
@@ -95,9 +97,9 @@ inline Rgb light_sampled_light(const RenderScene& scene, const Interaction& at,
 }
 
 /// Returns BSDF-sampled light: the direct light that one ray drawn from the gathered lobes finds.
-/// Added to `light_sampled_light` at {.gathered = 1, .sky = sky}, it is an unbiased estimate of all
-/// direct light in these lobes.
-Rgb bsdf_sampled_light(const RenderScene& scene, const Interaction& at, RandomSequence& random,
-                       const DirectionGuide* sky = nullptr);
+/// Added to `light_sampled_light` by the same `rays` at gathered = 1 and no guide, it is an
+/// unbiased estimate of all direct light in these lobes.
+Rgb bsdf_sampled_light(const RenderScene& scene, const Interaction& at, const LobeRays& rays,
+                       RandomSequence& random);
 
 } // namespace hipmap

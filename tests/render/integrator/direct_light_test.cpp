@@ -11,16 +11,19 @@ using namespace hipmap;
 namespace {
 
 /// Irradiance by one sample, from the radiance that diffuse albedo 1/2 sends back.
-double irradiance(const RenderScene& scene, const Interaction& at, std::uint64_t path)
+double irradiance(const RenderScene& scene, const Interaction& at, std::uint64_t path,
+                  int points = 1)
 {
     RandomSequence random(17, RandomStream::eye_paths, 0, path);
+    const LobeRays rays{.gathered = 1, .points = points};
     const Rgb light =
-        light_sampled_light(scene, at, {1, 0}, random) + bsdf_sampled_light(scene, at, random);
+        light_sampled_light(scene, at, rays, random) + bsdf_sampled_light(scene, at, rays, random);
     return light.y * kPi / 0.5;
 }
 
 /// Irradiance at (x, 0, z) of the floor seen from above, over many samples.
-RunningMean irradiance_at(const tiny::ReadyScene& ready, float x, float z, int samples)
+RunningMean irradiance_at(const tiny::ReadyScene& ready, float x, float z, int samples,
+                          int points = 1)
 {
     Ray down;
     down.origin = {x, 0.05f, z};
@@ -30,7 +33,7 @@ RunningMean irradiance_at(const tiny::ReadyScene& ready, float x, float z, int s
     const Interaction at = interact(*ready.render, down, *hit);
     RunningMean mean;
     for (int i = 0; i < samples; ++i)
-        mean.add(irradiance(*ready.render, at, static_cast<std::uint64_t>(i)));
+        mean.add(irradiance(*ready.render, at, static_cast<std::uint64_t>(i), points));
     return mean;
 }
 
@@ -156,6 +159,12 @@ TEST_CASE("direct light: many emissive meshes are sampled without bias", "[integ
             truth += radiance * polygon_irradiance(glm::dvec3(0), {0, 1, 0}, corners);
     }
     const auto ready = tiny::ready(scene);
-    const RunningMean mean = irradiance_at(*ready, 0, 0, 20'000);
-    CHECK(std::abs(mean.z_score(truth)) < kMostZ);
+    const RunningMean one = irradiance_at(*ready, 0, 0, 20'000);
+    CHECK(std::abs(one.z_score(truth)) < kMostZ);
+    for (const int points : {2, 4, 7}) {
+        const RunningMean several = irradiance_at(*ready, 0, 0, 20'000, points);
+        CHECK(std::abs(several.z_score(truth)) < kMostZ);
+        // Of as many samples: they are stratified.
+        CHECK(several.standard_error() < 1.05 * one.standard_error() / std::sqrt(points));
+    }
 }

@@ -69,7 +69,7 @@ RunningMean irradiance_of_floor(const tiny::ReadyScene& ready, int samples,
         RandomSequence random(17, RandomStream::eye_paths, 0, static_cast<std::uint64_t>(i));
         const Rgb light =
             light_sampled_light(*ready.render, at, {.gathered = 1, .sky = sky}, random) +
-            bsdf_sampled_light(*ready.render, at, random, sky);
+            bsdf_sampled_light(*ready.render, at, {.gathered = 1, .sky = sky}, random);
         mean.add(light.y * M_PI / 0.5);
     }
     return mean;

@@ -130,7 +130,7 @@ TEST_CASE("glossy light: sampling lights and lobes together is sampling lobes al
         RandomSequence random(29, RandomStream::eye_paths, 0, i);
         Rgb both = light_sampled_light(*ready->render, at, {1, 1}, random), lobes(0.0f);
         if (at.gathers()) {
-            both += bsdf_sampled_light(*ready->render, at, random);
+            both += bsdf_sampled_light(*ready->render, at, {.gathered = 1}, random);
             lobes += found_on_gloss(*ready->render, at, Lobes::gathered, false, random);
         }
         if (at.follows()) {

@@ -100,6 +100,29 @@ TEST_CASE("sample allocation: noisy lights have samples of their own, out of the
     CHECK(mean_samples(with, 64, 0, 64) > 14);
 }
 
+TEST_CASE("sample allocation: as many points on emissive faces as their part of the noise pays for",
+          "[integrator]")
+{
+    const Image first = noisy_image(0), second = noisy_image(1);
+    const auto points_for = [&](float part) {
+        Image emissive(64, 64);
+        for (std::size_t i = 0; i < emissive.pixels.size(); ++i)
+            emissive.pixels[i] = part * (first.pixels[i] - second.pixels[i]);
+        return allocate_samples({first, second, {}, &emissive}, 64, 64, 16);
+    };
+    const SampleAllocation unknown = allocate_samples({first, second, {}}, 64, 64, 16);
+    CHECK(unknown.emissive_points == 1);
+    CHECK(points_for(0) == unknown);
+    CHECK(points_for(0.3f).emissive_points == 1);
+    // All of the variance is that of the points: sqrt(0.95 / 0.05).
+    const SampleAllocation all = points_for(1);
+    CHECK(all.emissive_points == 4);
+    CHECK(all.samples == unknown.samples);
+    CHECK(checksum(all) != checksum(unknown));
+    const Image black(8, 8);
+    CHECK(allocate_samples({black, black, {}, &black}, 8, 8, 4).emissive_points == 1);
+}
+
 TEST_CASE("sample allocation: its checksum tells allocations apart", "[integrator]")
 {
     SampleAllocation allocation = allocate_samples({noisy_image(0), noisy_image(1), {}}, 64, 64, 4);
