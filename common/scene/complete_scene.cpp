@@ -92,15 +92,15 @@ bool note_lights(const Scene& scene, const std::vector<std::size_t>& faces, Scen
 {
     std::vector<std::string> dark;
     bool has_light = note_analytic_lights(scene, dark, audit);
-    std::vector<std::string> emissive;
+    std::vector<std::string> emissive, faceless;
     std::size_t emissive_faces = 0;
     for (std::size_t i = 0; i < scene.materials.size(); ++i) {
-        if (is_black(scene.materials[i].emission) || faces[i] == 0)
+        if (is_black(scene.materials[i].emission))
             continue;
-        emissive.push_back(scene.materials[i].name);
+        (faces[i] == 0 ? faceless : emissive).push_back(scene.materials[i].name);
         emissive_faces += faces[i];
-        has_light = true;
     }
+    has_light = has_light || !emissive.empty();
     if (!emissive.empty())
         audit.found.push_back("emissive material " + list_names(emissive) + " on " +
                               counted(emissive_faces, "face"));
@@ -115,6 +115,10 @@ bool note_lights(const Scene& scene, const std::vector<std::size_t>& faces, Scen
     }
     if (!dark.empty())
         audit.warnings.push_back("light without power: " + list_names(dark));
+    if (!faceless.empty())
+        audit.warnings.push_back("emissive material " + list_names(faceless) +
+                                 " is on no face, so it gives no light: assign it to the faces of "
+                                 "the lamp");
     return has_light;
 }
 

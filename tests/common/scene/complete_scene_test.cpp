@@ -77,8 +77,11 @@ TEST_CASE("only a scene without light gets a grey sky", "[scene][lights]")
     CHECK(load(emissive()).scene.environment == Rgb(0.0f));
 
     GltfFile unworn = tetrahedron_file(); // an emissive material that no face wears lights nothing
-    unworn.root["materials"].push_back({{"emissiveFactor", {1, 1, 1}}});
-    CHECK(load(unworn).scene.environment == Rgb(1.0f));
+    unworn.root["materials"].push_back({{"name", "bulb"}, {"emissiveFactor", {1, 1, 1}}});
+    const LoadedScene unlit = load(unworn);
+    CHECK(unlit.scene.environment == Rgb(1.0f));
+    CHECK(says(unlit.audit.warnings, "emissive material 'bulb' is on no face"));
+    CHECK(load(emissive()).audit.warnings.empty());
 
     SceneOptions options;
     options.environment = Rgb(0.0f, 0.5f, 2.0f);
