@@ -84,8 +84,8 @@ void send_on(const RenderScene& scene, const Interaction& at, const GatherBranch
     send(out, from.depth >= kSplitDepth, random, stack);
 }
 
-/// Calls visit(branch, at, distance) at all surfaces behind specular ones alone, and at the first
-/// behind the followed lobes of one.  Adds the lights on the way to `radiance`.
+/// Calls visit(branch, at, distance) at all surfaces that an eye path meets behind specular ones
+/// alone, and behind followed lobes after these.  Adds the lights on the way to `radiance`.
 template <typename Visit>
 void over_surfaces(const RenderScene& scene, const Ray& ray, RandomSequence& random, Rgb& radiance,
                    const Visit& visit)
@@ -94,13 +94,14 @@ void over_surfaces(const RenderScene& scene, const Ray& ray, RandomSequence& ran
     stack.push({path_from_eye(scene, ray)});
     while (!stack.empty()) {
         GatherBranch branch = stack.pop();
+        if (!sees_lights(branch.behind))
+            continue;
         const MediaFlight reached = reach_by_beams(scene, nullptr, true, branch, radiance);
         if (!reached.hit)
             continue;
         const Interaction at = meet(scene, *reached.hit, random, branch);
         visit(branch, at, reached.hit->distance);
-        if (branch.behind != EyePathClass::highlight)
-            send_on(scene, at, branch, random, stack);
+        send_on(scene, at, branch, random, stack);
     }
 }
 
@@ -134,7 +135,7 @@ Rgb trace_seen_lights(const RenderScene& scene, const Ray& ray, RandomSequence& 
     over_surfaces(scene, ray, random, radiance,
                   [&](const GatherBranch& branch, const Interaction& at, float distance) {
                       radiance += met_emission(scene, at, distance, branch);
-                      if (at.follows() && branch.behind != EyePathClass::highlight)
+                      if (at.follows())
                           radiance += branch.throughput *
                                       light_sampled_light(scene, at, {.followed = 1}, random);
                   });

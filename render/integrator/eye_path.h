@@ -31,7 +31,7 @@ struct EyeScratch {
 };
 
 /// Whether an eye path adds the lights that are seen (straight, over specular surfaces, and as
-/// highlights): they may have samples of their own, docs/error.md (16).
+/// highlights, also of highlights): they may have samples of their own, docs/error.md (16).
 enum class SeenLights : std::uint8_t { added, left_out };
 
 /// Returns whether an eye path adds the light that a ray meets behind surfaces of the class.

@@ -7,8 +7,8 @@ namespace hipmap {
 /// What lies between the eye and the ray of a path that starts there.
 enum class EyePathClass : std::uint8_t {
     specular,  ///< nothing, or mirrors and clear glass alone
-    highlight, ///< mirrors and clear glass, and one followed lobe, which sent the ray
-    glossy,    ///< also followed lobes, but no gathered one
+    highlight, ///< mirrors and clear glass, then followed lobes alone
+    glossy,    ///< specular surfaces also behind followed lobes, but no gathered lobe
     indirect,  ///< a gathered lobe sent the ray: a final-gather ray
     caustic,   ///< a gathered lobe, and specular or followed ones since
 };
@@ -19,8 +19,8 @@ inline bool is_gathered(EyePathClass path)
     return path >= EyePathClass::indirect;
 }
 
-/// Returns whether light met by the ray is seen: straight, over specular surfaces, or by the
-/// followed lobe of one surface.  It may have samples of its own, docs/error.md (16).
+/// Returns whether light met by the ray is seen: straight, over specular surfaces, or by followed
+/// lobes behind these.  It may have samples of its own, docs/error.md (16).
 inline bool sees_lights(EyePathClass path)
 {
     return path <= EyePathClass::highlight;
@@ -44,7 +44,7 @@ inline EyePathClass after_followed(EyePathClass path)
 {
     if (is_gathered(path))
         return EyePathClass::caustic;
-    return path == EyePathClass::specular ? EyePathClass::highlight : EyePathClass::glossy;
+    return path <= EyePathClass::highlight ? EyePathClass::highlight : EyePathClass::glossy;
 }
 
 /// What lies between a light and the ray of a path that starts there: the class of its photons.

@@ -29,13 +29,15 @@ std::unique_ptr<tiny::ReadyScene> black_room()
     return tiny::ready(std::move(scene));
 }
 
-/// A light and a floor of brushed metal in such a box.
+/// A light, and a floor and a wall of brushed metal, which see each other, in such a box.
 std::unique_ptr<tiny::ReadyScene> black_room_with_metal()
 {
     Scene scene = tiny::box(tiny::diffuse(Rgb(0)));
     Material metal = tiny::mirror(Rgb(0.9f));
     metal.roughness = 0.25f;
     tiny::add(scene, tiny::floor_at(-0.4f, 0.4f), metal);
+    tiny::add(scene, tiny::parallelogram({-0.2f, -0.4f, -0.21f}, {0.4f, 0, 0}, {0, 0.3f, 0}),
+              metal);
     tiny::add(scene, tiny::parallelogram({-0.2f, -0.05f, -0.4f}, {0.4f, 0, 0}, {0, 0.4f, 0}),
               tiny::emissive(Rgb(5)));
     return tiny::ready(std::move(scene));
