@@ -122,8 +122,7 @@ Rgb trace_eye_path(const PassMaps& maps, const Ray& ray, SeenLights seen, Random
         const Interaction at = meet(maps.scene, *reached.hit, random, branch);
         if (sees)
             radiance += met_emission(maps.scene, at, reached.hit->distance, branch);
-        const bool highlights = adds_highlights(seen, branch.behind);
-        radiance += branch.throughput * scattered_light(maps, at, highlights, random, scratch);
+        radiance += branch.throughput * scattered_light(maps, at, sees, random, scratch);
         send_on(maps.scene, at, branch, random, stack);
     }
     return radiance;

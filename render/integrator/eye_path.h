@@ -34,17 +34,11 @@ struct EyeScratch {
 /// highlights, also of highlights): they may have samples of their own, docs/error.md (16).
 enum class SeenLights : std::uint8_t { added, left_out };
 
-/// Returns whether an eye path adds the light that a ray meets behind surfaces of the class.
+/// Returns whether an eye path adds the light that a ray meets behind surfaces of the class, and
+/// that which is sampled for the followed lobes of a surface that the ray meets.
 inline bool adds_met_light(SeenLights seen, EyePathClass behind)
 {
     return seen == SeenLights::added || !sees_lights(behind);
-}
-
-/// Returns whether it adds the light that is sampled for the followed lobes of a surface which such
-/// a ray meets.
-inline bool adds_highlights(SeenLights seen, EyePathClass behind)
-{
-    return adds_met_light(seen, after_followed(behind));
 }
 
 /// Returns the radiance that arrives along an eye ray, W/(m2 sr): emission, and at every diffuse

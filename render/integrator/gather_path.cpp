@@ -90,7 +90,7 @@ class GatherTracer {
             add(gathering.throughput * light_sampled_light(scene, at, rays, random_));
         if (onward && !maps_.bounces)
             add(gathering.throughput * bsdf_sampled_light(scene, at, rays, random_));
-        if (at.follows() && !is_gathered(branch.behind) && adds_highlights(seen_, branch.behind))
+        if (at.follows() && !is_gathered(branch.behind) && sees)
             add(branch.throughput * light_sampled_light(scene, at, {.followed = 1}, random_));
         branch.photons =
             at.follows() && branch.behind == EyePathClass::specular ? add_glossy(branch, at) : 0;

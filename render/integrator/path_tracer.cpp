@@ -62,7 +62,7 @@ class PathTracer {
     /// The light sampled for followed lobes counts.
     bool samples_for_followed() const
     {
-        return is_gathered(path_.behind) ? light_.caustic : adds_highlights(seen_, path_.behind);
+        return is_gathered(path_.behind) ? light_.caustic : adds_met_light(seen_, path_.behind);
     }
 
     bool may_gather() const { return light_.indirect || !is_gathered(path_.behind); }
