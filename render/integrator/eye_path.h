@@ -35,7 +35,7 @@ struct EyeScratch {
 enum class SeenLights : std::uint8_t { added, left_out };
 
 /// Returns whether an eye path adds the light that a ray meets behind surfaces of the class, and
-/// that which is sampled for the followed lobes of a surface that the ray meets.
+/// the light samples for the followed lobes of the surface that such a ray hits.
 inline bool adds_met_light(SeenLights seen, EyePathClass behind)
 {
     return seen == SeenLights::added || !sees_lights(behind);

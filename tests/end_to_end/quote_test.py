@@ -39,9 +39,11 @@ class Quote(ToolsTestCase):
         return Quote.long_quote
 
     def look_into_effect(self, text, row):
-        """A saving of more than a day, as slow builds have, is told by its share alone."""
-        self.assertRegex(text, r"(saves|takes) .* and adds about \d+ % error")
-        self.assertEqual(" on the way to 0.2 % error" in text, abs(row["seconds_saved"]) <= MOST_PRACTICAL_SECONDS)
+        """Seconds are named up to a day of them; slow builds need more."""
+        if abs(row["seconds_saved"]) <= MOST_PRACTICAL_SECONDS:
+            self.assertRegex(text, r"(saves|takes) .* on the way to 0\.2 % error, and adds about \d+ % error")
+        else:
+            self.assertRegex(text, r"(saves|takes) .* pass, and adds about \d+ % error")
 
     def image(self, name, *options):
         self.render("-o", self.path(name), *options)
