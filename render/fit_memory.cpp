@@ -89,6 +89,8 @@ PathBytes measure_paths(const PreparedFrame& frame)
     few.crop = {};
     few.photons = kPilotPaths;
     few.samples = 1;
+    if (few.indirect == IndirectLight::automatic) // that of an image so small may be another
+        few.indirect = IndirectLight::photons;
     const double scale = static_cast<double>(kPilotSide) / std::max(few.width, few.height);
     few.width = std::max(1, static_cast<int>(few.width * scale));
     few.height = std::max(1, static_cast<int>(few.height * scale));

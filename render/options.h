@@ -76,6 +76,7 @@ struct RenderArguments {
     /// frame.
     RenderOptions render{.maps = {},
                          .dissertation = {.local_min = kLocalMinOpen},
+                         .indirect = IndirectLight::automatic,
                          .samples = kDefaultSamples,
                          .light = {}};
     bool energy_compensation = false;     ///< of all metal

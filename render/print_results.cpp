@@ -40,6 +40,8 @@ void print_guides(const RenderStatistics& statistics, Report& report)
             report.detail(std::string(paths) + ": guided; the variance of their contribution is " +
                           percent(variance) + " of that by power");
     };
+    if (statistics.indirect_by == IndirectLight::paths)
+        report.detail("indirect light: by paths, as these find light easily here (--indirect-by)");
     say("light paths", statistics.guided_variance);
     say("light paths aimed at specular surfaces", statistics.guided_variance_aimed);
 }
@@ -81,7 +83,8 @@ void print_statistics(const RenderArguments& arguments, const RenderedFrame& fra
 {
     const RenderStatistics& statistics = frame.statistics;
     if (kind_of(arguments.render.integrator).photons) {
-        print_photons(statistics, report);
+        if (statistics.emitted + statistics.aimed > 0)
+            print_photons(statistics, report);
         print_guides(statistics, report);
         print_levels(statistics, report);
     }
@@ -109,7 +112,9 @@ void print_error(const RenderArguments& arguments, const RenderedFrame& frame, R
         return;
     for (const ErrorCost& cost : error_costs(state, arguments.stops.error)) {
         std::string line = percent(cost.error) + " error " + describe_need(cost);
-        if (kind_of(arguments.render.integrator).photons && cost.photons < kMostPhotonsTold)
+        if (kind_of(arguments.render.integrator).photons &&
+            frame.statistics.indirect_by == IndirectLight::photons &&
+            cost.photons < kMostPhotonsTold)
             line += ", " + grouped(static_cast<std::uint64_t>(cost.photons)) + " light paths";
         report.line(line);
     }

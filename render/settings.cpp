@@ -22,6 +22,9 @@ constexpr Choice<Emission> kEmissions[] = {{"guided", Emission::guided},
                                            {"by-power", Emission::by_power}};
 constexpr Choice<GatherDirections> kGatherDirections[] = {{"guided", GatherDirections::guided},
                                                           {"by-lobes", GatherDirections::by_lobes}};
+constexpr Choice<IndirectLight> kIndirectLights[] = {{"auto", IndirectLight::automatic},
+                                                     {"photons", IndirectLight::photons},
+                                                     {"paths", IndirectLight::paths}};
 constexpr Choice<PixelFilter> kFilters[] = {{"b-spline", PixelFilter::b_spline},
                                             {"box", PixelFilter::box}};
 constexpr Choice<LookChoice> kLooks[] = {{"auto", LookChoice::automatic},
@@ -163,6 +166,19 @@ OptionRow gather_row(GatherDirections& gather)
             .only_with = {{"", "integrator", {"progressive"}}}};
 }
 
+OptionRow indirect_row(IndirectLight& indirect)
+{
+    return {.name = "indirect-by",
+            .section = kMethodSection,
+            .field = choice_field<IndirectLight>(indirect, kIndirectLights),
+            .help = "Indirect light of --integrator progressive: photons, which final-gather rays "
+                    "end in; paths, which go on from them, for less time where light is easy to "
+                    "find; or auto, as a pilot finds. With media it is always by photons, and "
+                    "caustics are",
+            .changes = Changes::passes,
+            .only_with = {{"", "integrator", {"progressive"}}}};
+}
+
 std::vector<OptionRow> method_rows(RenderArguments& arguments)
 {
     RenderOptions& render = arguments.render;
@@ -170,6 +186,7 @@ std::vector<OptionRow> method_rows(RenderArguments& arguments)
             photons_row(arguments.photons),
             emission_row(render.emission),
             gather_row(render.gather),
+            indirect_row(render.indirect),
             {.name = "neighbours",
              .section = kMethodSection,
              .field = number_field(render.maps.neighbours, {2, kMostNeighbours}),

@@ -261,6 +261,7 @@ Json photons_json(const RenderStatistics& render, const RenderOptions& options)
 {
     Json json = {{"emitted", render.emitted},
                  {"aimed", render.aimed},
+                 {"indirect_by_paths", render.indirect_by == IndirectLight::paths},
                  {"guided_variance", render.guided_variance},
                  {"guided_variance_aimed", render.guided_variance_aimed},
                  {"stored", render.caustic.stored + render.global.stored},

@@ -34,11 +34,11 @@ class Method:
 
 
 PATH = Method("path", ("--integrator", "path", "--samples", 2), 0.5)
-PROGRESSIVE = Method("progressive", ("--integrator", "progressive", "--photons", 50_000,
-                                     "--samples", 2), 0.4)
+PROGRESSIVE = Method("progressive", ("--integrator", "progressive", "--indirect-by", "photons",
+                                     "--photons", 50_000, "--samples", 2), 0.4)
 # Within a tenth of the area of the method above, so that little of its bias is shared.
-NARROW = Method("progressive, narrow", ("--integrator", "progressive", "--photons", 150_000,
-                                        "--neighbours", 16, "--samples", 2), 0.5)
+NARROW = Method("progressive, narrow", ("--integrator", "progressive", "--indirect-by", "photons",
+                                        "--photons", 150_000, "--neighbours", 16, "--samples", 2), 0.5)
 DIRECT = Method("direct", ("--integrator", "direct", "--photons", 50_000, "--samples", 2), 0.1)
 FEWEST = 8  # passes of an image: with fewer an error is stated without its interval
 

@@ -28,7 +28,8 @@ class Method:
 
 
 METHODS = (
-    Method("progressive", ("--integrator", "progressive", "--photons", 20_000, "--samples", 2)),
+    Method("progressive", ("--integrator", "progressive", "--indirect-by", "photons", "--photons", 20_000,
+                           "--samples", 2)),
     Method("path", ("--integrator", "path", "--samples", 8)),
     Method("direct", ("--integrator", "direct", "--photons", 20_000, "--samples", 2), 0.2),
 )

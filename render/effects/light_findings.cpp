@@ -64,7 +64,8 @@ Finding find_indirect(const SceneFacts& facts)
     if (!lights_itself(facts))
         return {false, kConvex, ""};
     return {true, names + " scatter light to other surfaces",
-            "light paths, the global and the indirect map, a final-gather ray for each sample"};
+            "light paths, the global and the indirect map, a final-gather ray for each sample; or "
+            "longer eye paths, where a pilot finds them enough (--indirect-by)"};
 }
 
 Finding find_caustics(const SceneFacts& facts)

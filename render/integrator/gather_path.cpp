@@ -36,6 +36,15 @@ class GatherTracer {
         return branch.behind != EyePathClass::caustic && adds_met_light(seen_, branch.behind);
     }
 
+    /// Gathered lobes send rays that bring more than the lights they meet.
+    bool sends_rays() const { return maps_.rays != GatherRays::look_for_lights; }
+
+    /// The branch is a final-gather ray that ends in photons, unless it is too short.
+    bool ends_here(const GatherBranch& branch) const
+    {
+        return is_gathered(branch.behind) && maps_.rays != GatherRays::go_on;
+    }
+
     void add(const Rgb& radiance)
     {
         for (Rgb& sum : radiance_)
@@ -88,13 +97,13 @@ class GatherTracer {
                             .points = maps_.emissive_points};
         if (onward)
             add(gathering.throughput * light_sampled_light(scene, at, rays, random_));
-        if (onward && !maps_.bounces)
+        if (onward && !sends_rays())
             add(gathering.throughput * bsdf_sampled_light(scene, at, rays, random_));
         if (at.follows() && !is_gathered(branch.behind) && sees)
             add(branch.throughput * light_sampled_light(scene, at, {.followed = 1}, random_));
         branch.photons =
             at.follows() && branch.behind == EyePathClass::specular ? add_glossy(branch, at) : 0;
-        send_on(onward && maps_.bounces ? &gathering : nullptr, branch, at);
+        send_on(onward && sends_rays() ? &gathering : nullptr, branch, at);
     }
 
     /// Adds what the gathered lobes send back of light from the maps.  True: that is all; false:
@@ -109,7 +118,7 @@ class GatherTracer {
             return add_both_sides(branch, query, lobes);
         const Rgb factor = maps_.scene.directional ? Rgb(1) : lobes.base();
         add_caustic(branch, factor, query);
-        if (is_gathered(branch.behind)) {
+        if (ends_here(branch)) {
             if (shared_maps(maps_.global).maps.empty()) { // no photon has come anywhere
                 keep(scratch_.importons, &Importons::global, query, branch.throughput * factor);
                 return true;
@@ -124,11 +133,12 @@ class GatherTracer {
             }
         }
         branch.gathered_at = query.position;
-        if (maps_.guide != nullptr && maps_.bounces)
+        if (maps_.guide != nullptr && sends_rays())
             branch.guide = directions_at(*maps_.guide, maps_.scene.partition, query);
         if (maps_.sky != nullptr)
             branch.sky = directions_at(*maps_.sky, maps_.scene.partition, query);
-        add_indirect(branch.throughput * factor, query, branch.indirect_radius);
+        if (maps_.rays != GatherRays::go_on)
+            add_indirect(branch.throughput * factor, query, branch.indirect_radius);
         return false;
     }
 
@@ -155,7 +165,7 @@ class GatherTracer {
                              other ? branch.transmitted_radius : branch.indirect_radius);
             }
         }
-        return is_gathered(branch.behind);
+        return ends_here(branch);
     }
 
     /// Returns the weight of what the final-gather ray finds, from photons within `first` in the

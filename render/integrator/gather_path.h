@@ -10,6 +10,13 @@
 
 namespace hipmap {
 
+/// What final-gather rays do.
+enum class GatherRays : std::uint8_t {
+    end_in_photons,
+    go_on,           ///< as paths: of the maps, only the caustic one and that of media are read
+    look_for_lights, ///< and nothing more
+};
+
 /// The maps and lights that one pass gathers from.  Borrows everything.
 struct GatherMaps {
     const RenderScene& scene;
@@ -19,7 +26,7 @@ struct GatherMaps {
     const ChosenMaps& indirect; ///< of the pass, weighed by weigh_bounces
     const FirstRadii& first;
     GatherScale scale = {};
-    bool bounces = true;                 ///< false: rays of gathered lobes only look for lights
+    GatherRays rays = GatherRays::end_in_photons;
     const VolumeMap* volume = nullptr;   ///< of the pass, of radii shrunk; null: there are no media
     const PlacedGuides* guide = nullptr; ///< of final-gather rays; null: lobes draw them
     const PlacedGuides* sky = nullptr;   ///< by which environments are sampled; null: they are not

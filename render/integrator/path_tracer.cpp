@@ -25,12 +25,26 @@ class PathTracer {
 
     Rgb trace()
     {
-        while (survives(path_, random_) && step())
+        while (goes_on())
             ;
         return radiance_;
     }
 
+    /// To the first ray that gathered lobes send.  False: the path has ended before.
+    bool trace_to_gather_ray()
+    {
+        while (!is_gathered(path_.behind))
+            if (!goes_on())
+                return false;
+        return true;
+    }
+
+    const Rgb& radiance() const { return radiance_; } ///< so far
+    int depth() const { return path_.depth; }
+
   private:
+    bool goes_on() { return survives(path_, random_) && step(); }
+
     /// To the next surface or scattering, and on; no throughput is left where the path ends. False:
     /// it has left the scene.
     bool step()
@@ -171,6 +185,19 @@ Rgb trace_path(const RenderScene& scene, const Ray& ray, RandomSequence& random,
                const LightClasses& light, SeenLights seen)
 {
     return PathTracer(scene, ray, light, seen, random).trace();
+}
+
+PathPair trace_path_pair(const RenderScene& scene, const Ray& ray, RandomSequence& random,
+                         const LightClasses& light)
+{
+    PathTracer path(scene, ray, light, SeenLights::left_out, random);
+    if (!path.trace_to_gather_ray())
+        return {path.radiance(), path.radiance(), path.depth()};
+    PathTracer other = path;
+    const PathTracer gathering = path;
+    const Rgb first = path.trace();
+    return {first, other.trace(), path.depth(), path.depth() > gathering.depth(),
+            first != gathering.radiance()};
 }
 
 PassSource make_path_source(const RenderScene& scene, const RenderOptions& options,

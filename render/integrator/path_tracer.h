@@ -19,6 +19,19 @@ namespace hipmap {
 Rgb trace_path(const RenderScene& scene, const Ray& ray, RandomSequence& random,
                const LightClasses& light = {}, SeenLights seen = SeenLights::added);
 
+/// The radiance along two paths that are one up to the first final-gather ray, and go on from where
+/// it ends each by random numbers of its own.
+struct PathPair {
+    Rgb first, second;  ///< W/(m2 sr); the same if there is no such ray
+    int depth = 0;      ///< surfaces and scatterings that the first one met
+    bool ends = false;  ///< there is such a ray, and it ends at a surface
+    bool finds = false; ///< the first path found light by that ray or behind it
+};
+
+/// As trace_path, without the seen lights.  Thread-safe.
+PathPair trace_path_pair(const RenderScene& scene, const Ray& ray, RandomSequence& random,
+                         const LightClasses& light);
+
 /// Makes the path tracer as an integrator.  Borrows and counts as make_pass_source does.
 PassSource make_path_source(const RenderScene& scene, const RenderOptions& options,
                             RenderStatistics& statistics, const PilotControl& pilots);

@@ -4,6 +4,7 @@
 #include "render/integrator/environment_seeds.h"
 #include "render/integrator/find_seen_surfaces.h"
 #include "render/integrator/gather_path.h"
+#include "render/integrator/indirect_choice.h"
 #include "render/integrator/light_sample_allocation.h"
 #include "render/integrator/pass_photons.h"
 #include "render/integrator/photon_cache.h"
@@ -38,6 +39,7 @@ constexpr SampleRange kGatherRounds[] = {{0, 2}, {2, 8}};
 
 /// What all passes share.
 struct Progressive {
+    RenderOptions options; ///< with the choice of indirect light made
     std::shared_ptr<const ProgressiveRadii> first;
     std::shared_ptr<const PhotonGuides> guides = {}; ///< null: paths start by power
     std::shared_ptr<const SeenSurfaces> seen = {};   ///< where photons count; null: not known
@@ -57,15 +59,15 @@ struct ProgressivePass {
 };
 
 /// Pass `number` of the image, with the radii of its number.
-ProgressivePass numbered_pass(const MappedScene& mapped, const RenderOptions& options,
-                              std::uint64_t number, const Progressive& shared)
+ProgressivePass numbered_pass(const MappedScene& mapped, std::uint64_t number,
+                              const Progressive& shared)
 {
     return {.mapped = mapped,
-            .options = options,
+            .options = shared.options,
             .number = number,
             .guides = shared.guides.get(),
             .seen_surfaces = shared.seen.get(),
-            .shrink = radius_of_pass(number, options.alpha)};
+            .shrink = radius_of_pass(number, shared.options.alpha)};
 }
 
 /// It is Lambert's alone.
@@ -77,6 +79,8 @@ bool precomputes(const RenderScene& scene, const RenderOptions& options)
 PhotonOptions linked_options(const ProgressivePass& pass)
 {
     PhotonOptions photons = photon_options(pass.mapped.scene, pass.options, pass.number);
+    if (pass.options.indirect == IndirectLight::paths)
+        photons.light.indirect = false;
     photons.store_direct = photons.light.indirect; // for gather rays
     photons.link_bounces = photons.light.indirect;
     photons.store_glossy = photons.light.caustic;
@@ -221,6 +225,14 @@ ProgressiveMaps make_maps(const ProgressivePass& pass, const ProgressiveRadii& f
     return maps;
 }
 
+GatherRays gather_rays(const RenderOptions& options)
+{
+    if (!options.light.indirect)
+        return GatherRays::look_for_lights;
+    return options.indirect == IndirectLight::paths ? GatherRays::go_on
+                                                    : GatherRays::end_in_photons;
+}
+
 GatherMaps gathered_maps(const ProgressivePass& pass, const ProgressiveRadii& first,
                          const ProgressiveMaps& photons, int emissive_points = 1)
 {
@@ -231,7 +243,7 @@ GatherMaps gathered_maps(const ProgressivePass& pass, const ProgressiveRadii& fi
             photons.indirect,
             first.surfaces,
             scale_of(pass),
-            pass.options.light.indirect,
+            gather_rays(pass.options),
             photons.volume ? &*photons.volume : nullptr,
             &first.guide,
             &first.sky,
@@ -347,17 +359,23 @@ RenderedPass render_pass(const ProgressivePass& pass, const Progressive& shared,
     return gather_pass(pass, shared, *photons, control, statistics);
 }
 
-/// Allocates samples by two images from the same photons; returns the mean of their channels.
-double render_pilot(const MappedScene& mapped, const RenderOptions& options,
-                    const PilotControl& pilots, Progressive& shared)
+RenderOptions half_size(const RenderOptions& options)
 {
+    RenderOptions out = pilot_options(options);
+    out.width = (options.width + 1) / 2;
+    out.height = (options.height + 1) / 2;
+    return out;
+}
+
+/// Allocates samples by two images from the same photons; returns the mean of their channels.
+double render_pilot(const MappedScene& mapped, const PilotControl& pilots, Progressive& shared)
+{
+    const RenderOptions& options = shared.options;
     if (stopped_together(pilots))
         return 0;
     const RenderScene& scene = mapped.scene;
     RenderStatistics ignored;
-    RenderOptions small = pilot_options(options);
-    small.width = (options.width + 1) / 2;
-    small.height = (options.height + 1) / 2;
+    RenderOptions small = half_size(options);
     const Part rows = pilots.team.part(static_cast<std::size_t>(small.height));
     small.crop = {0, static_cast<int>(rows.begin), small.width, static_cast<int>(rows.end)};
     const auto pilot = [&](std::uint64_t number) {
@@ -393,9 +411,9 @@ double render_pilot(const MappedScene& mapped, const RenderOptions& options,
 
 /// Finds what the passes share, from pilots.  Guides serve one camera: with them the passes keep no
 /// maps for other images, so that a frame is the same whatever was rendered before it.
-void prepare(const MappedScene& mapped, const RenderOptions& options, const PilotControl& pilots,
-             Progressive& shared)
+void prepare(const MappedScene& mapped, const PilotControl& pilots, Progressive& shared)
 {
+    const RenderOptions& options = shared.options;
     ProgressivePass pilot{mapped, options, kPilotPass};
     const bool known = shared.cache != nullptr && shared.cache->radii;
     ProgressiveRadii first = known ? *shared.cache->radii : find_first_radii(pilot, pilots.team);
@@ -415,10 +433,21 @@ void prepare(const MappedScene& mapped, const RenderOptions& options, const Pilo
     }
     if (options.gather == GatherDirections::guided && !stopped) {
         first.sky = learn_sky(mapped.scene, importons, options.seed);
-        if (options.light.indirect)
+        if (gather_rays(options) == GatherRays::end_in_photons)
             first.guide = find_directions(pilot, first, pilots.team);
     }
     shared.first = std::make_shared<const ProgressiveRadii>(std::move(first));
+}
+
+/// Of what pilots found.
+std::uint64_t checksum(const Progressive& shared)
+{
+    std::uint64_t out = checksum(shared.allocation);
+    out = mix_bits(out ^ checksum(shared.first->guide));
+    out = mix_bits(out ^ checksum(shared.first->sky));
+    if (shared.options.indirect == IndirectLight::paths)
+        out = mix_bits(out);
+    return shared.guides ? mix_bits(out ^ checksum(*shared.guides)) : out;
 }
 
 } // namespace
@@ -429,36 +458,36 @@ PassSource make_progressive_source(const RenderScene& scene, const RenderOptions
 {
     const auto surfaces = std::make_shared<const MapSurfaces>(scene.mesh(), scene.partition);
     const auto shared = std::make_shared<Progressive>();
-    shared->cache = cache;
-    prepare({scene, *surfaces}, options, pilots, *shared);
+    shared->options = options;
+    shared->options.indirect = choose_indirect(scene, options, pilots, statistics);
+    shared->cache = shared->options.indirect == IndirectLight::paths ? nullptr : cache;
+    prepare({scene, *surfaces}, pilots, *shared);
     PassSource source;
     set_window(source, options);
-    source.pilot_mean = render_pilot({scene, *surfaces}, options, pilots, *shared);
+    source.pilot_mean = render_pilot({scene, *surfaces}, pilots, *shared);
     source.alpha = options.alpha;
     source.clamped = options.clamp > 0;
     source.photons = options.photons;
-    source.allocation = checksum(shared->allocation);
-    source.allocation = mix_bits(source.allocation ^ checksum(shared->first->guide));
-    source.allocation = mix_bits(source.allocation ^ checksum(shared->first->sky));
+    source.allocation = checksum(*shared);
     if (shared->seen)
         statistics.seen_scale = scale_of(*shared->seen);
     if (shared->guides) {
-        source.allocation = mix_bits(source.allocation ^ checksum(*shared->guides));
         statistics.guided_variance = shared->guides->without_aim.variance;
         statistics.guided_variance_aimed = shared->guides->aimed.variance;
     }
     source.bias = precomputes(scene, options) ? BiasKnowledge::unknown : BiasKnowledge::from_radii;
-    source.render = [&scene, &options, &statistics, surfaces, shared](std::uint64_t pass,
-                                                                      const PassControl& control) {
-        return render_pass(numbered_pass({scene, *surfaces}, options, pass, *shared), *shared,
-                           control, statistics);
+    source.render = [&scene, &statistics, surfaces, shared](std::uint64_t pass,
+                                                            const PassControl& control) {
+        return render_pass(numbered_pass({scene, *surfaces}, pass, *shared), *shared, control,
+                           statistics);
     };
-    source.render_in = [&options, &statistics, shared](const RenderScene& now, std::uint64_t pass,
-                                                       const PassControl& control) {
+    source.render_in = [&statistics, shared](const RenderScene& now, std::uint64_t pass,
+                                             const PassControl& control) {
         const MapSurfaces surfaces_now(now.mesh(), now.partition);
-        const Progressive uncached{shared->first, shared->guides, shared->seen, shared->allocation};
-        return render_pass(numbered_pass({now, surfaces_now}, options, pass, uncached), uncached,
-                           control, statistics);
+        Progressive uncached = *shared;
+        uncached.cache = nullptr;
+        return render_pass(numbered_pass({now, surfaces_now}, pass, uncached), uncached, control,
+                           statistics);
     };
     return source;
 }

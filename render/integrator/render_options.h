@@ -28,6 +28,13 @@ enum class GatherDirections : std::uint8_t {
     by_lobes, ///< by the lobes of the surface alone
 };
 
+/// How light is found that several surfaces that gather have sent on.
+enum class IndirectLight : std::uint8_t {
+    automatic, ///< as indirect_choice.h says
+    photons,   ///< final-gather rays end in photon maps
+    paths,     ///< they go on as paths; only caustics are photons
+};
+
 /// The options of a pass, the same for all passes of an image.
 struct RenderOptions {
     Integrator integrator = Integrator::progressive;
@@ -39,6 +46,7 @@ struct RenderOptions {
     DirectLight direct = DirectLight::shadow_rays;
     Emission emission = Emission::guided;
     GatherDirections gather = GatherDirections::guided;
+    IndirectLight indirect = IndirectLight::photons;
     std::uint64_t photons = 0; ///< light paths per pass
     std::uint32_t samples = 1; ///< eye paths per pixel and pass
     std::uint64_t seed = 0;
@@ -83,13 +91,14 @@ struct KindStatistics {
 
 /// Statistics of the passes of one run.
 struct RenderStatistics {
-    std::uint64_t passes = 0;          ///< whole ones
-    std::uint64_t emitted = 0;         ///< light paths
-    std::uint64_t aimed = 0;           ///< light paths besides, aimed at specular surfaces
-    double guided_variance = 1;        ///< of EmissionGuide, for the paths not aimed
-    double guided_variance_aimed = 1;  ///< for the others
-    std::uint64_t dropped_photons = 0; ///< not finite
-    std::uint64_t dropped_samples = 0; ///< not finite
+    std::uint64_t passes = 0;         ///< whole ones
+    std::uint64_t emitted = 0;        ///< light paths
+    std::uint64_t aimed = 0;          ///< light paths besides, aimed at specular surfaces
+    double guided_variance = 1;       ///< of EmissionGuide, for the paths not aimed
+    double guided_variance_aimed = 1; ///< for the others
+    IndirectLight indirect_by = IndirectLight::photons; ///< integrator progressive
+    std::uint64_t dropped_photons = 0;                  ///< not finite
+    std::uint64_t dropped_samples = 0;                  ///< not finite
     std::uint64_t cut_paths = 0;
     KindStatistics caustic;
     KindStatistics global;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace hipmap {
@@ -106,17 +107,18 @@ std::vector<double> blurred(std::vector<double> values, const Image& image, int 
     return values;
 }
 
+/// A difference of two samples has twice the variance of one, and there are three channels.
+constexpr double kShareOfSquare = 1.0 / 6;
+
 /// docs/error.md (14), by pixel of the pilot's images: the variance of a sample, over the square of
 /// brightness.  differences: of two samples.
 std::vector<double> variances_around(const Brightness& brightness, const Image& differences)
 {
-    // A difference of two has twice the variance, and there are three channels.
-    constexpr double kShare = 1.0 / 6;
     std::vector<double> out = square_deviations(brightness, differences);
     const std::vector<double> wide = blurred(out, differences, kWideReach);
     out = blurred(std::move(out), differences, kReach);
     for (std::size_t i = 0; i < out.size(); ++i)
-        out[i] = kShare * std::max((1 - kWideShare) * out[i] + kWideShare * wide[i], 0.0);
+        out[i] = kShareOfSquare * std::max((1 - kWideShare) * out[i] + kWideShare * wide[i], 0.0);
     return out;
 }
 
@@ -219,6 +221,22 @@ SampleAllocation allocate_samples(const PilotNoise& pilot, int width, int height
                 rounded(std::clamp(scale * kLightSamplesForOne * of.lights, least, most_lights), i);
     }
     return out;
+}
+
+double relative_variance(const Image& first, const Image& second, const Image& differences)
+{
+    Brightness brightness = brightness_of({first, second, {}, nullptr}, first.width, first.height);
+    for (int channel = 0; channel < 3; ++channel) {
+        std::vector<double> values;
+        for (const glm::dvec3& mean : brightness.mean)
+            values.push_back(mean[channel]);
+        values = blurred(std::move(values), first, kReach);
+        for (std::size_t i = 0; i < values.size(); ++i)
+            brightness.mean[i][channel] = values[i];
+    }
+    const std::vector<double> squares = square_deviations(brightness, differences);
+    return kShareOfSquare * std::reduce(squares.begin(), squares.end(), 0.0) /
+           static_cast<double>(std::max<std::size_t>(1, squares.size()));
 }
 
 std::uint64_t checksum(const SampleAllocation& allocation)

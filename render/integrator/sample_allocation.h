@@ -37,6 +37,11 @@ struct PilotNoise {
 SampleAllocation allocate_samples(const PilotNoise& pilot, int width, int height,
                                   std::uint32_t mean);
 
+/// Returns the variance of a sample over the square of the brightness around, the mean over the
+/// pixels.  first, second: images of the view, by one sample a pixel each; differences: of two
+/// samples of each pixel, of the same size.  No pixel: zero.
+double relative_variance(const Image& first, const Image& second, const Image& differences);
+
 /// Returns a checksum of all counts; zero for an empty allocation.
 std::uint64_t checksum(const SampleAllocation& allocation);
 

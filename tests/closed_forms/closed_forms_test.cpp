@@ -24,7 +24,7 @@ void check(const std::vector<FoundForm>& rows)
 /// Each form by itself, and that all together are not farther off than probability has it.
 void check(const Method& method)
 {
-    const auto passes = method.integrator == Integrator::path ? kPassesOfPaths : kPassesOfForms;
+    const auto passes = method.traces_paths() ? kPassesOfPaths : kPassesOfForms;
     double squares = 0, forms = 0;
     for (const ClosedForm& form : closed_forms()) {
         const std::vector<FoundForm> rows = find_form(form, method, passes);
@@ -58,6 +58,12 @@ TEST_CASE("closed forms: integrator direct finds them by photons alone", "[close
 TEST_CASE("closed forms: integrator path finds them", "[closed_forms]")
 {
     check(kMethods[3]);
+}
+
+TEST_CASE("closed forms: integrator progressive finds them with indirect light by paths",
+          "[closed_forms]")
+{
+    check(kMethods[4]);
 }
 
 TEST_CASE("closed forms: photons take out of a ball what they bring less what it absorbs",

@@ -32,6 +32,7 @@ RenderOptions options_for(const ClosedForm& form, const Method& method)
     RenderOptions options;
     options.integrator = method.integrator;
     options.direct = method.direct;
+    options.indirect = method.indirect;
     options.width = options.height = 16;
     options.filter = PixelFilter::box; // the mean of such pixels is that of the picture
     options.photons = reads_photons(form, method) ? form.photons : 1000;

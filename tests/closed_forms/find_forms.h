@@ -13,13 +13,20 @@ struct Method {
     const char* name;
     Integrator integrator;
     DirectLight direct;
+    IndirectLight indirect = IndirectLight::photons;
+
+    bool traces_paths() const
+    {
+        return integrator == Integrator::path || indirect == IndirectLight::paths;
+    }
 };
 
-inline constexpr std::array<Method, 4> kMethods{{
+inline constexpr std::array<Method, 5> kMethods{{
     {"progressive", Integrator::progressive, DirectLight::shadow_rays},
     {"direct, shadow rays", Integrator::direct, DirectLight::shadow_rays},
     {"direct, photons", Integrator::direct, DirectLight::photons},
     {"path", Integrator::path, DirectLight::shadow_rays},
+    {"progressive, paths", Integrator::progressive, DirectLight::shadow_rays, IndirectLight::paths},
 }};
 
 inline constexpr std::uint64_t kPassesOfForms = 16;
