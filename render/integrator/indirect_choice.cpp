@@ -16,6 +16,7 @@ constexpr int kPilotSide = 160;
 
 /// docs/light_transport.md (50)
 constexpr double kMostForPaths = 2.6;
+constexpr double kCausticCost = 1.5;
 
 /// Where fewer of the final-gather rays lead to light, paths may miss what photons show.
 constexpr double kLeastLit = 0.25;
@@ -97,11 +98,12 @@ PilotPaths trace_pilot(const RenderScene& scene, const RenderOptions& options,
     return describe(joined(team, std::move(own)), small.width, small.height);
 }
 
-/// docs/light_transport.md (50).
-bool paths_pay(const PilotPaths& found)
+/// docs/light_transport.md (50).  caustics: there may be photons of them.
+bool paths_pay(const PilotPaths& found, bool caustics)
 {
     const double gathered = std::max(0.0, found.variance - found.behind);
-    return found.lit >= kLeastLit && found.variance * found.rays < kMostForPaths * gathered;
+    const double cost = found.rays * (caustics ? kCausticCost : 1);
+    return found.lit >= kLeastLit && found.variance * cost < kMostForPaths * gathered;
 }
 
 /// The renderer compares methods of the dissertation, which are about photons.
@@ -120,8 +122,10 @@ IndirectLight choose_indirect(const RenderScene& scene, const RenderOptions& opt
     if (!options.light.indirect || scene.has_media() || compares(options.dissertation))
         out = IndirectLight::photons;
     if (out == IndirectLight::automatic)
-        out = paths_pay(trace_pilot(scene, options, pilots.team)) ? IndirectLight::paths
-                                                                  : IndirectLight::photons;
+        out = paths_pay(trace_pilot(scene, options, pilots.team),
+                        options.light.caustic && !scene.specular_targets.empty())
+                  ? IndirectLight::paths
+                  : IndirectLight::photons;
     statistics.indirect_by = out;
     return out;
 }
