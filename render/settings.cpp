@@ -171,10 +171,11 @@ OptionRow indirect_row(IndirectLight& indirect)
     return {.name = "indirect-by",
             .section = kMethodSection,
             .field = choice_field<IndirectLight>(indirect, kIndirectLights),
-            .help = "Indirect light of --integrator progressive: photons, which final-gather rays "
-                    "end in; paths, which go on from them, for less time where light is easy to "
-                    "find; or auto, as a pilot finds. With media it is always by photons, and "
-                    "caustics are",
+            .help =
+                "Where --integrator progressive finds indirect light: photons, in the maps where "
+                "final-gather rays end; paths, by rays that go on from there, which is quicker "
+                "where light is easy to find; or auto, as a pilot chooses. Caustics are always "
+                "photons, and with media all indirect light is",
             .changes = Changes::passes,
             .only_with = {{"", "integrator", {"progressive"}}}};
 }

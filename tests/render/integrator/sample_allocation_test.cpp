@@ -132,3 +132,20 @@ TEST_CASE("sample allocation: its checksum tells allocations apart", "[integrato
     CHECK(sum != checksum(allocation));
     CHECK(checksum(SampleAllocation{}) == 0);
 }
+
+TEST_CASE("relative variance: of a sample, over the square of the brightness around",
+          "[integrator]")
+{
+    const Image first = noisy_image(0), second = noisy_image(1), third = noisy_image(2);
+    Image differences = first;
+    for (std::size_t i = 0; i < first.pixels.size(); ++i)
+        differences.pixels[i] = first.pixels[i] - third.pixels[i];
+    const double expected = (0.01 + 0.09) / 3 / 2 / 1.01; // of uniform numbers
+    CHECK(relative_variance(first, second, differences) == Approx(expected).epsilon(0.05));
+    // Pixels that both images miss have a difference all the same.
+    Image holes = first;
+    for (std::size_t i = 0; i < holes.pixels.size(); i += 7)
+        holes.pixels[i] = Rgb(0);
+    CHECK(relative_variance(holes, holes, differences) < 2 * expected);
+    CHECK(relative_variance({}, {}, {}) == 0);
+}
