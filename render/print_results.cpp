@@ -112,8 +112,7 @@ void print_error(const RenderArguments& arguments, const RenderedFrame& frame, R
         return;
     for (const ErrorCost& cost : error_costs(state, arguments.stops.error)) {
         std::string line = percent(cost.error) + " error " + describe_need(cost);
-        if (kind_of(arguments.render.integrator).photons &&
-            frame.statistics.indirect_by == IndirectLight::photons &&
+        if (kind_of(arguments.render.integrator).photons && cost.photons > 0 &&
             cost.photons < kMostPhotonsTold)
             line += ", " + grouped(static_cast<std::uint64_t>(cost.photons)) + " light paths";
         report.line(line);

@@ -169,7 +169,8 @@ def marker(axes, entry, said, name, radius):
 
 
 def price_list(stats, error, last):
-    by_photons = stats.get("options", {}).get("integrator") != "path"
+    by_photons = (stats.get("options", {}).get("integrator") != "path" and
+                  any(entry["photons"] for entry in error.get("prices", [])))
     head = ["Error", "Passes", "Time"] + (["Light paths"] if by_photons else [])
     rows = []
     for entry in error.get("prices", []):

@@ -33,7 +33,7 @@ struct PassSource {
     BiasKnowledge bias = BiasKnowledge::unknown;
     bool clamped = false;      ///< passes say what clamping took
     double alpha = 2.0 / 3;    ///< decay of the radii, docs/error.md (1)
-    std::uint64_t photons = 0; ///< light paths of a pass
+    std::uint64_t photons = 0; ///< light paths of a pass, without the aimed ones
     /// Renders pass `pass`: the same images whenever it is called, at any thread count.  Runs on
     /// all threads and is called for one pass at a time.
     std::function<RenderedPass(std::uint64_t pass, const PassControl& control)> render;

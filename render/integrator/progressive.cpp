@@ -467,7 +467,7 @@ PassSource make_progressive_source(const RenderScene& scene, const RenderOptions
     source.pilot_mean = render_pilot({scene, *surfaces}, pilots, *shared);
     source.alpha = options.alpha;
     source.clamped = options.clamp > 0;
-    source.photons = options.photons;
+    source.photons = shared->options.indirect == IndirectLight::paths ? 0 : options.photons;
     source.allocation = checksum(*shared);
     if (shared->seen)
         statistics.seen_scale = scale_of(*shared->seen);

@@ -104,6 +104,7 @@ TEST_CASE("indirect choice: in the open no photon is traced, and the image has n
     const Rendered found = render(*ready, options, 16);
     CHECK(found.statistics.indirect_by == IndirectLight::paths);
     CHECK(found.statistics.emitted + found.statistics.aimed == 0);
+    CHECK(found.source.photons == 0);
     CHECK(found.radiance.mean() == found.narrowest.mean());
     options.indirect = IndirectLight::photons;
     const Rendered photons = render(*ready, options, 16);
