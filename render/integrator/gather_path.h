@@ -47,9 +47,9 @@ using RadianceByRadius = std::array<Rgb, 3>;
 
 /// Returns the radiance that arrives along an eye ray, W/(m2 sr), docs/light_transport.md (20): at
 /// the first diffuse surface direct light by shadow rays, the caustic map, and one final-gather ray
-/// to the next diffuse surface, where both maps are read.  Biased by the maps' radii alone, which
-/// shrink from pass to pass.  May not be finite if the scene's numbers overflow; the film drops
-/// such samples. Thread-safe.
+/// to the next diffuse surface, where both maps are read, or which goes on from there (50).  Biased
+/// by the maps' radii alone, which shrink from pass to pass.  May not be finite if the scene's
+/// numbers overflow; the film drops such samples. Thread-safe.
 RadianceByRadius trace_gather_path(const GatherMaps& maps, const Ray& ray, SeenLights seen,
                                    RandomSequence& random, GatherScratch& scratch);
 

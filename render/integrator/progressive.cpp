@@ -439,7 +439,7 @@ void prepare(const MappedScene& mapped, const PilotControl& pilots, Progressive&
     shared.first = std::make_shared<const ProgressiveRadii>(std::move(first));
 }
 
-/// Of what pilots found.
+/// Returns a checksum of all that the passes take from pilots.
 std::uint64_t checksum(const Progressive& shared)
 {
     std::uint64_t out = checksum(shared.allocation);
