@@ -142,42 +142,44 @@ OptionRow integrator_row(Integrator& integrator)
             .changes = Changes::passes};
 }
 
-OptionRow emission_row(Emission& emission)
+/// A choice of integrator progressive that its passes depend on.
+template <typename T, std::size_t count>
+OptionRow progressive_row(const char* name, T& value, const Choice<T> (&choices)[count],
+                          const char* help)
 {
-    return {.name = "emission",
+    return {.name = name,
             .section = kMethodSection,
-            .field = choice_field<Emission>(emission, kEmissions),
-            .help = "Starts of the light paths of --integrator progressive: guided, where pilots "
-                    "found that they matter to the image, or by the power of the lights alone",
+            .field = choice_field<T>(value, choices),
+            .help = help,
             .changes = Changes::passes,
             .only_with = {{"", "integrator", {"progressive"}}}};
+}
+
+OptionRow emission_row(Emission& emission)
+{
+    return progressive_row(
+        "emission", emission, kEmissions,
+        "Starts of the light paths of --integrator progressive: guided, where pilots "
+        "found that they matter to the image, or by the power of the lights alone");
 }
 
 OptionRow gather_row(GatherDirections& gather)
 {
-    return {.name = "gather",
-            .section = kMethodSection,
-            .field = choice_field<GatherDirections>(gather, kGatherDirections),
-            .help =
-                "Directions of the final-gather rays of --integrator progressive: guided, where "
-                "pilots found light, with samples of the sky where little of it is seen, or by the "
-                "lobes of the surface alone",
-            .changes = Changes::passes,
-            .only_with = {{"", "integrator", {"progressive"}}}};
+    return progressive_row(
+        "gather", gather, kGatherDirections,
+        "Directions of the final-gather rays of --integrator progressive: guided, where "
+        "pilots found light, with samples of the sky where little of it is seen, or by the "
+        "lobes of the surface alone");
 }
 
 OptionRow indirect_row(IndirectLight& indirect)
 {
-    return {.name = "indirect-by",
-            .section = kMethodSection,
-            .field = choice_field<IndirectLight>(indirect, kIndirectLights),
-            .help =
-                "Where --integrator progressive finds indirect light: photons, in the maps where "
-                "final-gather rays end; paths, by rays that go on from there, which is quicker "
-                "where light is easy to find; or auto, as a pilot chooses. Caustics are always "
-                "photons, and with media all indirect light is",
-            .changes = Changes::passes,
-            .only_with = {{"", "integrator", {"progressive"}}}};
+    return progressive_row(
+        "indirect-by", indirect, kIndirectLights,
+        "Where --integrator progressive finds indirect light: photons, in the maps where "
+        "final-gather rays end; paths, by rays that go on from there, which is quicker "
+        "where light is easy to find; or auto, as a pilot chooses. Caustics are always "
+        "photons, and with media all indirect light is");
 }
 
 std::vector<OptionRow> method_rows(RenderArguments& arguments)
