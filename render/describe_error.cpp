@@ -116,21 +116,22 @@ std::string describe_need(const ErrorCost& cost)
            ", " + brief_time(cost.seconds);
 }
 
-std::string describe_cost(const RenderState& state, double target)
+std::string describe_cost(const RenderState& state, double target, double before)
 {
     const ErrorCheck& last = state.checks.back();
     const ErrorLaw law = error_law(state.checks, state.radius_decay);
     const bool of_target = target > 0 && target / 2 < last.error.error;
     const ErrorCost half =
-        error_cost(state.checks, law, (of_target ? target : last.error.error) / 2, 0);
+        error_cost(state.checks, law, (of_target ? target : last.error.error) / 2, {0, before});
     std::string text = "cost: " + percent(last.error.error) + " in " +
-                       counted(last.passes, "pass", "passes") + ", " + brief_time(last.seconds);
+                       counted(last.passes, "pass", "passes") + ", " +
+                       brief_time(before + last.seconds);
     if (!std::isfinite(half.passes) || last.error.error == 0)
         return text;
     return text + "; " + percent(half.error) + " " + describe_need(half);
 }
 
-std::vector<ErrorCost> error_costs(const RenderState& state, double target)
+std::vector<ErrorCost> error_costs(const RenderState& state, double target, double before)
 {
     const std::vector<ErrorCheck>& checks = state.checks;
     std::vector<ErrorCost> costs;
@@ -144,7 +145,7 @@ std::vector<ErrorCost> error_costs(const RenderState& state, double target)
     errors.erase(std::unique(errors.begin(), errors.end()), errors.end());
     const ErrorLaw law = error_law(checks, state.radius_decay);
     for (const double error : errors)
-        costs.push_back(error_cost(checks, law, error, state.photons_per_pass));
+        costs.push_back(error_cost(checks, law, error, {state.photons_per_pass, before}));
     return costs;
 }
 

@@ -41,12 +41,12 @@ std::string describe_lost(const LostLight& lost);
 std::string describe_need(const ErrorCost& cost);
 
 /// Describes the cost of halving the error: of the target while it is to be reached, else of the
-/// current error.  target: the requested error, 0 for none.
-std::string describe_cost(const RenderState& state, double target);
+/// current error.  target: the requested error, 0 for none.  before: s before the first pass.
+std::string describe_cost(const RenderState& state, double target, double before);
 
 /// Returns the errors of a cost table: half of the current error, round ones, and the target and
-/// half of it.  target: 0 for none.
-std::vector<ErrorCost> error_costs(const RenderState& state, double target);
+/// half of it.  target: 0 for none.  before: s before the first pass.
+std::vector<ErrorCost> error_costs(const RenderState& state, double target, double before);
 
 /// Returns the most memory that this process has held, bytes; 0: unknown.
 std::uint64_t peak_memory();

@@ -40,7 +40,7 @@ void print_merged(const RenderState& state, const ShownFireflies& fireflies, Rep
     if (const std::string line = describe_fireflies(fireflies); !line.empty())
         report.line(line);
     if (state.film.parts.empty())
-        report.line(describe_cost(state, 0));
+        report.line(describe_cost(state, 0, 0));
 }
 
 } // namespace

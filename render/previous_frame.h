@@ -32,6 +32,12 @@ struct RenderedFrame {
     std::uint64_t resumed = 0;            ///< passes that a state or the previous frame had
 };
 
+/// Returns the seconds of what a frame takes once, whatever the number of its passes.
+inline double seconds_before_passes(const RenderedFrame& frame)
+{
+    return frame.rays.seconds + frame.pilots.seconds;
+}
+
 /// Where a frame stands among all frames of a run.
 struct FramePlace {
     int done = 0;               ///< frames before it

@@ -107,10 +107,11 @@ void print_error(const RenderArguments& arguments, const RenderedFrame& frame, R
     report.line(describe_error(last));
     if (const std::string line = describe_fireflies(frame.fireflies); !line.empty())
         report.line(line);
-    report.line(describe_cost(state, arguments.stops.error));
+    report.line(describe_cost(state, arguments.stops.error, seconds_before_passes(frame)));
     if (!arguments.quote)
         return;
-    for (const ErrorCost& cost : error_costs(state, arguments.stops.error)) {
+    for (const ErrorCost& cost :
+         error_costs(state, arguments.stops.error, seconds_before_passes(frame))) {
         std::string line = percent(cost.error) + " error " + describe_need(cost);
         if (kind_of(arguments.render.integrator).photons && cost.photons > 0 &&
             cost.photons < kMostPhotonsTold)

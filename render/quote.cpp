@@ -22,6 +22,7 @@ struct Sketch {
     RenderState state;
     BiasKnowledge bias = BiasKnowledge::unknown;
     double seconds = 0; ///< with pilots and all that the scene needs
+    double before = 0;  ///< those of them before the first pass
     bool whole = false; ///< not stopped
 };
 
@@ -90,6 +91,7 @@ Sketch render_sketch(const QuotedFrame& frame, const Change& change, const Rende
     run_passes(source, rules, control, out.state);
     out.whole = count(out.state.film.passes) == kSketchPasses;
     out.seconds = watch.seconds();
+    out.before = out.seconds - out.state.seconds;
     return out;
 }
 
@@ -144,9 +146,10 @@ class Comparison {
         quote_.error = frame.passes.frame.arguments.stops.quoted_error;
         if (state.checks.empty() || !(state.checks.back().error.error > 0))
             return;
+        const double before = seconds_before_passes(frame.rendered);
         whole_ = error_cost(state.checks, error_law(state.checks, state.radius_decay), quote_.error,
-                            state.photons_per_pass);
-        room_ = kQuoteShare * whole_.seconds - state.seconds - frame.rendered.pilots.seconds;
+                            {state.photons_per_pass, before});
+        room_ = kQuoteShare * whole_.seconds - state.seconds - before;
     }
 
     Quote compare()
@@ -183,14 +186,17 @@ class Comparison {
         spend(as_is_);
         const double sketched = seconds_of_pass(as_is_.state);
         scale_ = sketched > 0 ? seconds_of_pass(frame_.rendered.state) / sketched : 1;
+        scale_before_ =
+            as_is_.before > 0 ? seconds_before_passes(frame_.rendered) / as_is_.before : 1;
     }
 
     void compare(const Change& without)
     {
         if (const std::optional<Sketch> other = sketch(without))
-            quote_.effects.push_back({without.option, saved_by(*other),
-                                      whole_.seconds * saved_by(*other),
-                                      difference_of(as_is_.state.film, other->state.film)});
+            quote_.effects.push_back(
+                {without.option, saved_by(*other),
+                 whole_.passes * seconds_of_pass(frame_.rendered.state) * saved_by(*other),
+                 difference_of(as_is_.state.film, other->state.film)});
     }
 
     /// The share of the time of a pass.
@@ -234,7 +240,7 @@ class Comparison {
         if (state.checks.empty())
             return out;
         out.passes = passes_for(error_law(state.checks, state.radius_decay), out.error);
-        out.seconds = scale_ * out.passes * seconds_of_pass(state);
+        out.seconds = scale_before_ * sketch.before + scale_ * out.passes * seconds_of_pass(state);
         out.photons = out.passes * static_cast<double>(frame_.rendered.state.photons_per_pass);
         return out;
     }
@@ -245,8 +251,9 @@ class Comparison {
     const double pixels_;         ///< of the frame for each of a sketch
     ErrorCost whole_;             ///< of the frame as it is
     Sketch as_is_;
-    double scale_ = 1; ///< time of a pass of the frame over that of its own sketch
-    double room_ = 0;  ///< s
+    double scale_ = 1;        ///< time of a pass of the frame over that of its own sketch
+    double scale_before_ = 1; ///< the same of the time before the first pass
+    double room_ = 0;         ///< s
     Quote quote_;
 };
 

@@ -208,13 +208,14 @@ const char* name_of_bias(BiasKnowledge bias)
     return kNames[static_cast<int>(bias)];
 }
 
-/// target: of the error; 0 for none.
-Json error_json(const RenderState& state, const ShownFireflies& fireflies, double target)
+/// target: of the error; 0 for none.  before: s before the first pass.
+Json error_json(const RenderState& state, const ShownFireflies& fireflies, double target,
+                double before)
 {
     Json checks = Json::array(), costs = Json::array();
     for (const ErrorCheck& check : state.checks)
         checks.push_back(check_json(check));
-    for (const ErrorCost& cost : error_costs(state, target))
+    for (const ErrorCost& cost : error_costs(state, target, before))
         costs.push_back(cost_json(cost));
     const ErrorLaw law = error_law(state.checks, state.radius_decay);
     return {{"bias", name_of_bias(state.film.bias)},
@@ -360,7 +361,8 @@ std::string statistics_json(const PreparedFrame& frame, const RenderedFrame& ren
     json["effects"] = effects_json(frame.effects);
     json["passes_done"] = count(state.film.passes);
     json["ended_by"] = ended_by(rendered.result.reason);
-    json["error"] = error_json(state, rendered.fireflies, arguments.stops.error);
+    json["error"] = error_json(state, rendered.fireflies, arguments.stops.error,
+                               seconds_before_passes(rendered));
     if (rendered.quote)
         json["quote"] = quote_json(*rendered.quote);
     json["unseen_light"] = unseen_json(rendered.missed.unseen);
@@ -395,7 +397,7 @@ std::string merged_statistics_json(const MergeArguments& arguments, const Merged
                                written.exposure_ev);
     json["pictures"] = pictures_json(written);
     json["passes_done"] = count(state.film.passes);
-    json["error"] = error_json(state, fireflies, 0);
+    json["error"] = error_json(state, fireflies, 0, 0);
     json["saturated"] = state.film.saturated;
     json["seconds"] = {{"passes", state.seconds}, {"write", written.writing.seconds}};
     json["warnings"] = written.warnings;

@@ -99,8 +99,8 @@ class Lab:
         return points
 
     def keep_promise(self, scene, setting, error, seed):
-        """What `--quote` promises of an error, and what then happens.  Seconds: the clock's, of all
-        passes."""
+        """What `--quote` promises of an error, and what then happens.  Seconds: the clock's, of
+        pilots and all passes."""
         with tempfile.TemporaryDirectory() as folder:
             image, file = pathlib.Path(folder, "image.pfm"), pathlib.Path(folder, "stats.json")
             options = ("--error", 100 * error, "--stats", file, "--seed", seed)
@@ -111,8 +111,9 @@ class Lab:
                         max(8, math.ceil(PATIENCE * price["passes"])), *options)
             stats = json.loads(file.read_text())
             check = stats["error"]["checks"][-1]
+            before = stats["seconds"]["rays"] + stats["seconds"]["pilots"]
             return {"error": error, "promised_passes": price["passes"],
                     "promised_seconds": price["seconds"], "passes": check["passes"],
-                    "seconds": check["seconds"], "stated": check["error"],
+                    "seconds": before + check["seconds"], "stated": check["error"],
                     "met": stats["ended_by"] == "error",
                     "error2": self.errors2(scene, setting, self.study.size, image)[0]}

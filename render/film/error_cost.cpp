@@ -71,7 +71,7 @@ double passes_for(const ErrorLaw& law, double error)
 }
 
 ErrorCost error_cost(std::span<const ErrorCheck> checks, const ErrorLaw& law, double error,
-                     std::uint64_t photons_per_pass)
+                     const CostBeside& beside)
 {
     ErrorCost cost;
     cost.error = error;
@@ -79,8 +79,8 @@ ErrorCost error_cost(std::span<const ErrorCheck> checks, const ErrorLaw& law, do
         return cost;
     const ErrorCheck& last = checks.back();
     cost.passes = passes_for(law, error);
-    cost.seconds = cost.passes * last.seconds / static_cast<double>(last.passes);
-    cost.photons = cost.passes * static_cast<double>(photons_per_pass);
+    cost.seconds = beside.before + cost.passes * last.seconds / static_cast<double>(last.passes);
+    cost.photons = cost.passes * static_cast<double>(beside.photons);
     return cost;
 }
 

@@ -25,11 +25,17 @@ struct ErrorLaw {
     double by_clamp = 0; ///< which no pass makes smaller
 };
 
-/// The passes and the time that an error costs, counted from the first pass.
+/// What a render costs beside the time of its passes.
+struct CostBeside {
+    std::uint64_t photons = 0; ///< light paths of a pass
+    double before = 0;         ///< s before the first pass, such as those of pilots
+};
+
+/// What an error costs, counted from the start of the render.
 struct ErrorCost {
     double error = 0;
-    double passes = 0; ///< whole; infinite: never
-    double seconds = 0;
+    double passes = 0;  ///< whole; infinite: never
+    double seconds = 0; ///< with those before the first pass
     double photons = 0; ///< light paths
 };
 
@@ -55,6 +61,6 @@ double passes_for(const ErrorLaw& law, double error);
 /// Predicts the passes and the time of a render to `error`, by a law fitted to these checks, with
 /// passes that cost as much as at the last check.
 ErrorCost error_cost(std::span<const ErrorCheck> checks, const ErrorLaw& law, double error,
-                     std::uint64_t photons_per_pass);
+                     const CostBeside& beside);
 
 } // namespace hipmap

@@ -55,14 +55,14 @@ TEST_CASE("error cost: a law of all parts is found again, and halving costs what
             CHECK(found.by_photon == Approx(law.by_photon).margin(1e-9));
             CHECK(found.by_bias == Approx(law.by_bias).margin(1e-9));
             const double half = checks.back().error.error / 2;
-            const ErrorCost cost = error_cost(checks, found, half, 1000);
+            const ErrorCost cost = error_cost(checks, found, half, {1000, 7});
             CHECK(error_after(law, cost.passes) <= half * (1 + 1e-6));
             std::uint64_t before = 0;
             while (static_cast<double>(next_check(before)) < cost.passes)
                 before = next_check(before);
             CHECK(static_cast<double>(next_check(before)) == cost.passes);
             CHECK(error_after(law, static_cast<double>(before)) > half);
-            CHECK(cost.seconds == Approx(0.5 * cost.passes));
+            CHECK(cost.seconds == Approx(7 + 0.5 * cost.passes));
             CHECK(cost.photons == 1000 * cost.passes);
         }
 }
@@ -74,7 +74,7 @@ TEST_CASE(
 {
     const auto factor = [](const ErrorLaw& law) {
         const auto checks = checks_of(law, 128);
-        return error_cost(checks, error_law(checks, kAlpha), checks.back().error.error / 2, 1)
+        return error_cost(checks, error_law(checks, kAlpha), checks.back().error.error / 2, {})
                    .passes /
                128;
     };
@@ -87,7 +87,7 @@ TEST_CASE(
 TEST_CASE("error cost: none and no error cost nothing, and a bias by chance below zero is none",
           "[film]")
 {
-    CHECK(error_cost({}, {}, 0.1, 1).passes == 0);
+    CHECK(error_cost({}, {}, 0.1, {1, 1}).passes == 0);
     CHECK(error_law({}, kAlpha).by_pass == 0);
     CHECK(passes_for({0, 0}, 0) == kFewestBatches);
     CHECK(std::isinf(passes_for({1, 1}, 0)));
