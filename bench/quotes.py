@@ -1,0 +1,142 @@
+#!/usr/bin/env python3
+"""Measures whether `render --quote` keeps its word on scenes, and writes docs/quotes.md.
+
+    bench/quotes.py [--bin BIN] [--size 160] [--error 10 5 2] [--most 60] SCENE...
+
+Each scene is quoted once, as a user would, and then rendered to each of the errors. True errors are
+relMSE (docs/error.md (3)) against a render of another seed to about two thirds of the least error,
+less that render's own.  Takes 3 to 8 minutes a scene, on all cores.
+"""
+
+import argparse
+import datetime
+import json
+import math
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import time
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+WITHIN = 1.5  # times, of a promise
+REFERENCE_PART = 0.65  # of the least error, that a reference has
+REFERENCE_SEED = 99
+PATIENCE = 4  # times the passes that were promised, after which a render is given up
+
+
+def run(command):
+    """Runs a command.  Returns what it printed on standard output."""
+    done = subprocess.run([str(word) for word in command], text=True, capture_output=True, check=False)
+    if done.returncode != 0:
+        sys.exit(f"error: {command[0]}: {done.stderr.strip().splitlines()[-1]}")
+    return done.stdout
+
+
+class Scene:
+    """A scene, its partition, quote and reference in a folder."""
+
+    def __init__(self, options, path, folder):
+        self.options, self.path, self.folder = options, path, pathlib.Path(folder)
+        self.partition = self.folder / "scene.hpm"
+        run([options.bin / "preprocess", path, "-o", self.partition])
+
+    def render(self, name, *more):
+        """Returns the image, and the statistics with the clock's seconds of the whole program as
+        `clock`."""
+        image, stats = self.folder / f"{name}.pfm", self.folder / "stats.json"
+        begin = time.monotonic()
+        run([self.options.bin / "render", self.path, self.partition, "-o", image, "--stats", stats,
+             "--size", self.options.size, *more])
+        clock = time.monotonic() - begin
+        return image, {**json.loads(stats.read_text()), "clock": clock}
+
+    def reference(self, least):
+        """Returns the image and the square of the error that it states."""
+        image, stats = self.render("reference", "--seed", REFERENCE_SEED, "--error",
+                                   100 * REFERENCE_PART * least)
+        return image, stats["error"]["checks"][-1]["error"] ** 2
+
+    def true_error(self, image, reference):
+        """None: it is less than the reference's own."""
+        printed = run([self.options.bin / "compare_images", image, reference[0]])
+        square = float(re.search(r"relMSE of A against B\s+([\d.e+-]+)", printed)[1]) - reference[1]
+        return math.sqrt(square) if square > 0 else None
+
+
+def rows(options, path):
+    """The rows of a scene: dictionaries."""
+    with tempfile.TemporaryDirectory() as folder:
+        scene = Scene(options, path, folder)
+        _, quoted = scene.render("quote", "--quote")
+        promises = [price for error in options.error for price in quoted["error"]["prices"]
+                    if math.isclose(price["error"], error / 100) and
+                    price["seconds"] <= options.most]
+        if not promises:
+            return
+        reference = scene.reference(min(promise["error"] for promise in promises))
+        for promise in promises:
+            image, stats = scene.render("image", "--error", 100 * promise["error"], "--passes",
+                                        max(8, math.ceil(PATIENCE * promise["passes"])))
+            check = stats["error"]["checks"][-1]
+            yield {"scene": path.stem, "error": promise["error"],
+                   "passes": (promise["passes"], check["passes"]),
+                   "seconds": (promise["seconds"], stats["clock"]), "quote": quoted["clock"],
+                   "stated": check["error"], "true": scene.true_error(image, reference),
+                   "met": stats["ended_by"] == "error"}
+
+
+def kept(row):
+    ratios = [taken / promised for promised, taken in (row["passes"], row["seconds"])]
+    return row["met"] and all(1 / WITHIN <= ratio <= WITHIN for ratio in ratios)
+
+
+def line(row):
+    """A row of the table."""
+    passes, taken = row["passes"]
+    promised, clock = row["seconds"]
+    true = f"{100 * row['true']:.2g} %" if row["true"] else "less than the reference's"
+    return "| " + " | ".join((
+        row["scene"], f"{100 * row['error']:g} %", f"{passes:g}",
+        f"{taken}{'' if row['met'] else ', given up'}", f"{promised:.1f}", f"{clock:.1f}",
+        f"{clock / promised:.2f}", f"{row['quote']:.1f}", f"{100 * row['stated']:.2g} %", true,
+        "held" if kept(row) else "**missed**")) + " |"
+
+
+def page(options, found):
+    return "\n".join([
+        "# Does --quote keep its word?", "",
+        f"Written by `bench/quotes.py`; do not edit. Run on {datetime.date.today().isoformat()}.", "",
+        f"Images {options.size} pixels wide, with `render`'s defaults. `--quote` promises passes and seconds to an "
+        "error ([error.md](error.md#quotes)); then `--error` renders to it with the same seed. Seconds taken are the "
+        "clock's, of the whole program, on all cores. A render stops only after 4, 6, 8, 11, 16, ... passes. "
+        f"Errors that take more than {options.most:g} s were not tried.", "",
+        f"Held: passes and seconds are both within a factor of {WITHIN} of the promise. "
+        f"{sum(map(kept, found))} of {len(found)}.", "",
+        "| scene | error | passes promised | taken | seconds promised | taken | ratio | quote, s | error stated | "
+        "true error | |",
+        "| --- |" + " --- |" * 10,
+        *map(line, found), ""])
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
+    parser.add_argument("scenes", nargs="+", metavar="SCENE", type=pathlib.Path)
+    parser.add_argument("--bin", type=pathlib.Path, default=ROOT / "build/release/bin")
+    parser.add_argument("--size", type=int, default=160, help="pixels across")
+    parser.add_argument("--error", type=float, nargs="+", default=[10, 5, 2],
+                        help="percent; of those that --quote lists")
+    parser.add_argument("--most", type=float, default=60, help="seconds that a render may promise to take")
+    options = parser.parse_args()
+    found = []
+    for path in options.scenes:
+        for row in rows(options, path):
+            found.append(row)
+            print(line(row), flush=True)
+    (ROOT / "docs/quotes.md").write_text(page(options, found), encoding="utf-8")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
