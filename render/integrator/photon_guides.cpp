@@ -69,6 +69,8 @@ learn_guides(const MappedScene& mapped, const PhotonOptions& photons, const Phot
     GuideLearner aimed(by_power, RandomStream::caustics);
     for (int round = 0; round < kRounds && !stopped_together(pilots); ++round) {
         PhotonOptions pilot = round_options(photons, round);
+        if (round > 0 && !without_aim.is_worth_it())
+            pilot.paths = 0; // a guide of the aimed ones alone is learnt
         const PhotonGuides guides{without_aim.guide(), aimed.guide()};
         pilot.guides = &guides;
         const RoundWorth found = worth_of_round(mapped, worth, pilot, pilots.team);

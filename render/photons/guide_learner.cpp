@@ -125,11 +125,15 @@ double GuideLearner::variance(const EmissionGuide& guide) const
     return by_power > 0 ? by_guide / by_power : 1;
 }
 
+bool GuideLearner::is_worth_it() const
+{
+    return variance(guide()) <= kWorthIt;
+}
+
 bool GuideLearner::settled() const
 {
-    const double next = variance(guides_.back());
-    return guides_.size() < 2 || next > kWorthIt ||
-           next > kGoOn * variance(guides_[guides_.size() - 2]);
+    return guides_.size() < 2 || !is_worth_it() ||
+           variance(guide()) > kGoOn * variance(guides_[guides_.size() - 2]);
 }
 
 EmissionGuide GuideLearner::best() const

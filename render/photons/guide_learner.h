@@ -32,6 +32,9 @@ class GuideLearner {
     /// parallel; the same at any thread count.
     void add(const EmissionPlan& plan, std::span<const double> worth, const PhotonOptions& options);
 
+    /// Returns whether guide() is clearly better than emission by power.
+    bool is_worth_it() const;
+
     /// Returns whether a further round promises little.
     bool settled() const;
 
