@@ -14,9 +14,11 @@ FARTHEST = 100  # times the time spent: costs beyond it are in the table alone
 
 
 def price(stats):
-    error = stats["error"]
+    before = seconds_before(stats)
+    error = {**stats["error"], "before": before}
     found = error.get("checks", [])
-    checks = [check for check in found if check["error"] > 0 and check["seconds"] > 0]
+    checks = [{**check, "seconds": before + check["seconds"]} for check in found
+              if check["error"] > 0 and check["seconds"] > 0]
     if not checks:
         said = "No error was found." if found else "Not known: it takes two passes at least."
         return section("Accuracy and its cost", element("p", said))
@@ -27,6 +29,11 @@ def price(stats):
     values = element("details", element("summary", "All values") + table_of_checks(checks))
     return section("Accuracy and its cost", sentences +
                    element("div", curve + prices, class_="columns chart") + values)
+
+
+def seconds_before(stats):
+    """Those before the first pass; 0 where states were merged, which do not hold them."""
+    return sum(stats.get("seconds", {}).get(stage, 0) for stage in ("rays", "pilots"))
 
 
 CAPTION = ("Error against time, both logarithmic. Dots: estimated errors; band: 95 % confidence "
@@ -57,12 +64,12 @@ def interval(check):
 
 def law_of(error, last):
     """The error after so many seconds."""
-    law = error.get("law", {})
+    law, before = error.get("law", {}), error["before"]
     parts = [(law.get("by_pass", 0), 1), (law.get("by_photon", 0), law.get("photon_power", 1)),
              (law.get("by_bias", 0), law.get("bias_power", 1)), (law.get("by_clamp", 0), 0)]
 
     def at(seconds):
-        passes = seconds / last["seconds"] * last["passes"]
+        passes = (seconds - before) / (last["seconds"] - before) * last["passes"]
         return math.sqrt(sum(factor / passes ** power for factor, power in parts))
     return at if any(factor > 0 for factor, _ in parts) else None
 
@@ -101,7 +108,7 @@ def grid(axes):
     errors = [round_values(axes.y, steps)
               for steps in ((1,), (1, 3), (1, 2, 5), (1, 1.5, 2, 3, 4, 5, 7))]
     x_ticks, y_ticks = finest(times, MOST_TICKS), finest(errors, MOST_TICKS)
-    names = element("text", "time spent on passes", x=(WIDTH + LEFT - RIGHT) / 2, y=HEIGHT - 6,
+    names = element("text", "time from the start", x=(WIDTH + LEFT - RIGHT) / 2, y=HEIGHT - 6,
                     text_anchor="middle", class_="axis")
     return axes.grid([(value, duration(value)) for value in x_ticks],
                      [(value, percent(value)) for value in y_ticks]) + names
@@ -180,7 +187,7 @@ def price_list(stats, error, last):
         cells += [number(entry["photons"])] if by_photons else []
         mark = " \u2713" if entry["error"] >= last["error"] else ""
         rows.append([percent(entry["error"]) + mark] + cells)
-    note = element("p", "From the first pass on; \u2713 reached.", class_="note")
+    note = element("p", "From the start of the render; \u2713 reached.", class_="note")
     return element("h3", "Cost table") + table(head, rows, class_="numbers") + note if rows else ""
 
 
