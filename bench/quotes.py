@@ -14,24 +14,18 @@ import json
 import math
 import pathlib
 import re
-import subprocess
 import sys
 import tempfile
 import time
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
+sys.path.append(str(ROOT / "experiments"))
+import programs
+
 WITHIN = 1.5  # times, of a promise
 REFERENCE_PART = 0.65  # of the least error, that a reference has
 REFERENCE_SEED = 99
 PATIENCE = 4  # times the passes that were promised, after which a render is given up
-
-
-def run(command):
-    """Runs a command.  Returns what it printed on standard output."""
-    done = subprocess.run([str(word) for word in command], text=True, capture_output=True, check=False)
-    if done.returncode != 0:
-        sys.exit(f"error: {command[0]}: {done.stderr.strip().splitlines()[-1]}")
-    return done.stdout
 
 
 class Scene:
@@ -40,15 +34,15 @@ class Scene:
     def __init__(self, options, path, folder):
         self.options, self.path, self.folder = options, path, pathlib.Path(folder)
         self.partition = self.folder / "scene.hpm"
-        run([options.bin / "preprocess", path, "-o", self.partition])
+        programs.run(options.bin, "preprocess", path, "-o", self.partition)
 
     def render(self, name, *more):
         """Returns the image, and the statistics with the clock's seconds of the whole program as
         `clock`."""
         image, stats = self.folder / f"{name}.pfm", self.folder / "stats.json"
         begin = time.monotonic()
-        run([self.options.bin / "render", self.path, self.partition, "-o", image, "--stats", stats,
-             "--size", self.options.size, *more])
+        programs.run(self.options.bin, "render", self.path, self.partition, "-o", image, "--stats",
+                     stats, "--size", self.options.size, *more)
         clock = time.monotonic() - begin
         return image, {**json.loads(stats.read_text()), "clock": clock}
 
@@ -60,7 +54,7 @@ class Scene:
 
     def true_error(self, image, reference):
         """None: it is less than the reference's own."""
-        printed = run([self.options.bin / "compare_images", image, reference[0]])
+        printed = programs.run(self.options.bin, "compare_images", image, reference[0]).output
         square = float(re.search(r"relMSE of A against B\s+([\d.e+-]+)", printed)[1]) - reference[1]
         return math.sqrt(square) if square > 0 else None
 

@@ -22,7 +22,7 @@ struct Sketch {
     RenderState state;
     BiasKnowledge bias = BiasKnowledge::unknown;
     double seconds = 0; ///< with pilots and all that the scene needs
-    double before = 0;  ///< those of them before the first pass
+    double before = 0;  ///< seconds before the first pass
     bool whole = false; ///< not stopped
 };
 
@@ -252,7 +252,7 @@ class Comparison {
     ErrorCost whole_;             ///< of the frame as it is
     Sketch as_is_;
     double scale_ = 1;        ///< time of a pass of the frame over that of its own sketch
-    double scale_before_ = 1; ///< the same of the time before the first pass
+    double scale_before_ = 1; ///< time before the frame's first pass over that of its own sketch
     double room_ = 0;         ///< s
     Quote quote_;
 };
