@@ -219,6 +219,7 @@ Json error_json(const RenderState& state, const ShownFireflies& fireflies, doubl
         costs.push_back(cost_json(cost));
     const ErrorLaw law = error_law(state.checks, state.radius_decay);
     return {{"bias", name_of_bias(state.film.bias)},
+            {"seconds_before", before},
             {"checks", checks},
             {"fireflies", fireflies_json(fireflies.kept)},
             {"removed_fireflies", removed_json(fireflies.removed)},

@@ -14,8 +14,8 @@ FARTHEST = 100  # times the time spent: costs beyond it are in the table alone
 
 
 def price(stats):
-    before = seconds_before(stats)
-    error = {**stats["error"], "before": before}
+    error = stats["error"]
+    before = error.get("seconds_before", 0)
     found = error.get("checks", [])
     checks = [{**check, "seconds": before + check["seconds"]} for check in found
               if check["error"] > 0 and check["seconds"] > 0]
@@ -29,11 +29,6 @@ def price(stats):
     values = element("details", element("summary", "All values") + table_of_checks(checks))
     return section("Accuracy and its cost", sentences +
                    element("div", curve + prices, class_="columns chart") + values)
-
-
-def seconds_before(stats):
-    """Those before the first pass; 0 where states were merged, which do not hold them."""
-    return sum(stats.get("seconds", {}).get(stage, 0) for stage in ("rays", "pilots"))
 
 
 CAPTION = ("Error against time, both logarithmic. Dots: estimated errors; band: 95 % confidence "
@@ -64,7 +59,7 @@ def interval(check):
 
 def law_of(error, last):
     """The error after so many seconds."""
-    law, before = error.get("law", {}), error["before"]
+    law, before = error.get("law", {}), error.get("seconds_before", 0)
     parts = [(law.get("by_pass", 0), 1), (law.get("by_photon", 0), law.get("photon_power", 1)),
              (law.get("by_bias", 0), law.get("bias_power", 1)), (law.get("by_clamp", 0), 0)]
 

@@ -111,9 +111,9 @@ class Lab:
                         max(8, math.ceil(PATIENCE * price["passes"])), *options)
             stats = json.loads(file.read_text())
             check = stats["error"]["checks"][-1]
-            before = stats["seconds"]["rays"] + stats["seconds"]["pilots"]
             return {"error": error, "promised_passes": price["passes"],
                     "promised_seconds": price["seconds"], "passes": check["passes"],
-                    "seconds": before + check["seconds"], "stated": check["error"],
+                    "seconds": stats["error"]["seconds_before"] + check["seconds"],
+                    "stated": check["error"],
                     "met": stats["ended_by"] == "error",
                     "error2": self.errors2(scene, setting, self.study.size, image)[0]}

@@ -118,7 +118,8 @@ class Report(ToolsTestCase):
         self.assertEqual(len(page.all("script")), 1, "names of files are no scripts")
         self.assertEqual(len(page.all("img")), 6)
         self.assertTrue(all(picture["alt"] for picture in page.all("img")))
-        before = stats["seconds"]["rays"] + stats["seconds"]["pilots"]
+        before = stats["error"]["seconds_before"]
+        self.assertAlmostEqual(before, stats["seconds"]["rays"] + stats["seconds"]["pilots"])
         self.curve_is_right(page, [{**check, "seconds": before + check["seconds"]}
                                    for check in stats["error"]["checks"]])
 
