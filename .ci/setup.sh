@@ -11,11 +11,9 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 missing_packages() {
     local installed
     # dpkg-query fails if it has never heard of one of them.
-    installed=$(dpkg-query -W -f '${db:Status-Status} ${Package}\n' "$@" 2>/dev/null || true)
-    local package
-    for package in "$@"; do
-        grep -qx "installed $package" <<<"$installed" || echo "$package"
-    done
+    installed=$(dpkg-query -W -f '${db:Status-Status} ${Package}\n' "$@" 2>/dev/null |
+        sed -n 's/^installed //p' || true)
+    printf '%s\n' "$@" | grep -vxF -f <(echo "$installed") || true # grep fails if none is missing
 }
 
 install_packages() {

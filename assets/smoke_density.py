@@ -2,12 +2,14 @@
 
 By sums, products and square roots alone, so that every machine writes the same bytes."""
 
+import functools
 import math
 import struct
 
 NODES = (22, 34, 22)
 
 
+@functools.cache
 def hashed(x, y, z):
     """0 to 1, by three integers."""
     mixed = (x * 73856093 ^ y * 19349663 ^ z * 83492791) & 0xFFFFFFFF
@@ -16,6 +18,7 @@ def hashed(x, y, z):
     return (mixed ^ (mixed >> 16)) / 0xFFFFFFFF
 
 
+@functools.cache  # the bends of a height are those of all its nodes
 def noise(x, y, z):
     """Between the numbers of the corners of a cell, without a kink at its sides."""
     cell = [math.floor(v) for v in (x, y, z)]

@@ -18,7 +18,8 @@ def draw_scene(bench, scene, folder, settings):
              *(word for name, value in settings.items() for word in (f"--{name}", value)))
     images = bench.folder / f"pictures_{scene}"
     images.mkdir()
+    maps_size = ("--size", settings["size"]) if settings is QUICK_RENDER else ()
     run_tool(bench, "preprocess", scene_path(scene), "-o", bench.folder / f"pictures_{scene}.hpm",
-             "--angle", ANGLE_DEG, "--images", images)
+             "--angle", ANGLE_DEG, "--images", images, *maps_size)
     shutil.copy(images / "shared_maps.png", folder / drawn[f"maps_{scene}"])
     return drawn

@@ -103,7 +103,7 @@ def single_jobs(bench, options):
     """What is measured by other programs."""
     settings = pictures.QUICK_RENDER if options.quick else pictures.RENDER
     folder = options.to / "experiments"
-    found = [Job("creases", 60, lambda: questions.run_creases(bench, CREASE_SETS // bench.divide))]
+    found = [Job("creases", 60, lambda: questions.run_creases(bench, CREASE_SETS // bench.divide ** 2))]
     for scene in options.scenes:
         found.append(Job(f"pictures of scene {scene}", 30, lambda scene=scene: pictures.draw_scene(
             bench, scene, folder, settings)))

@@ -1,5 +1,6 @@
 """Vectors of three numbers as tuples, and value noise."""
 
+import functools
 import math
 
 
@@ -58,6 +59,7 @@ def turn_onto(direction):
     return (z[0] + x[2]) / s, (y[2] + z[1]) / s, s / 4, (x[1] - y[0]) / s
 
 
+@functools.lru_cache(1 << 16)  # neighbouring points share corners
 def _lattice(x, y, z):
     h = (x * 374761393 + y * 668265263 + z * 2147483647 + 1013904223) & 0xFFFFFFFF
     h = ((h ^ (h >> 13)) * 1274126177) & 0xFFFFFFFF
@@ -68,7 +70,7 @@ def noise(x, y, z=0.0, period=0):
     """Smooth value noise from -1 to 1 on the integer lattice; repeats after `period` if above 0."""
     ix, iy, iz = math.floor(x), math.floor(y), math.floor(z)
     fx, fy, fz = x - ix, y - iy, z - iz
-    fx, fy, fz = (t * t * (3 - 2 * t) for t in (fx, fy, fz))
+    fx, fy, fz = fx * fx * (3 - 2 * fx), fy * fy * (3 - 2 * fy), fz * fz * (3 - 2 * fz)
     jx, jy = ix + 1, iy + 1
     if period:
         ix, iy, jx, jy = ix % period, iy % period, jx % period, jy % period
