@@ -27,7 +27,7 @@ def cut(rows, part):
 class Crop(ToolsTestCase):
     def setUp(self):
         super().setUp()
-        self.succeed("preprocess", Tools.scene, "-o", self.path("scene.hpm"))
+        self.write_partition()
 
     def command(self, *options):
         return [Tools.scene, self.path("scene.hpm"), "--size", f"{WIDTH}x{HEIGHT}", "--photons", 3000,

@@ -14,8 +14,7 @@ SMALL = ("--size", "24", "--passes", "1", "--photons", "2000")
 class Effects(ToolsTestCase):
     def setUp(self):
         super().setUp()
-        self.partition = self.path("scene.hpm")
-        self.succeed("preprocess", Tools.scene, "-o", self.partition)
+        self.partition = self.write_partition()
 
     def render(self, *arguments):
         return self.succeed("render", Tools.scene, self.partition, *SMALL, *arguments)

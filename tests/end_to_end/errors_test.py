@@ -3,11 +3,13 @@
     errors_test.py FOLDER_OF_TOOLS SCENE
 """
 
+import json
 import os
 import signal
 import struct
 import subprocess
 import sys
+import time
 
 import tools
 from pictures import read_pfm
@@ -16,8 +18,7 @@ from tools import Tools, ToolsTestCase
 
 class Errors(ToolsTestCase):
     def partition(self):
-        self.succeed("preprocess", Tools.scene, "-o", self.path("scene.hpm"))
-        return self.path("scene.hpm")
+        return self.write_partition()
 
     def write(self, name, data):
         with open(self.path(name), "wb") as file:
@@ -115,14 +116,26 @@ class Errors(ToolsTestCase):
         self.refuse("preprocess", Tools.scene, "-o", self.path("a.hpm"), "--exclude", "Nobody",
                     naming="Nobody")
 
+    @staticmethod
+    def progress_told(render):
+        """What it says until it tells its progress, of which it waits for 5 s, here without computing."""
+        render.send_signal(signal.SIGSTOP)
+        time.sleep(5)
+        render.send_signal(signal.SIGCONT)
+        said = ""
+        while " %" not in said and render.poll() is None:
+            said = render.stderr.readline()
+        return said
+
     def test_a_stopped_render_writes_the_image_so_far(self):
         command = [os.path.join(Tools.folder, "render"), Tools.scene, self.partition(), "-o",
                    self.path("a.pfm"), "--size", "16x16", "--photons", "2000", "--passes",
-                   "1000000"]
-        with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as render:
-            said = ""
-            while " %" not in said and render.poll() is None:
-                said = render.stderr.readline()  # until progress is reported
+                   "1000000", "--progress", "json"]
+        with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as render:
+            for line in render.stdout:
+                if json.loads(line)["event"] == "pass":
+                    break
+            said = self.progress_told(render)
             render.send_signal(signal.SIGTERM)
             said += render.communicate(timeout=120)[1]
         self.assertEqual(render.returncode, 3, said)

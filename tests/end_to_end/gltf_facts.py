@@ -57,7 +57,7 @@ class GltfFacts:
             length = struct.unpack_from("<I", data, 12)[0]
             self.binary = data[28 + length:]
             data = data[20:20 + length]
-        self.json = json.loads(data)
+        self.json, self.read = json.loads(data), {}
         self.primitives = [p for mesh in self.meshes() for p in mesh["primitives"]
                            if p.get("mode", 4) >= 4]
         worn = {p.get("material", -1) for p in self.primitives}
@@ -118,6 +118,11 @@ class GltfFacts:
 
     def values(self, index):
         """Rows of an accessor that is neither sparse nor compressed."""
+        if index not in self.read:
+            self.read[index] = self.unpacked(index)
+        return self.read[index]
+
+    def unpacked(self, index):
         accessor = self.json["accessors"][index]
         view = self.json["bufferViews"][accessor["bufferView"]]
         buffer = self.json["buffers"][view["buffer"]]
@@ -183,8 +188,8 @@ class GltfFacts:
                for key in ("translation", "rotation", "scale", "matrix")):
             return None
         shapes = [list(self.triangles(mesh)) for mesh in meshes]
-        return any(lies_in(triangle[0], b) for a, b in permutations(shapes, 2)
-                   if may_touch(a, b) for triangle in a)
+        return any(lies_in(corner, b) for a, b in permutations(shapes, 2)
+                   if may_touch(a, b) for corner in {triangle[0] for triangle in a})
 
     def material(self, index):
         """The numbers of one, with glTF's defaults; those of layers in `extensions`."""

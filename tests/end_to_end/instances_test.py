@@ -4,12 +4,14 @@ are meshes of their own, in a fraction of the memory.
     instances_test.py FOLDER_OF_TOOLS
 """
 
-import functools
 import json
 import math
+import os
 import random
+import shutil
 import struct
 import sys
+import tempfile
 
 import pictures
 import tools
@@ -17,6 +19,7 @@ from tools import ToolsTestCase
 
 SIDE = 7
 PASSES = 4
+SIZE, PHOTONS = 32, 8000
 INTEGRATORS = "progressive", "path", "direct"
 
 
@@ -59,7 +62,6 @@ def nodes(numbers):
     return out
 
 
-@functools.cache
 def grove(one_mesh):
     """The bytes of a .glb file."""
     vertices, corners = tree()
@@ -107,22 +109,33 @@ def difference(a, b):
 
 
 class Instances(ToolsTestCase):
-    def setUp(self):
-        super().setUp()
+    @classmethod
+    def setUpClass(cls):
+        temporary = tempfile.TemporaryDirectory(prefix="hipmap-test-")
+        cls.addClassCleanup(temporary.cleanup)
+        cls.scenes = temporary.name
         for name in "instances", "meshes":
-            with open(self.path(name + ".glb"), "wb") as file:
+            with open(os.path.join(cls.scenes, name + ".glb"), "wb") as file:
                 file.write(grove(name == "instances"))
 
+    def scene(self, name):
+        return os.path.join(self.scenes, name + ".glb")
+
     def preprocess(self, name, *options):
-        self.succeed("preprocess", self.path(name + ".glb"), "-o", self.path(name + ".hpm"), "--json",
-                     self.path(name + ".json"), *options)
+        """Without options, once for all tests."""
+        made = os.path.join(self.folder if options else self.scenes, name)
+        if options or not os.path.exists(made + ".hpm"):
+            self.succeed("preprocess", self.scene(name), "-o", made + ".hpm", "--json", made + ".json", *options)
+        if not options:
+            for suffix in ".hpm", ".json":
+                shutil.copy(made + suffix, self.path(name + suffix))
         with open(self.path(name + ".json"), encoding="utf-8") as file:
             return json.load(file)
 
     def render(self, name, seed, *options):
         image = self.path(f"{name}{seed}.pfm")
-        self.succeed("render", self.path(name + ".glb"), self.path(name + ".hpm"), "-o", image, "--size", 40,
-                     "--passes", PASSES, "--photons", 20_000, "--seed", seed, "--stats",
+        self.succeed("render", self.scene(name), self.path(name + ".hpm"), "-o", image, "--size", SIZE,
+                     "--passes", PASSES, "--photons", PHOTONS, "--seed", seed, "--stats",
                      self.path(name + "-stats.json"), *options)
         with open(self.path(name + "-stats.json"), encoding="utf-8") as file:
             return pictures.read_pfm(image), json.load(file)
@@ -151,10 +164,11 @@ class Instances(ToolsTestCase):
                 for a, b in zip(copied.mean(), stored.mean()):
                     self.assertAlmostEqual(a, b, delta=0.02 * b)
                 self.assertEqual(of_copied["scene"]["faces"], of_stored["scene"]["faces"])
-                self.assertEqual(of_copied["scene"]["faces"], 49 * 2 * (80 + 1080) + 2)
+                self.assertEqual(of_copied["scene"]["faces"], SIDE ** 2 * 2 * (80 + 1080) + 2)
 
     def test_what_shows_or_needs_every_face_stores_the_copies(self):
-        self.preprocess("instances", "--images", self.path("images"), "--coloured", self.path("coloured.glb"))
+        self.preprocess("instances", "--images", self.path("images"), "--size", SIZE, "--coloured",
+                        self.path("coloured.glb"))
         copied, _ = self.render("instances", 1, "--integrator", "direct", "--maps", "thesis")
         self.preprocess("meshes")
         stored, _ = self.render("meshes", 1, "--integrator", "direct", "--maps", "thesis")
@@ -163,7 +177,7 @@ class Instances(ToolsTestCase):
 
     def test_a_partition_of_separate_meshes_is_refused(self):
         self.preprocess("meshes")
-        self.refuse("render", self.path("instances.glb"), self.path("meshes.hpm"), "-o", self.path("x.png"),
+        self.refuse("render", self.scene("instances"), self.path("meshes.hpm"), "-o", self.path("x.png"),
                     naming="made for another scene")
 
     def test_the_image_is_the_same_at_any_number_of_threads(self):

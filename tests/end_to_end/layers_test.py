@@ -19,7 +19,7 @@ SIZE = 16
 class Layers(ToolsTestCase):
     def setUp(self):
         super().setUp()
-        self.succeed("preprocess", Tools.scene, "-o", self.path("scene.hpm"))
+        self.write_partition()
 
     def command(self, *options, passes=2):
         return [Tools.scene, self.path("scene.hpm"), "--size", f"{SIZE}x{SIZE}", "--photons", 3000,

@@ -20,7 +20,7 @@ PLAIN = 100 << 20
 class Memory(ToolsTestCase):
     def setUp(self):
         super().setUp()
-        self.succeed("preprocess", Tools.scene, "-o", self.path("scene.hpm"))
+        self.write_partition()
 
     def options(self, *options):
         return [Tools.scene, self.path("scene.hpm"), "--size", 16, "--samples", 1, "--passes", 1, *options]
@@ -43,10 +43,10 @@ class Memory(ToolsTestCase):
             self.assertLess(stats["error"]["memory"], MARGIN * LIMIT * GIB)
 
     def test_an_image_depends_on_the_photons_that_are_left_and_not_on_the_limit(self):
-        _, limited = self.render("limited", "--photons", 300_000, "--memory", 0.1, "--state",
+        _, limited = self.render("limited", "--photons", 100_000, "--memory", 0.07, "--state",
                                  self.path("image.state"))
         photons = limited["options"]["photons"]
-        self.assertLess(photons, 300_000)
+        self.assertLess(photons, 100_000)
         self.render("same", "--photons", photons)
         self.same("limited.pfm", "same.pfm")
         said, _ = self.render("resumed", "--photons", photons, "--memory", 1, "--state", self.path("image.state"))

@@ -35,7 +35,7 @@ def children_of(process):
 class Mpi(ToolsTestCase):
     def setUp(self):
         super().setUp()
-        self.succeed("preprocess", Tools.scene, "-o", self.path("scene.hpm"))
+        self.write_partition()
         self.random = random.Random(SEED)
 
     def options(self, image, *options):

@@ -70,7 +70,7 @@ class OutOfMemory(ToolsTestCase):
                            "--threads", threads, "--images", self.path("images")), 0)
 
     def test_render(self):
-        self.succeed("preprocess", Tools.scene, "-o", self.path("scene.hpm"))
+        self.write_partition()
         for limits, threads in ((self.limits(240, 6), 4), (self.limits(160, 4), 1)):
             self.assertGreater(
                 self.check(limits, "render", Tools.scene, self.path("scene.hpm"), "-o",
@@ -79,10 +79,10 @@ class OutOfMemory(ToolsTestCase):
 
     def test_merge(self):
         """A state that memory does not hold is not called damaged, and not left out."""
-        self.succeed("preprocess", Tools.scene, "-o", self.path("scene.hpm"))
+        self.write_partition()
         for first in (0, 1):
-            self.succeed("render", Tools.scene, self.path("scene.hpm"), "-o", self.path("out.pfm"), "--size", "256x256",
-                         "--photons", 1000, "--samples", 1, "--first-pass", first, "--passes", 1, "--state",
+            self.succeed("render", Tools.scene, self.path("scene.hpm"), "-o", self.path("out.pfm"), "--size", "320x256",
+                         "--integrator", "path", "--samples", 1, "--first-pass", first, "--passes", 1, "--state",
                          self.path(f"{first}.state"))
         os.mkdir(self.path("states"))
         for first in (0, 1):

@@ -13,6 +13,7 @@ from pictures import read_pfm, read_png
 from tools import Tools, ToolsTestCase, run
 
 SIZE = 64
+PHOTONS = 8000
 LAMP_RADIANCE = (16.0, 13.76, 10.88)
 LAMP_AREA = 0.56 * 0.44
 FACES = 7960
@@ -26,17 +27,16 @@ PICTURES = ("shared_maps.png", "edges.png", "candidates.png", "groups.png")
 
 class Pipeline(ToolsTestCase):
     def make_partition(self):
-        self.succeed("preprocess", Tools.scene, "-o", self.path("cornell.hpm"))
-        return self.path("cornell.hpm")
+        return self.write_partition("cornell.hpm")
 
     def read_json(self, name):
         with open(self.path(name), encoding="utf-8") as file:
             return json.load(file)
 
-    def render(self, partition, *options, name="image.pfm", size=SIZE):
+    def render(self, partition, *options, name="image.pfm", size=SIZE, photons=PHOTONS):
         """By the maps as they are, which is fast."""
         self.succeed("render", Tools.scene, partition, "-o", self.path(name), "--size",
-                     f"{size}x{size}", "--photons", 20000, "--passes", 4, "--integrator",
+                     f"{size}x{size}", "--photons", photons, "--passes", 4, "--integrator",
                      "direct", *options)
         return read_pfm(self.path(name))
 
@@ -69,13 +69,13 @@ class Pipeline(ToolsTestCase):
     def test_as_pipeline_sh_calls_it(self):
         name = self.path("cornell")
         said = self.succeed("preprocess", Tools.scene, "-o", name + ".hpm", "--images",
-                            self.folder, "--candidates", "--size", 4 * SIZE, "--json",
+                            self.folder, "--candidates", "--size", 2 * SIZE, "--json",
                             self.path("partition.json"), "--verbose")
         self.assertRegex(said, rf"candidates: {CANDIDATES} of {FACES:,} faces for local maps; each is "
                                "expected to hold about 500 photons or more in a pass of 1,048,576 light paths\n")
         self.succeed("render", Tools.scene, name + ".hpm", "-o", name + ".png", "-o",
                      name + ".exr", "-o", name + ".pfm", "--size", f"{SIZE}x{SIZE}", "--photons",
-                     20000, "--passes", 4, "--error-image", self.path("error.png"), "--bias-image",
+                     PHOTONS, "--passes", 4, "--error-image", self.path("error.png"), "--bias-image",
                      self.path("bias.png"), "--stats", self.path("stats.json"))
         expected = ["bias.png", "cornell.exr", "cornell.hpm", "cornell.pfm", "cornell.png", "error.png",
                     "partition.json", "stats.json", *PICTURES]
@@ -164,7 +164,7 @@ class Pipeline(ToolsTestCase):
                   law["by_bias"] / 4 ** law["bias_power"])
         self.assertAlmostEqual(math.sqrt(square), last["error"], delta=1e-6)
         photons = stats["photons"]
-        self.assertEqual(photons["emitted"], 4 * 20000)
+        self.assertEqual(photons["emitted"], 4 * PHOTONS)
         self.assertGreater(photons["caustic"]["stored"], 0)
         self.assertGreater(photons["global"]["stored"], photons["caustic"]["stored"])
         self.assertEqual(photons["stored"],
@@ -222,7 +222,7 @@ class Pipeline(ToolsTestCase):
                               ((*hierarchical, "--tiers", "all", "--local-min", 20),
                                "hierarchical")):
             self.render(partition, *options, "--neighbours", 10, "--stats",
-                        self.path("stats.json"), size=24)
+                        self.path("stats.json"), size=24, photons=20000)
             with open(self.path("image.pfm"), "rb") as file:
                 images.append(file.read())
             stats = self.read_json("stats.json")
@@ -236,7 +236,7 @@ class Pipeline(ToolsTestCase):
 
     def test_clamping_leaves_the_lamp_and_is_told_as_bias(self):
         partition = self.make_partition()
-        for method in ("--photons", 20000), ("--integrator", "path"):
+        for method in ("--photons", PHOTONS), ("--integrator", "path"):
             said = self.succeed("render", Tools.scene, partition, "-o", self.path("image.pfm"),
                                 "--size", 32, *method, "--passes", 4, "--clamp", 0.2, "--filter",
                                 "box", "--stats", self.path("stats.json"))

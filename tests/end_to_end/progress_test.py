@@ -19,7 +19,7 @@ from tools import Tools, ToolsTestCase
 class Progress(ToolsTestCase):
     def setUp(self):
         super().setUp()
-        self.succeed("preprocess", Tools.scene, "-o", self.path("scene.hpm"))
+        self.write_partition()
 
     def command(self, *options, size="16x16"):
         return [os.path.join(Tools.folder, "render"), Tools.scene, self.path("scene.hpm"),
@@ -89,7 +89,7 @@ class Progress(ToolsTestCase):
     def test_a_slow_first_pass_has_a_coarse_image_before_it(self):
         image = self.path("a.pfm")
         with subprocess.Popen(self.command("--progress", "json", "-o", image, "--integrator", "path",
-                                           "--samples", 4096, "--crop", "0,0,128,96",
+                                           "--samples", 1024, "--crop", "0,0,128,96", "--threads", 1,
                                            size="128x128"),
                               stdout=subprocess.PIPE, stderr=subprocess.DEVNULL) as render:
             events = (json.loads(line) for line in render.stdout)

@@ -12,7 +12,8 @@ import tools
 from pictures import read_pfm
 from tools import Tools, ToolsTestCase
 
-SIZE = 64
+SIZE = 32
+PHOTONS = 6000
 MOST_PRACTICAL_SECONDS = 24 * 3600  # of render/describe_error.h
 ROW = re.compile(r"^(--\S+(?: \w+)?): (.*)$", re.M)
 
@@ -22,10 +23,11 @@ class Quote(ToolsTestCase):
 
     def setUp(self):
         super().setUp()
-        self.succeed("preprocess", Tools.scene, "-o", self.path("scene.hpm"))
+        self.write_partition()
 
     def render(self, *options):
-        return self.succeed("render", Tools.scene, self.path("scene.hpm"), "--size", SIZE, "--photons", 20000, *options)
+        return self.succeed("render", Tools.scene, self.path("scene.hpm"), "--size", SIZE, "--photons", PHOTONS,
+                            *options)
 
     def quote(self, *options):
         said = self.render("--quote", "--stats", self.path("quote.json"), *options)

@@ -22,7 +22,7 @@ SEED = 5
 class Tasks(ToolsTestCase):
     def setUp(self):
         super().setUp()
-        self.succeed("preprocess", Tools.scene, "-o", self.path("scene.hpm"))
+        self.write_partition()
         self.random = random.Random(SEED)
 
     def options(self, *options, size="21x13", photons=1000):

@@ -14,7 +14,7 @@ from tools import Tools, ToolsTestCase
 class TextureCache(ToolsTestCase):
     def setUp(self):
         super().setUp()
-        self.succeed("preprocess", Tools.scene, "-o", self.path("scene.hpm"))
+        self.write_partition()
 
     def command(self, name, *options):
         return [Tools.scene, self.path("scene.hpm"), "--size", 48, "--photons", 3000, "--samples", 1, "--passes", 2,

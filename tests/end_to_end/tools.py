@@ -1,5 +1,6 @@
 """Runs hipmap's tools as a user does."""
 
+import functools
 import os
 import subprocess
 import tempfile
@@ -19,6 +20,17 @@ def run(tool, *arguments):
                           stdin=subprocess.DEVNULL, check=False)
 
 
+@functools.cache
+def partition_of(scene):
+    """The bytes of the partition that preprocess makes of a scene without options; made once for all tests."""
+    with tempfile.TemporaryDirectory(prefix="hipmap-test-") as folder:
+        path = os.path.join(folder, "scene.hpm")
+        done = run("preprocess", scene, "-o", path)
+        assert done.returncode == 0, done.stderr
+        with open(path, "rb") as file:
+            return file.read()
+
+
 class ToolsTestCase(unittest.TestCase):
     """Each test has an empty folder of its own."""
 
@@ -29,6 +41,12 @@ class ToolsTestCase(unittest.TestCase):
 
     def path(self, name):
         return os.path.join(self.folder, name)
+
+    def write_partition(self, name="scene.hpm"):
+        """Of the bundled scene; returns its path."""
+        with open(self.path(name), "wb") as file:
+            file.write(partition_of(Tools.scene))
+        return self.path(name)
 
     def same(self, *names):
         """Files of the folder that are to have the same bytes."""
