@@ -29,8 +29,8 @@ inline constexpr std::array<Method, 5> kMethods{{
     {"progressive, paths", Integrator::progressive, DirectLight::shadow_rays, IndirectLight::paths},
 }};
 
-inline constexpr std::uint64_t kPassesOfForms = 16;
-inline constexpr std::uint64_t kPassesOfPaths = 48; ///< noisier, and quick
+inline constexpr std::uint64_t kPassesOfForms = 10;
+inline constexpr std::uint64_t kPassesOfPaths = 36; ///< noisier, and quick
 inline constexpr std::uint32_t kNeighbours = 20;    ///< k
 
 /// What was found for a closed form.

@@ -9,7 +9,7 @@
 namespace hipmap::tiny {
 
 inline constexpr int kRows = 8, kColumns = 16; ///< bins over the sphere, by polar angle and azimuth
-inline constexpr int kInBin = 48;              ///< quadrature points across a bin
+inline constexpr int kInBin = 32;              ///< quadrature points across a bin
 
 inline std::size_t bin_of(const glm::vec3& d)
 {

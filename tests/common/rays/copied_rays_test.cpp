@@ -131,7 +131,7 @@ TEST_CASE("embree scene: the closest points and the faces near by are those of c
 {
     const TriangleMesh mesh = balls(), all = tiny::stored(mesh);
     const EmbreeScene copied(mesh), stored(all);
-    for (std::uint64_t i = 0; i < 500; ++i) {
+    for (std::uint64_t i = 0; i < 250; ++i) {
         const glm::vec3 point = some_ray(i).origin;
         const auto a = copied.closest_point(point, 0.3f), b = stored.closest_point(point, 0.3f);
         REQUIRE(a.has_value() == b.has_value());

@@ -125,7 +125,7 @@ TEST_CASE("exact_limiting_radius: a local search within it finds what the shared
 {
     int finished = 0;
     int wrong_by_edges = 0;
-    for (std::uint64_t seed = 0; seed < 700; ++seed) {
+    for (std::uint64_t seed = 0; seed < 350; ++seed) {
         const Case c = random_case(seed);
         const Tally exact = compare_searches(c, exact_limiting_radius, 40, seed);
         INFO(c.name << ", seed " << seed << ": " << exact.wrong << " of " << exact.finished);

@@ -17,8 +17,8 @@ TEST_CASE("estimate: the thesis' form is high by k/(k-1), ours is not", "[disser
 {
     for (const std::uint32_t k : {5u, 25u, 100u}) {
         const std::vector<glm::vec2> inside{{0.3f, 0.25f}}; // far enough from edges and each other
-        const RunningMean ours = tiny::means_in_even_room(inside, {{k}, {}, 6000, 500})[0];
-        const RunningMean plain = tiny::means_in_even_room(inside, {{k}, kPlain, 6000, 500})[0];
+        const RunningMean ours = tiny::means_in_even_room(inside, {{k}, {}, 6000, 250})[0];
+        const RunningMean plain = tiny::means_in_even_room(inside, {{k}, kPlain, 6000, 250})[0];
         const double high = double(k) / (k - 1);
         INFO("k = " << k << ": ours " << ours.mean() << ", z " << ours.z_score(1)
                     << "; thesis' form " << plain.mean() << ", z from k/(k-1) "

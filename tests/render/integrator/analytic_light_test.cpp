@@ -135,5 +135,5 @@ TEST_CASE(
     ImageOptions options;
     options.width = options.height = 16;
     options.photons = 10'000;
-    check_agreement(*ready, options, 8, 60, {.most_noise = 0.02});
+    check_agreement(*ready, options, 8, 40, {.most_noise = 0.02});
 }

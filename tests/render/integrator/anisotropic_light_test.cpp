@@ -31,7 +31,7 @@ TEST_CASE("anisotropic light: photon maps agree with paths on brushed metal", "[
         CHECK(ready->render->directional == (roughness > kFollowedRoughness));
         ImageOptions options;
         options.width = options.height = 16;
-        options.photons = 20000;
-        check_agreement(*ready, options, 8, 60, {.most_noise = 0.012});
+        options.photons = 10000;
+        check_agreement(*ready, options, 8, 30, {.most_noise = 0.012});
     }
 }

@@ -36,8 +36,8 @@ TEST_CASE("coat normal: photon maps agree with paths below a tilted coat", "[int
         const auto ready = tiny::ready(with_tilted_coat(coat_roughness));
         ImageOptions options;
         options.width = options.height = 16;
-        options.photons = 20000;
+        options.photons = 10000;
         INFO("coat " << coat_roughness);
-        check_agreement(*ready, options, 16, 150);
+        check_agreement(*ready, options, 8, 30);
     }
 }

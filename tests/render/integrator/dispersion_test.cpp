@@ -96,7 +96,7 @@ TEST_CASE("dispersion: maps find the colours that paths find", "[integrator]")
     tiny::add(scene, ball(), flint(0));
     tiny::add(scene, tiny::floor_at(0.45f, -0.3f), tiny::emissive(Rgb(5)));
     const ColourMeans gathered = render(scene, Integrator::progressive, 16, 12);
-    const ColourMeans paths = render(scene, Integrator::path, 150, 12);
+    const ColourMeans paths = render(scene, Integrator::path, 100, 12);
     for (int c = 0; c < 3; ++c) {
         INFO("channel " << c);
         const RunningMean& ours = gathered.radiance[c];

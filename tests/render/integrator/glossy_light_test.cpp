@@ -189,8 +189,8 @@ TEST_CASE("glossy light: path tracer and photon maps agree on a glossy room", "[
     ImageOptions options;
     options.width = 24;
     options.height = 16;
-    options.photons = 40000;
-    check_agreement(*ready, options, 8, 60, {.with_maps = Integrator::direct});
+    options.photons = 20000;
+    check_agreement(*ready, options, 8, 15, {.with_maps = Integrator::direct});
 }
 
 TEST_CASE("glossy light: what a plastic floor reflects onto the ceiling is counted once",
@@ -208,7 +208,7 @@ TEST_CASE("glossy light: what a plastic floor reflects onto the ceiling is count
     options.width = options.height = 16;
     options.photons = 200000;
     options.integrator = Integrator::path;
-    const RunningMean paths = means_of(*ready, options, 400);
+    const RunningMean paths = means_of(*ready, options, 300);
     options.integrator = Integrator::progressive;
     const RunningMean maps = means_of(*ready, options, 32);
     const double noise = std::hypot(maps.standard_error(), paths.standard_error());

@@ -14,7 +14,7 @@ RenderOptions small_options(IndirectLight indirect)
     RenderOptions options;
     options.integrator = Integrator::progressive;
     options.width = options.height = 16;
-    options.photons = 20000;
+    options.photons = 10000;
     options.samples = 16;
     options.indirect = indirect;
     return options;
@@ -83,12 +83,12 @@ TEST_CASE("indirect choice: light by paths is the light by photons and of the pa
 {
     const auto ready = tiny::ready(room_of_all_lobes());
     RenderOptions options = small_options(IndirectLight::paths);
-    const Rendered paths = render(*ready, options, 24);
+    const Rendered paths = render(*ready, options, 16);
     CHECK(paths.statistics.global.stored == 0);
     CHECK(paths.statistics.caustic.stored > 0);
     options.integrator = Integrator::path;
-    options.samples = 60;
-    const Rendered truth = render(*ready, options, 24);
+    options.samples = 30;
+    const Rendered truth = render(*ready, options, 16);
     const double bias = 2 * std::abs(paths.radiance.mean() - paths.narrowest.mean());
     const double noise =
         std::hypot(paths.radiance.standard_error(), truth.radiance.standard_error());

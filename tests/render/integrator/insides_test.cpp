@@ -93,7 +93,7 @@ TEST_CASE("nested dielectrics: light through overlapping slabs, either of which 
         for (const bool light_above : {false, true}) {
             const auto ready = tiny::ready(slabs(above, light_above));
             for (const Integrator integrator : kAllIntegrators) {
-                const RunningMean found = means_of(*ready, small_picture(integrator), 24);
+                const RunningMean found = means_of(*ready, small_picture(integrator), 10);
                 INFO(found.mean() << " +- " << found.standard_error() << ", priority " << above);
                 CHECK(std::abs(found.mean() - all.through) <
                       kMostZ * found.standard_error() + 1e-5);
@@ -109,7 +109,7 @@ TEST_CASE("nested dielectrics: clear ones are not seen under an even sky", "[int
         scene.environment = Rgb(1);
         const auto ready = tiny::ready(scene);
         for (const Integrator integrator : {Integrator::path, Integrator::progressive}) {
-            const RunningMean found = means_of(*ready, small_picture(integrator), 24);
+            const RunningMean found = means_of(*ready, small_picture(integrator), 10);
             INFO(found.mean() << " +- " << found.standard_error() << ", roughness " << roughness);
             // Facets that hide one another lose a little.
             const double kept = roughness > 0 ? 0.97 : 1 - 1e-4;
@@ -135,7 +135,7 @@ TEST_CASE("nested dielectrics: photons and paths agree", "[integrator][media]")
     scene.nested_dielectrics = true;
     ImageOptions options = small_picture(Integrator::path);
     options.photons = 10000;
-    check_agreement(*tiny::ready(scene), options, 16, 200, {.most_noise = 0.02});
+    check_agreement(*tiny::ready(scene), options, 16, 100, {.most_noise = 0.02});
 }
 
 TEST_CASE("subsurface: photons and paths agree on wax", "[integrator][media]")
@@ -151,7 +151,7 @@ TEST_CASE("subsurface: photons and paths agree on wax", "[integrator][media]")
     tiny::add(scene, tiny::floor_at(0.45f, -0.4f), tiny::emissive(Rgb(6)));
     ImageOptions options = small_picture(Integrator::path);
     options.photons = 10000;
-    check_agreement(*tiny::ready(scene), options, 16, 100, {.most_noise = 0.02});
+    check_agreement(*tiny::ready(scene), options, 16, 50, {.most_noise = 0.02});
 }
 
 namespace {

@@ -68,10 +68,10 @@ TEST_CASE("light classes: each subset is the same light to photons and to paths"
     double least = 1e9;
     for (const LightClasses& light : kSubsets) {
         RenderOptions options = small_options(Integrator::progressive, light);
-        options.samples = 16;
+        options.samples = 8;
         const Rendered gathered = render(*ready, options, 16);
         options.integrator = Integrator::path;
-        options.samples = 60;
+        options.samples = 30;
         const Rendered paths = render(*ready, options, 16);
         INFO("caustic " << light.caustic << ", indirect " << light.indirect);
         // Bias that goes with the radius itself is halved in the narrowest; else it is less.

@@ -33,7 +33,7 @@ std::shared_ptr<const DensityGrid> denser_above()
 }
 
 /// Mean of the channels of small pictures, by passes that do not depend on each other.
-RunningMean measure(const Scene& scene, Integrator integrator, std::uint64_t passes = 16,
+RunningMean measure(const Scene& scene, Integrator integrator, std::uint64_t passes = 10,
                     std::uint32_t samples = 2)
 {
     const auto ready = tiny::ready(scene);
@@ -61,7 +61,7 @@ void check(const RunningMean& found, double expected, double most_noise)
 
 void check_agreement(const Scene& scene)
 {
-    const RunningMean path = measure(scene, Integrator::path, 64, 16);
+    const RunningMean path = measure(scene, Integrator::path, 32, 8);
     for (const Integrator integrator : {Integrator::progressive, Integrator::direct}) {
         const RunningMean maps = measure(scene, integrator, 24);
         const double noise = std::hypot(maps.standard_error(), path.standard_error());

@@ -28,8 +28,8 @@ void check_ball(const Material& material, bool is_gathered)
     CHECK(ready->render->directional == is_gathered);
     ImageOptions options;
     options.width = options.height = 16;
-    options.photons = 20000;
-    check_agreement(*ready, options, 8, 70);
+    options.photons = 10000;
+    check_agreement(*ready, options, 8, 25);
 }
 
 } // namespace

@@ -32,7 +32,7 @@ ImageOptions small_image(Integrator integrator)
 {
     ImageOptions options;
     options.width = options.height = 16;
-    options.photons = 20000;
+    options.photons = 10000;
     options.integrator = integrator;
     return options;
 }
@@ -45,7 +45,7 @@ TEST_CASE("paper light: white paper cannot be seen where radiance is one all rou
         tiny::ready(with_paper(tiny::emissive_box(Rgb(0.5f)), paper(Rgb(1), Rgb(1))));
     for (const Integrator integrator :
          {Integrator::path, Integrator::direct, Integrator::progressive}) {
-        const RunningMean mean = means_of(*ready, small_image(integrator), 16);
+        const RunningMean mean = means_of(*ready, small_image(integrator), 6);
         // Maps blur across facets and edges.
         const double bias = integrator == Integrator::path ? 0 : 0.012;
         INFO("integrator " << static_cast<int>(integrator) << ": " << mean.mean() << " +- "
@@ -68,7 +68,7 @@ TEST_CASE("paper light: the integrators agree below a sheet, where all light com
         scene.cameras[0].position = {0, -0.25f, 0.48f};
         const auto ready = tiny::ready(scene);
         CHECK(ready->render->directional == (roughness < 1));
-        const RunningMean paths = means_of(*ready, small_image(Integrator::path), 60);
+        const RunningMean paths = means_of(*ready, small_image(Integrator::path), 20);
         for (const Integrator integrator : {Integrator::direct, Integrator::progressive}) {
             const RunningMean maps = means_of(*ready, small_image(integrator), 6);
             const double noise = std::hypot(maps.standard_error(), paths.standard_error());

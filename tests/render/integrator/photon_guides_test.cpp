@@ -71,7 +71,7 @@ EmittedMeans mean_of_passes(const tiny::ReadyScene& ready, Emission emission)
     const PassSource source = make_pass_source(*ready.render, options, ignored);
     EmittedMeans out;
     Image last;
-    for (std::uint64_t pass = 0; pass < 24; ++pass) {
+    for (std::uint64_t pass = 0; pass < 10; ++pass) {
         const RenderedPass rendered = source.render(pass, {});
         const Image& now = rendered.images.radiance;
         for (std::size_t i = 0; i < last.pixels.size(); ++i) {

@@ -32,7 +32,7 @@ RenderOptions small_options(GatherDirections gather)
     RenderOptions options;
     options.integrator = Integrator::progressive;
     options.width = options.height = 32;
-    options.photons = 50000;
+    options.photons = 20000;
     options.samples = 4;
     options.gather = gather;
     return options;
@@ -50,7 +50,7 @@ GatheredMeans mean_of_passes(const tiny::ReadyScene& ready, GatherDirections gat
     const PassSource source = make_pass_source(*ready.render, options, ignored);
     GatheredMeans out;
     Image last;
-    for (std::uint64_t pass = 0; pass < 24; ++pass) {
+    for (std::uint64_t pass = 0; pass < 12; ++pass) {
         const Image now = source.render(pass, {}).images.radiance;
         for (std::size_t i = 0; i < last.pixels.size(); ++i) {
             const Rgb off = now.pixels[i] - last.pixels[i];

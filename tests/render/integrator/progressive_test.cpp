@@ -75,7 +75,7 @@ TEST_CASE("progressive: differs from paths by noise and by what narrower radii t
     options.samples = 16;
     const Means gathered = mean_of_passes(*ready, options, 10);
     options.integrator = Integrator::path;
-    options.samples = 150;
+    options.samples = 60;
     check_same_light(gathered, mean_of_passes(*ready, options, 10), 0.04);
 }
 
@@ -92,7 +92,7 @@ TEST_CASE("progressive: photons and rays share the light that a mirror sends to 
     tiny::add(scene, tiny::parallelogram({0.05f, 0.2f, 0.1f}, {-0.1f, 0, 0}, {0, 0.1f, 0}),
               tiny::emissive(Rgb(20)));
     const auto ready = tiny::ready(std::move(scene));
-    RenderOptions options = small_options(1'000'000);
+    RenderOptions options = small_options(500'000);
     options.samples = 64;
     options.light.indirect = false;
     RenderStatistics statistics;
@@ -101,7 +101,7 @@ TEST_CASE("progressive: photons and rays share the light that a mirror sends to 
     CHECK(statistics.glossy.searches.photons_found > 0);
     const Means shared = mean_of_passes(*ready, options, 12);
     options.integrator = Integrator::path;
-    options.samples = 1500;
+    options.samples = 700;
     check_same_light(shared, mean_of_passes(*ready, options, 12), 0.05);
 }
 

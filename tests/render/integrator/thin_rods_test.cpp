@@ -43,8 +43,8 @@ TEST_CASE("thin things: photons of radii wider than a rod or a ring do not darke
     const bool is_rod = GENERATE(true, false);
     ImageOptions options;
     options.width = options.height = 12;
-    options.photons = GENERATE(10'000, 40'000);
+    options.photons = GENERATE(10'000, 20'000);
     INFO((is_rod ? "rod, " : "ring, ") << options.photons << " light paths");
-    check_agreement(*tiny::ready(lit_from_above(is_rod ? rod() : ring())), options, 24, 100,
+    check_agreement(*tiny::ready(lit_from_above(is_rod ? rod() : ring())), options, 16, 60,
                     {.most_noise = 0.02});
 }

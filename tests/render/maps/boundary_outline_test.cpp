@@ -111,7 +111,7 @@ TEST_CASE("outline: work is bounded, and nothing is seen that the boundary hides
         Random random(board);
         RunningMean share, reach;
         std::size_t seen = 0;
-        for (int trial = 0; trial < 200; ++trial) {
+        for (int trial = 0; trial < 100; ++trial) {
             CAPTURE(board, trial);
             const glm::vec3 point(random.between(0, 1), random.between(0, 1), 0);
             const float radius = std::pow(10.0f, random.between(-2, 1));
@@ -148,7 +148,7 @@ TEST_CASE("outline: under even light estimates are right in any radius on a boar
         const MapSurfaces surfaces(board.mesh, board.partition);
         std::array<RunningMean, 3> means;
         EstimateScratch scratch;
-        for (std::uint64_t set = 0; set < 150; ++set) {
+        for (std::uint64_t set = 0; set < 80; ++set) {
             std::vector<Photon> photons;
             for (std::uint64_t i = 0; i < 5'000; ++i) {
                 RandomSequence random(1, RandomStream::photons, set, i);
