@@ -22,6 +22,8 @@ constexpr Choice<Emission> kEmissions[] = {{"guided", Emission::guided},
                                            {"by-power", Emission::by_power}};
 constexpr Choice<GatherDirections> kGatherDirections[] = {{"guided", GatherDirections::guided},
                                                           {"by-lobes", GatherDirections::by_lobes}};
+constexpr Choice<GatherSharing> kGatherSharings[] = {{"none", GatherSharing::none},
+                                                     {"neighbours", GatherSharing::neighbours}};
 constexpr Choice<IndirectLight> kIndirectLights[] = {{"auto", IndirectLight::automatic},
                                                      {"photons", IndirectLight::photons},
                                                      {"paths", IndirectLight::paths}};
@@ -172,6 +174,14 @@ OptionRow gather_row(GatherDirections& gather)
         "lobes of the surface alone");
 }
 
+OptionRow sharing_row(GatherSharing& sharing)
+{
+    return progressive_row(
+        "share-gathers", sharing, kGatherSharings,
+        "Which pixels use what a final-gather ray of --integrator progressive finds: none but its "
+        "own, or neighbours, eight together, for less noise on diffuse surfaces in the same time");
+}
+
 OptionRow indirect_row(IndirectLight& indirect)
 {
     return progressive_row(
@@ -189,6 +199,7 @@ std::vector<OptionRow> method_rows(RenderArguments& arguments)
             photons_row(arguments.photons),
             emission_row(render.emission),
             gather_row(render.gather),
+            sharing_row(render.sharing),
             indirect_row(render.indirect),
             {.name = "neighbours",
              .section = kMethodSection,

@@ -60,7 +60,8 @@ void send(Departures& out, bool only_one, RandomSequence& random, GatherBranchSt
     if (out.branches.size() > 1 && only_one)
         pick_one(out, random);
     for (std::size_t i = 0; i < out.branches.size(); ++i)
-        if (survives(out.branches[i], random))
+        // What is shared must be found with the pdf of its direction.
+        if (out.branches[i].start != kNoRecord || survives(out.branches[i], random))
             stack.push(out.branches[i]);
 }
 

@@ -20,6 +20,7 @@ struct GatherBranch : PathState {
     const DirectionGuide* guide = nullptr; ///< of the ray that the gathered lobes are to send
     const DirectionGuide* sky = nullptr;   ///< of samples of environments there
     std::size_t record = kNoRecord;        ///< of the gather ray behind it
+    std::size_t start = kNoRecord;         ///< the same, of its GatherStart
     float photons = 0; ///< that the ray of the followed lobes competes with, by its cosine
 };
 

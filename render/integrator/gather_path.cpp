@@ -5,10 +5,17 @@
 #include "render/integrator/media_beams.h"
 
 #include <cmath>
+#include <utility>
 
 namespace hipmap {
 
 namespace {
+
+/// Whether light changes nowhere but at faces and in what they enclose.
+bool are_surfaces_alone(const MediaSet& media)
+{
+    return !media.scatters && !media.emits && is_black(media.around.absorption);
+}
 
 /// Radii of the estimates over the widest.
 constexpr BeamScales kScales = {1, float{kNarrowing}, float{kNarrowing * kNarrowing}};
@@ -89,6 +96,8 @@ class GatherTracer {
         const Interaction at = meet(scene, *reached.hit, random_, branch);
         if (sees)
             add(lights + met_emission(scene, at, reached.hit->distance, branch));
+        if (branch.start != kNoRecord && offer_end(branch, at, reached.hit->distance))
+            return;
         GatherBranch gathering = branch;
         const bool onward = at.gathers() && !add_photons(gathering, at, reached.hit->distance);
         const LobeRays rays{.gathered = 1,
@@ -104,6 +113,58 @@ class GatherTracer {
         branch.photons =
             at.follows() && branch.behind == EyePathClass::specular ? add_glossy(branch, at) : 0;
         send_on(onward && sends_rays() ? &gathering : nullptr, branch, at);
+    }
+
+    /// Whether the end of the ray that the gathered lobes send may be shared.
+    bool may_share(const GatherBranch& from, const Interaction& at) const
+    {
+        const RenderScene& scene = maps_.scene;
+        const bool clear =
+            !scene.opacity && (!scene.has_media() || are_surfaces_alone(*scene.media));
+        return scratch_.shares && clear && !is_gathered(from.behind) && from.depth < kSplitDepth &&
+               from.inside.count == 0 && is_black(from.absorption) &&
+               !at.bsdf().transmits_diffusely && !shared_maps(maps_.global).maps.empty();
+    }
+
+    void keep_start(const GatherBranch& from, const Interaction& at, GatherBranch& sent)
+    {
+        sent.start = scratch_.starts.size();
+        scratch_.starts.push_back({.sample = scratch_.sample,
+                                   .at = at,
+                                   .throughput = from.throughput,
+                                   .indirect_radius = from.indirect_radius,
+                                   .guide = from.guide});
+        scratch_.starts.back().at.inside = nullptr; // the branch's
+    }
+
+    /// Keeps the end of a gather ray for its group, with what photons bring there.  False: it is
+    /// none that can be shared.
+    bool offer_end(GatherBranch& branch, const Interaction& at, float distance)
+    {
+        GatherEnd end{.point = at.point, .normal = at.normal, .separable = at.bsdf().is_separable};
+        const PhotonLobes lobes(at);
+        PhotonQuery query{at.point.position, at.normal, at.point.face, at.side};
+        if (maps_.scene.directional)
+            query.lobes = &lobes;
+        end.first_global = radius_at(maps_.first.global, maps_.surfaces, query);
+        const bool shared = at.gathers() && at.is_diffuse() && !at.bsdf().transmits_diffusely &&
+                            is_black(emitted_radiance(at.bsdf(), at.point, at.back)) &&
+                            !(distance < maps_.scale.shrink * end.first_global);
+        const std::size_t start = std::exchange(branch.start, kNoRecord);
+        if (!shared)
+            return false;
+        const Rgb factor = maps_.scene.directional ? Rgb(1) : lobes.base();
+        const RadianceByRadius before = std::exchange(radiance_, {});
+        add_gathered(factor, query, maps_.scale.shrink * end.first_global);
+        end.global = std::exchange(radiance_, {});
+        if (!shared_maps(maps_.caustic).maps.empty()) {
+            end.first_caustic = radius_at(maps_.first.caustic, maps_.surfaces, query);
+            add_within(factor, maps_.caustic, query, maps_.scale.shrink * end.first_caustic,
+                       scratch_.caustic);
+        }
+        end.caustic = std::exchange(radiance_, before);
+        scratch_.starts[start].end = end;
+        return true;
     }
 
     /// Adds what the gathered lobes send back of light from the maps.  True: that is all; false:
@@ -251,6 +312,8 @@ class GatherTracer {
             sent.source.points = maps_.emissive_points;
             if (!is_gathered(from.behind))
                 keep_record(at, sent);
+            if (may_share(from, at))
+                keep_start(*gathering, at, sent);
             out.add(sent);
         }
         if (at.follows())
@@ -269,6 +332,20 @@ class GatherTracer {
 };
 
 } // namespace
+
+GatherRays gather_rays(const RenderOptions& options)
+{
+    if (!options.light.indirect)
+        return GatherRays::look_for_lights;
+    return options.indirect == IndirectLight::paths ? GatherRays::go_on
+                                                    : GatherRays::end_in_photons;
+}
+
+bool shares_gathers(const RenderOptions& options)
+{
+    return options.sharing == GatherSharing::neighbours &&
+           gather_rays(options) == GatherRays::end_in_photons;
+}
 
 RadianceByRadius trace_gather_path(const GatherMaps& maps, const Ray& ray, SeenLights seen,
                                    RandomSequence& random, GatherScratch& scratch)

@@ -5,6 +5,7 @@
 #include "render/integrator/gather_radius.h"
 #include "render/integrator/importons.h"
 #include "render/integrator/placed_guides.h"
+#include "render/integrator/shared_gathers.h"
 #include "render/maps/volume_map.h"
 #include "render/shading/interaction.h"
 
@@ -16,6 +17,12 @@ enum class GatherRays : std::uint8_t {
     go_on,           ///< as paths: of the maps, only the caustic one and that of media are read
     look_for_lights, ///< and nothing more
 };
+
+/// Returns what they do in an image.
+GatherRays gather_rays(const RenderOptions& options);
+
+/// Returns whether pixels of an image share what gather rays find.
+bool shares_gathers(const RenderOptions& options);
 
 /// The maps and lights that one pass gathers from.  Borrows everything.
 struct GatherMaps {
@@ -39,11 +46,19 @@ struct GatherScratch {
     ChosenScratch caustic, global, indirect, glossy;
     Importons* importons = nullptr;               ///< to keep the queries of photons in
     std::vector<GatherRecord>* records = nullptr; ///< to keep what gather rays found in
-};
+    bool shares = false;                          ///< starts are kept, and ends in them
+    std::size_t sample = 0;                       ///< of the rows: the next one
+    std::vector<GatherStart> starts;
 
-/// Estimates of one radiance with the radius of the pass and with two narrower ones (kNarrowing),
-/// from the same photons and rays, so that they differ by their bias and the noise of few photons.
-using RadianceByRadius = std::array<Rgb, 3>;
+    /// Adds what the searches did.
+    void count(RenderStatistics& statistics) const
+    {
+        statistics.caustic.add_searches(caustic);
+        statistics.global.add_searches(global);
+        statistics.indirect.add_searches(indirect);
+        statistics.glossy.add_searches(glossy);
+    }
+};
 
 /// Returns the radiance that arrives along an eye ray, W/(m2 sr), docs/light_transport.md (20): at
 /// the first diffuse surface direct light by shadow rays, the caustic map, and one final-gather ray

@@ -19,6 +19,7 @@ struct TileSums {
 
     std::vector<Samples<images>> values = std::vector<Samples<images>>(kSide * kSide);
     std::vector<float> weights = std::vector<float>(kSide * kSide);
+    std::uint64_t dropped = 0; ///< samples left out because they were not finite
 
     /// Adds the samples around pixel x, y of the tile.
     void add(int x, int y, const FilteredSamples<images>& samples)
@@ -44,33 +45,104 @@ struct TileGrid {
     int count() const { return tiles.width() * tiles.height(); }
 };
 
-inline TileGrid tile_grid(const RenderOptions& options)
+/// Returns the grid; groups of which a pixel is traced are traced whole.
+inline TileGrid tile_grid(const PictureJob& job)
 {
+    const RenderOptions& options = job.options;
     const PixelRect rendered = rendered_pixels(options);
-    const PixelRect traced = {std::max(0, rendered.x0 - 1), std::max(0, rendered.y0 - 1),
-                              std::min(rendered.x1 + 1, options.width),
-                              std::min(rendered.y1 + 1, options.height)};
+    PixelRect traced = {std::max(0, rendered.x0 - 1), std::max(0, rendered.y0 - 1),
+                        std::min(rendered.x1 + 1, options.width),
+                        std::min(rendered.y1 + 1, options.height)};
     const PixelRect tiles = {traced.x0 / kTile, traced.y0 / kTile, (traced.x1 + kTile - 1) / kTile,
                              (traced.y1 + kTile - 1) / kTile};
+    const PixelGroups& groups = job.groups;
+    traced.x0 = std::max(groups.begin_x(traced.x0), tiles.x0 * kTile);
+    traced.y0 = std::max(groups.begin_y(traced.y0), tiles.y0 * kTile);
+    traced.x1 =
+        std::min({groups.begin_x(traced.x1 - 1) + groups.across, tiles.x1 * kTile, options.width});
+    traced.y1 =
+        std::min({groups.begin_y(traced.y1 - 1) + groups.down, tiles.y1 * kTile, options.height});
     return {rendered, traced, tiles};
 }
 
-/// Renders the traced pixels of a tile of 16 x 16; tile: its index in the grid.  Adds to `dropped`
-/// the samples left out because they were not finite.
-template <std::size_t images, typename Trace>
+/// The samples of some rows of a tile, pixel by pixel.
+template <std::size_t images>
+struct TracedRows {
+    PixelRect pixels;                  ///< of the image
+    std::vector<std::uint32_t> begins; ///< [pixels + 1] of their samples
+    std::vector<TracedSample<images>> samples;
+
+    std::uint32_t pixel_at(int x, int y) const
+    {
+        return static_cast<std::uint32_t>((y - pixels.y0) * pixels.width() + x - pixels.x0);
+    }
+};
+
+/// What an integrator does with the samples of a tile: `trace(ray, seen, random, scratch)` returns
+/// the Samples of a ray, `finish(rows, scratch)` adds to the samples of whole groups of pixels, and
+/// `count(scratch)` receives the counts of each tile, one at a time.
+template <typename Trace, typename Finish, typename Count>
+struct TileTracer {
+    Trace trace;
+    Finish finish;
+    Count count;
+};
+
+/// Traces the samples of the rows' pixels.
+template <std::size_t images, typename Scratch, typename Tracer>
+void trace_rows(const PictureJob& job, const Tracer& tracer, Scratch& scratch,
+                TracedRows<images>& rows)
+{
+    rows.begins.assign(1, 0);
+    rows.samples.clear();
+    for (int y = rows.pixels.y0; y < rows.pixels.y1; ++y)
+        for (int x = rows.pixels.x0; x < rows.pixels.x1; ++x) {
+            trace_pixel(
+                job, x, y,
+                [&](const Ray& ray, SeenLights seen, RandomSequence& random) {
+                    return tracer.trace(ray, seen, random, scratch);
+                },
+                rows.samples);
+            rows.begins.push_back(static_cast<std::uint32_t>(rows.samples.size()));
+        }
+}
+
+/// Filters the samples into the sums of the tile that begins at `tile`.
+template <std::size_t images>
+void add_rows(const PictureJob& job, const TracedRows<traced_images<images>>& rows,
+              const glm::ivec2& tile, TileSums<images>& sums)
+{
+    for (int y = rows.pixels.y0; y < rows.pixels.y1; ++y)
+        for (int x = rows.pixels.x0; x < rows.pixels.x1; ++x) {
+            const std::uint32_t pixel = rows.pixel_at(x, y);
+            const std::span all(rows.samples);
+            const auto filtered = filter_pixel<images>(
+                job, x, y,
+                all.subspan(rows.begins[pixel], rows.begins[pixel + 1] - rows.begins[pixel]));
+            sums.dropped += rows.begins[pixel + 1] - rows.begins[pixel] - filtered.kept;
+            sums.add(x - tile.x, y - tile.y, filtered);
+        }
+}
+
+/// Renders the traced pixels of a tile of 16 x 16; tile: its index in the grid.
+template <std::size_t images, typename Scratch, typename Tracer>
 TileSums<images> render_tile(const PictureJob& job, const TileGrid& grid, int tile,
-                             std::uint64_t& dropped, const Trace& trace)
+                             const Tracer& tracer, Scratch& scratch)
 {
     const int x0 = (grid.tiles.x0 + tile % grid.across()) * kTile;
     const int y0 = (grid.tiles.y0 + tile / grid.across()) * kTile;
-    const PixelRect& traced = grid.traced;
+    const PixelRect part = {std::max(x0, grid.traced.x0), std::max(y0, grid.traced.y0),
+                            std::min(x0 + kTile, grid.traced.x1),
+                            std::min(y0 + kTile, grid.traced.y1)};
     TileSums<images> sums;
-    for (int y = std::max(y0, traced.y0); y < std::min(y0 + kTile, traced.y1); ++y)
-        for (int x = std::max(x0, traced.x0); x < std::min(x0 + kTile, traced.x1); ++x) {
-            const auto samples = sample_pixel<images>(job, x, y, trace);
-            dropped += job.samples(job.index_of(x, y)) - samples.kept;
-            sums.add(x - x0, y - y0, samples);
-        }
+    TracedRows<traced_images<images>> rows;
+    for (int y = part.y0; y < part.y1; y = rows.pixels.y1) {
+        rows.pixels = {part.x0, y, part.x1,
+                       std::min(job.groups.begin_y(y) + job.groups.down, part.y1)};
+        trace_rows(job, tracer, scratch, rows);
+        tracer.finish(rows, scratch);
+        add_rows(job, rows, {x0, y0}, sums);
+    }
     return sums;
 }
 
@@ -132,18 +204,17 @@ PassImages images_of(const TileGrid& grid, const std::vector<TileSums<images>>& 
     return out;
 }
 
-/// Renders the images of a pass tile by tile, in parallel.  `trace(ray, seen, random, scratch)`
-/// returns the Samples of a ray; `count(scratch)` receives the counts of each tile, one at a time.
-/// A pixel without a finite sample around it, or in a tile that a stop left out, is not kept. Adds
-/// passes, samples dropped and time to the statistics.
-template <std::size_t images, typename Scratch, typename Trace, typename Count>
+/// Renders the images of a pass tile by tile, in parallel.  A pixel without a finite sample around
+/// it, or in a tile that a stop left out, is not kept. Adds passes, samples dropped and time to the
+/// statistics.
+template <std::size_t images, typename Scratch, typename Tracer>
 RenderedPass render_tiles(const PictureJob& job, const PassControl& control,
-                          RenderStatistics& statistics, const Trace& trace, const Count& count)
+                          RenderStatistics& statistics, const Tracer& tracer)
 {
     static_assert(images >= 1 && images <= 4);
     const Stopwatch watch;
     RenderedPass out;
-    const TileGrid grid = tile_grid(job.options);
+    const TileGrid grid = tile_grid(job);
     const int tiles = grid.count();
     std::vector<TileSums<images>> sums(static_cast<std::size_t>(tiles));
     std::mutex mutex;
@@ -152,14 +223,11 @@ RenderedPass render_tiles(const PictureJob& job, const PassControl& control,
         if (control.stop != nullptr && control.stop->load())
             return;
         Scratch scratch;
-        std::uint64_t lost = 0;
-        sums[static_cast<std::size_t>(tile)] = render_tile<images>(
-            job, grid, tile, lost, [&](const Ray& ray, SeenLights seen, RandomSequence& random) {
-                return trace(ray, seen, random, scratch);
-            });
+        TileSums<images>& own = sums[static_cast<std::size_t>(tile)];
+        own = render_tile<images>(job, grid, tile, tracer, scratch);
         const std::lock_guard lock(mutex);
-        count(scratch);
-        statistics.dropped_samples += lost;
+        tracer.count(scratch);
+        statistics.dropped_samples += own.dropped;
         out.whole = ++done == tiles;
         if (control.progress)
             control.progress(static_cast<double>(done) / tiles);
@@ -172,7 +240,7 @@ RenderedPass render_tiles(const PictureJob& job, const PassControl& control,
 }
 
 /// Renders one pixel of each block of the pixels to render, in parallel.  A pixel without a finite
-/// sample, or which a stop left out, is black.  trace: as that of render_tiles.
+/// sample, or which a stop left out, is black.  trace: as that of TileTracer.
 template <std::size_t images, typename Scratch, typename Trace>
 CoarseImage render_coarse(const PictureJob& job, const PilotControl& control, const Trace& trace)
 {
@@ -191,10 +259,14 @@ CoarseImage render_coarse(const PictureJob& job, const PilotControl& control, co
         for (int u = 0; u < out.image.width && !control.stopped(); ++u) {
             const int x = std::min(pixels.x0 + u * out.block + out.block / 2, pixels.x1 - 1);
             const int y = std::min(pixels.y0 + v * out.block + out.block / 2, pixels.y1 - 1);
-            const auto samples = sample_pixel<images>(
-                few, x, y, [&](const Ray& ray, SeenLights seen, RandomSequence& random) {
+            std::vector<TracedSample<images>> traced;
+            trace_pixel(
+                few, x, y,
+                [&](const Ray& ray, SeenLights seen, RandomSequence& random) {
                     return trace(ray, seen, random, scratch);
-                });
+                },
+                traced);
+            const auto samples = filter_pixel<images>(few, x, y, traced);
             const Rgb mean = samples.values[4][0] / samples.weights[4]; // of the pixel itself
             out.image.at(u, v) = is_finite(mean) ? mean : Rgb(0);
         }
@@ -206,20 +278,13 @@ CoarseImage render_coarse(const PictureJob& job, const PilotControl& control, co
 }
 
 /// Renders the images of a pass as render_tiles does; clamps the samples if the options say so.
-template <std::size_t images, typename Scratch, typename Trace, typename Count>
+template <std::size_t images, typename Scratch, typename Tracer>
 RenderedPass render_clamped_tiles(const PictureJob& job, const PassControl& control,
-                                  RenderStatistics& statistics, const Trace& trace,
-                                  const Count& count)
+                                  RenderStatistics& statistics, const Tracer& tracer)
 {
-    const float most = job.options.clamp;
-    if (!(most > 0))
-        return render_tiles<images, Scratch>(job, control, statistics, trace, count);
-    return render_tiles<images + 1, Scratch>(
-        job, control, statistics,
-        [&](const Ray& ray, SeenLights seen, RandomSequence& random, Scratch& scratch) {
-            return clamp_samples<images>(trace(ray, seen, random, scratch), most);
-        },
-        count);
+    return job.options.clamp > 0
+               ? render_tiles<images + 1, Scratch>(job, control, statistics, tracer)
+               : render_tiles<images, Scratch>(job, control, statistics, tracer);
 }
 
 } // namespace hipmap

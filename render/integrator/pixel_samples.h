@@ -5,10 +5,13 @@
 #include "common/rays/camera_ray.h"
 #include "render/integrator/eye_path.h"
 #include "render/integrator/pass_source.h"
+#include "render/integrator/pixel_groups.h"
 #include "render/integrator/sample_allocation.h"
 
 #include <algorithm>
 #include <array>
+#include <span>
+#include <vector>
 
 namespace hipmap {
 
@@ -18,6 +21,7 @@ struct PictureJob {
     const RenderOptions& options;
     std::uint64_t pass = 0;
     const SampleAllocation& allocation;
+    PixelGroups groups = {}; ///< whose samples are finished together
 
     /// Returns the index of a pixel of the whole image.
     std::uint64_t index_of(int x, int y) const
@@ -148,30 +152,56 @@ void add_seen_lights(const FilteredSamples<1>& lights, FilteredSamples<images>& 
                 lights.values[i][0] / lights.weights[i] * samples.weights[i];
 }
 
-/// Takes the samples of a pixel; samples that are not finite are left out with their weights.  All
-/// samples of a pixel together weigh one.
+/// How many images there are before samples are clamped.
+template <std::size_t images>
+inline constexpr std::size_t traced_images = images - has_cut<images>;
+
+/// A sample of a pixel, before it is clamped and filtered.
+template <std::size_t images>
+struct TracedSample {
+    glm::vec2 at{0.0f}; ///< where in its pixel
+    Samples<images> value{};
+};
+
+/// Appends the samples of a pixel.
 template <std::size_t images, typename Trace>
-FilteredSamples<images> sample_pixel(const PictureJob& job, int x, int y, const Trace& trace)
+void trace_pixel(const PictureJob& job, int x, int y, const Trace& trace,
+                 std::vector<TracedSample<images>>& out)
 {
     const std::uint64_t pixel = job.index_of(x, y);
     const std::uint32_t samples = job.samples(pixel);
-    const bool apart = job.light_samples(pixel) > 0;
-    FilteredSamples<images> sums;
+    const SeenLights seen = job.light_samples(pixel) > 0 ? SeenLights::left_out : SeenLights::added;
     for (std::uint32_t s = 0; s < samples; ++s) {
         RandomSequence random = sample_sequence(job, RandomStream::eye_paths, pixel, samples, s);
         const PixelRay from = pixel_ray(job, x, y, random);
-        const Samples<images> sample =
-            trace(from.ray, apart ? SeenLights::left_out : SeenLights::added, random);
-        if (are_finite(sample))
-            sums.add(job.options.filter, from.at, sample);
+        out.push_back({from.at, trace(from.ray, seen, random)});
     }
-    const auto all = static_cast<float>(samples);
+}
+
+/// Clamps and filters all samples of a pixel, with its seen lights; samples that are not finite are
+/// left out with their weights.  All samples of a pixel together weigh one.
+template <std::size_t images>
+FilteredSamples<images>
+filter_pixel(const PictureJob& job, int x, int y,
+             std::type_identity_t<std::span<const TracedSample<traced_images<images>>>> samples)
+{
+    FilteredSamples<images> sums;
+    const auto add = [&](const glm::vec2& at, const Samples<images>& value) {
+        if (are_finite(value))
+            sums.add(job.options.filter, at, value);
+    };
+    for (const auto& [at, value] : samples)
+        if constexpr (has_cut<images>)
+            add(at, clamp_samples(value, job.options.clamp));
+        else
+            add(at, value);
+    const auto all = static_cast<float>(samples.size());
     for (std::size_t i = 0; i < 9; ++i) {
         sums.weights[i] /= all;
         for (Rgb& value : sums.values[i])
             value /= all;
     }
-    if (apart)
+    if (job.light_samples(job.index_of(x, y)) > 0)
         add_seen_lights(sample_seen_lights(job, x, y), sums);
     return sums;
 }

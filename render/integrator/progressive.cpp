@@ -117,9 +117,12 @@ MapOptions radius_options(const ProgressivePass& pilot, EmissionGuide PhotonGuid
     return out;
 }
 
+/// What is shared counts more.
 GatherScale scale_of(const ProgressivePass& pass)
 {
-    return gather_scale(static_cast<float>(pass.options.samples), static_cast<float>(pass.shrink),
+    const float rays =
+        (shares_gathers(pass.options) ? kSharedRays : 1) * static_cast<float>(pass.options.samples);
+    return gather_scale(rays, static_cast<float>(pass.shrink),
                         radius_options(pass, &PhotonGuides::without_aim).neighbours);
 }
 
@@ -158,14 +161,6 @@ ProgressiveRadii find_first_radii(const ProgressivePass& pilot, const PilotTeam&
                        field(indirect, others, Sparse::infinite),
                        field(glossy, aimed, Sparse::infinite), static_cast<float>(power)},
             volume_radii(mapped.scene, traced, options)};
-}
-
-void count_searches(const GatherScratch& scratch, RenderStatistics& statistics)
-{
-    statistics.caustic.add_searches(scratch.caustic);
-    statistics.global.add_searches(scratch.global);
-    statistics.indirect.add_searches(scratch.indirect);
-    statistics.glossy.add_searches(scratch.glossy);
 }
 
 /// Runs the builders of the maps of a pass at the same time: where one map has most photons,
@@ -223,14 +218,6 @@ ProgressiveMaps make_maps(const ProgressivePass& pass, const ProgressiveRadii& f
         });
     count_maps(maps.volume, watch, statistics);
     return maps;
-}
-
-GatherRays gather_rays(const RenderOptions& options)
-{
-    if (!options.light.indirect)
-        return GatherRays::look_for_lights;
-    return options.indirect == IndirectLight::paths ? GatherRays::go_on
-                                                    : GatherRays::end_in_photons;
 }
 
 GatherMaps gathered_maps(const ProgressivePass& pass, const ProgressiveRadii& first,
@@ -340,13 +327,25 @@ RenderedPass gather_pass(const ProgressivePass& pass, const Progressive& shared,
     const RenderScene& scene = pass.mapped.scene;
     const GatherMaps maps =
         gathered_maps(pass, *shared.first, photons, shared.allocation.emissive_points);
-    return render_clamped_tiles<3, GatherScratch>(
-        {scene, pass.options, pass.number, shared.allocation}, after(control, kPhotonShare),
-        statistics,
+    const bool sharing = shares_gathers(pass.options);
+    const PixelGroups groups = sharing ? sharing_groups(pass.number) : PixelGroups{};
+    const TileTracer tracer{
         [&](const Ray& ray, SeenLights seen, RandomSequence& random, GatherScratch& scratch) {
-            return trace_gather_path(maps, ray, std::max(seen, pass.seen), random, scratch);
+            scratch.shares = sharing;
+            const auto out =
+                trace_gather_path(maps, ray, std::max(seen, pass.seen), random, scratch);
+            ++scratch.sample;
+            return out;
         },
-        [&](const GatherScratch& scratch) { count_searches(scratch, statistics); });
+        [&](TracedRows<3>& rows, GatherScratch& scratch) {
+            share_gathers(scene, maps.scale, groups, scratch.starts, rows);
+            scratch.starts.clear();
+            scratch.sample = 0;
+        },
+        [&](const GatherScratch& scratch) { scratch.count(statistics); }};
+    return render_clamped_tiles<3, GatherScratch>(
+        {scene, pass.options, pass.number, shared.allocation, groups}, after(control, kPhotonShare),
+        statistics, tracer);
 }
 
 RenderedPass render_pass(const ProgressivePass& pass, const Progressive& shared,

@@ -28,6 +28,12 @@ enum class GatherDirections : std::uint8_t {
     by_lobes, ///< by the lobes of the surface alone
 };
 
+/// Whether final-gather rays serve other pixels too.
+enum class GatherSharing : std::uint8_t {
+    none,
+    neighbours, ///< as shared_gathers.h says
+};
+
 /// How light is found that several surfaces that gather have sent on.
 enum class IndirectLight : std::uint8_t {
     automatic, ///< as indirect_choice.h says
@@ -46,6 +52,7 @@ struct RenderOptions {
     DirectLight direct = DirectLight::shadow_rays;
     Emission emission = Emission::guided;
     GatherDirections gather = GatherDirections::guided;
+    GatherSharing sharing = GatherSharing::none;
     IndirectLight indirect = IndirectLight::photons;
     std::uint64_t photons = 0; ///< light paths per pass
     std::uint32_t samples = 1; ///< eye paths per pixel and pass

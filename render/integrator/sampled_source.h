@@ -23,9 +23,10 @@ RenderedPass render_sampled(const Method& method, const PictureJob& job, const P
     const typename Method::Pass pass(method, job, statistics);
     return render_clamped_tiles<1, Scratch>(
         job, after(control, Method::kBegun), statistics,
-        [&](const Ray& ray, SeenLights seen, RandomSequence& random,
-            Scratch& scratch) -> Samples<1> { return {pass.trace(ray, seen, random, scratch)}; },
-        [&](const Scratch& scratch) { Method::count(scratch, statistics); });
+        TileTracer{[&](const Ray& ray, SeenLights seen, RandomSequence& random, Scratch& scratch)
+                       -> Samples<1> { return {pass.trace(ray, seen, random, scratch)}; },
+                   [](const auto& /*rows*/, const Scratch& /*scratch*/) {},
+                   [&](const Scratch& scratch) { Method::count(scratch, statistics); }});
 }
 
 /// Renders a coarse image by a method.

@@ -45,7 +45,8 @@ Rgb value_of(const Ray& ray)
 template <typename Trace>
 RenderedPass render(const PictureJob& job, RenderStatistics& statistics, const Trace& trace)
 {
-    return render_tiles<1, NoScratch>(job, {}, statistics, trace, [](const NoScratch&) {});
+    const TileTracer tracer{trace, [](const auto&, const NoScratch&) {}, [](const NoScratch&) {}};
+    return render_tiles<1, NoScratch>(job, {}, statistics, tracer);
 }
 
 /// docs/error.md (17)
