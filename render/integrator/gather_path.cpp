@@ -118,10 +118,12 @@ class GatherTracer {
     /// Whether the end of the ray that the gathered lobes send may be shared.
     bool may_share(const GatherBranch& from, const Interaction& at) const
     {
+        if (!scratch_.shares)
+            return false;
         const RenderScene& scene = maps_.scene;
         const bool clear =
             !scene.opacity && (!scene.has_media() || are_surfaces_alone(*scene.media));
-        return scratch_.shares && clear && !is_gathered(from.behind) && from.depth < kSplitDepth &&
+        return clear && !is_gathered(from.behind) && from.depth < kSplitDepth &&
                from.inside.count == 0 && is_black(from.absorption) &&
                !at.bsdf().transmits_diffusely && !shared_maps(maps_.global).maps.empty();
     }
@@ -141,17 +143,17 @@ class GatherTracer {
     /// none that can be shared.
     bool offer_end(GatherBranch& branch, const Interaction& at, float distance)
     {
+        const std::size_t start = std::exchange(branch.start, kNoRecord);
+        if (!at.gathers() || !at.is_diffuse() || at.bsdf().transmits_diffusely ||
+            !is_black(emitted_radiance(at.bsdf(), at.point, at.back)))
+            return false;
         GatherEnd end{.point = at.point, .normal = at.normal, .separable = at.bsdf().is_separable};
         const PhotonLobes lobes(at);
         PhotonQuery query{at.point.position, at.normal, at.point.face, at.side};
         if (maps_.scene.directional)
             query.lobes = &lobes;
         end.first_global = radius_at(maps_.first.global, maps_.surfaces, query);
-        const bool shared = at.gathers() && at.is_diffuse() && !at.bsdf().transmits_diffusely &&
-                            is_black(emitted_radiance(at.bsdf(), at.point, at.back)) &&
-                            !(distance < maps_.scale.shrink * end.first_global);
-        const std::size_t start = std::exchange(branch.start, kNoRecord);
-        if (!shared)
+        if (distance < maps_.scale.shrink * end.first_global)
             return false;
         const Rgb factor = maps_.scene.directional ? Rgb(1) : lobes.base();
         const RadianceByRadius before = std::exchange(radiance_, {});

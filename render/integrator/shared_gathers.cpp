@@ -142,6 +142,8 @@ std::vector<std::size_t> begins_of(std::span<const GatherStart> starts, std::siz
 void share_gathers(const RenderScene& scene, const GatherScale& scale, const PixelGroups& groups,
                    std::span<const GatherStart> starts, TracedRows<3>& rows)
 {
+    if (starts.empty())
+        return;
     const std::vector<std::size_t> begins = begins_of(starts, rows.samples.size());
     Group group{scene, scale};
     over_groups(groups, rows.pixels, [&](const PixelRect& pixels) {

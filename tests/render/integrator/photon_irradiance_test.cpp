@@ -14,8 +14,8 @@ namespace {
 
 constexpr MapMode kModes[] = {MapMode::global, MapMode::shared, MapMode::thesis};
 
-/// By mode, the mean of the estimates at the middle of the floor from direct photons, over passes
-/// that do not depend on each other.
+/// By mode, the mean of the estimates at the middle of the floor from direct photons, over
+/// independent passes.
 std::array<RunningMean, std::size(kModes)> estimated_irradiance(const tiny::ReadyScene& ready)
 {
     const MapSurfaces surfaces(ready.scene.mesh, ready.partition);
