@@ -167,7 +167,7 @@ TEST_CASE("exact_group_radius: a search within it finds what the shared map hold
           "[partition][property]")
 {
     GroupTally tally;
-    for (std::uint64_t seed = 0; seed < 120; ++seed) {
+    for (std::uint64_t seed = 0; seed < 240; ++seed) {
         const GroupCase c = random_group_case(seed);
         const std::vector<FaceId> faces = grouped_faces(c.partition);
         RandomSequence random(seed, RandomStream::eye_paths, 0, 0);
@@ -179,9 +179,9 @@ TEST_CASE("exact_group_radius: a search within it finds what the shared map hold
         INFO(c.name << ", seed " << seed << ": " << tally.wrong << " of " << tally.finished);
         REQUIRE(tally.wrong == 0);
     }
-    WARN("120 meshes, of whose queries " << tally.finished << " ended within the radius");
-    CHECK(tally.finished > 800);
-    CHECK(tally.wider > 60);
+    WARN("240 meshes, of whose queries " << tally.finished << " ended within the radius");
+    CHECK(tally.finished > 2000);
+    CHECK(tally.wider > 100);
 }
 
 TEST_CASE(

@@ -66,7 +66,7 @@ TEST_CASE("long paths: a closed diffuse box of albedo 0.999", "[integrator]")
 
 TEST_CASE("long paths: a ball of glass in a furnace is not seen", "[integrator]")
 {
-    for (const float index : {1.5f, 10.0f})
+    for (const float index : {1.5f, 4.0f, 10.0f})
         check_mean(with_ball(tiny::emissive_box(Rgb(0.5f)), 0.3f, tiny::glass(index)), 1,
                    {12, 8, 2, 4000});
 }
