@@ -178,8 +178,8 @@ OptionRow sharing_row(GatherSharing& sharing)
 {
     return progressive_row(
         "share-gathers", sharing, kGatherSharings,
-        "Which pixels use what a final-gather ray of --integrator progressive finds: none but its "
-        "own, or neighbours, eight together, for less noise on diffuse surfaces in the same time");
+        "Which pixels use what a final-gather ray of --integrator progressive finds: neighbours, "
+        "eight together, for less noise in about the same time, or none but its own");
 }
 
 OptionRow indirect_row(IndirectLight& indirect)

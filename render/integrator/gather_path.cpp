@@ -96,18 +96,13 @@ class GatherTracer {
         const Interaction at = meet(scene, *reached.hit, random_, branch);
         if (sees)
             add(lights + met_emission(scene, at, reached.hit->distance, branch));
-        if (branch.start != kNoRecord && offer_end(branch, at, reached.hit->distance))
-            return;
+        const std::size_t start = std::exchange(branch.start, kNoRecord); // of this ray alone
         GatherBranch gathering = branch;
-        const bool onward = at.gathers() && !add_photons(gathering, at, reached.hit->distance);
-        const LobeRays rays{.gathered = 1,
-                            .guide = gathering.guide,
-                            .sky = gathering.sky,
-                            .points = maps_.emissive_points};
+        const bool onward = at.gathers() &&
+                            !is_for_group(start, branch, at, reached.hit->distance) &&
+                            !add_photons(gathering, at, reached.hit->distance);
         if (onward)
-            add(gathering.throughput * light_sampled_light(scene, at, rays, random_));
-        if (onward && !sends_rays())
-            add(gathering.throughput * bsdf_sampled_light(scene, at, rays, random_));
+            add_lights(gathering, at);
         if (at.follows() && !is_gathered(branch.behind) && sees)
             add(branch.throughput * light_sampled_light(scene, at, {.followed = 1}, random_));
         branch.photons =
@@ -115,15 +110,22 @@ class GatherTracer {
         send_on(onward && sends_rays() ? &gathering : nullptr, branch, at);
     }
 
+    /// Adds what the gathered lobes send back of light from samples.
+    void add_lights(const GatherBranch& gathering, const Interaction& at)
+    {
+        const LobeRays rays{.gathered = 1,
+                            .guide = gathering.guide,
+                            .sky = gathering.sky,
+                            .points = maps_.emissive_points};
+        add(gathering.throughput * light_sampled_light(maps_.scene, at, rays, random_));
+        if (!sends_rays())
+            add(gathering.throughput * bsdf_sampled_light(maps_.scene, at, rays, random_));
+    }
+
     /// Whether the end of the ray that the gathered lobes send may be shared.
     bool may_share(const GatherBranch& from, const Interaction& at) const
     {
-        if (!scratch_.shares)
-            return false;
-        const RenderScene& scene = maps_.scene;
-        const bool clear =
-            !scene.opacity && (!scene.has_media() || are_surfaces_alone(*scene.media));
-        return clear && !is_gathered(from.behind) && from.depth < kSplitDepth &&
+        return scratch_.shares && !is_gathered(from.behind) && from.depth < kSplitDepth &&
                from.inside.count == 0 && is_black(from.absorption) &&
                !at.bsdf().transmits_diffusely && !shared_maps(maps_.global).maps.empty();
     }
@@ -139,25 +141,46 @@ class GatherTracer {
         scratch_.starts.back().at.inside = nullptr; // the branch's
     }
 
-    /// Keeps the end of a gather ray for its group, with what photons bring there.  False: it is
-    /// none that can be shared.
-    bool offer_end(GatherBranch& branch, const Interaction& at, float distance)
+    PhotonQuery query_of(const Interaction& at, const PhotonLobes& lobes) const
     {
-        const std::size_t start = std::exchange(branch.start, kNoRecord);
-        if (!at.gathers() || !at.is_diffuse() || at.bsdf().transmits_diffusely ||
-            !is_black(emitted_radiance(at.bsdf(), at.point, at.back)))
-            return false;
-        GatherEnd end{.point = at.point, .normal = at.normal, .separable = at.bsdf().is_separable};
-        const PhotonLobes lobes(at);
-        PhotonQuery query{at.point.position, at.normal, at.point.face, at.side};
+        PhotonQuery out{at.point.position, at.normal, at.point.face, at.side};
         if (maps_.scene.directional)
-            query.lobes = &lobes;
-        end.first_global = radius_at(maps_.first.global, maps_.surfaces, query);
-        if (distance < maps_.scale.shrink * end.first_global)
+            out.lobes = &lobes;
+        return out;
+    }
+
+    /// Of the estimates by such a query.
+    Rgb factor_of(const PhotonLobes& lobes) const
+    {
+        return maps_.scene.directional ? Rgb(1) : lobes.base();
+    }
+
+    /// Whether what the gathered lobes send back is kept for the group of the ray's start.
+    bool is_for_group(std::size_t start, const GatherBranch& branch, const Interaction& at,
+                      float distance)
+    {
+        if (start == kNoRecord || at.bsdf().transmits_diffusely)
             return false;
-        const Rgb factor = maps_.scene.directional ? Rgb(1) : lobes.base();
+        scratch_.starts[start].end = gather_end(branch, at, distance);
+        return true;
+    }
+
+    GatherEnd gather_end(const GatherBranch& branch, const Interaction& at, float distance)
+    {
+        GatherEnd end{.point = at.point,
+                      .normal = at.normal,
+                      .separable = at.bsdf().is_separable && at.is_diffuse()};
+        const PhotonLobes lobes(at);
+        const PhotonQuery query = query_of(at, lobes);
+        const Rgb factor = factor_of(lobes);
+        end.first_global = radius_at(maps_.first.global, maps_.surfaces, query);
+        const float radius = maps_.scale.shrink * end.first_global;
+        end.near = distance < radius;
         const RadianceByRadius before = std::exchange(radiance_, {});
-        add_gathered(factor, query, maps_.scale.shrink * end.first_global);
+        if (end.near)
+            gather_anew(branch, at, query, factor);
+        else
+            add_gathered(factor, query, radius);
         end.global = std::exchange(radiance_, {});
         if (!shared_maps(maps_.caustic).maps.empty()) {
             end.first_caustic = radius_at(maps_.first.caustic, maps_.surfaces, query);
@@ -165,8 +188,24 @@ class GatherTracer {
                        scratch_.caustic);
         }
         end.caustic = std::exchange(radiance_, before);
-        scratch_.starts[start].end = end;
-        return true;
+        return end;
+    }
+
+    /// Adds all that the gathered lobes send back but what the caustic map does, as if they were
+    /// met first.
+    void gather_anew(GatherBranch branch, const Interaction& at, const PhotonQuery& query,
+                     const Rgb& factor)
+    {
+        const std::size_t waiting = stack_.size();
+        branch.throughput = Rgb(1);
+        branch.nanometres = 0; // light of all wavelengths
+        add_first(branch, query, factor);
+        add_lights(branch, at);
+        Departures out;
+        out.add(gather_ray(branch, at));
+        send(out, true, random_, stack_);
+        while (stack_.size() > waiting)
+            follow_kept(stack_.pop());
     }
 
     /// Adds what the gathered lobes send back of light from the maps.  True: that is all; false:
@@ -174,12 +213,10 @@ class GatherTracer {
     bool add_photons(GatherBranch& branch, const Interaction& at, float distance)
     {
         const PhotonLobes lobes(at);
-        PhotonQuery query{at.point.position, at.normal, at.point.face, at.side};
-        if (maps_.scene.directional)
-            query.lobes = &lobes;
+        const PhotonQuery query = query_of(at, lobes);
         if (at.bsdf().transmits_diffusely)
             return add_both_sides(branch, query, lobes);
-        const Rgb factor = maps_.scene.directional ? Rgb(1) : lobes.base();
+        const Rgb factor = factor_of(lobes);
         add_caustic(branch, factor, query);
         if (ends_here(branch)) {
             if (shared_maps(maps_.global).maps.empty()) { // no photon has come anywhere
@@ -195,14 +232,21 @@ class GatherTracer {
                 return true;
             }
         }
+        add_first(branch, query, factor);
+        return false;
+    }
+
+    /// Adds the light of the indirect map and finds how the gathered lobes are to send a ray on.
+    void add_first(GatherBranch& branch, const PhotonQuery& query, const Rgb& factor)
+    {
         branch.gathered_at = query.position;
         if (maps_.guide != nullptr && sends_rays())
             branch.guide = directions_at(*maps_.guide, maps_.scene.partition, query);
+        branch.gain = gain_of(branch.guide);
         if (maps_.sky != nullptr)
             branch.sky = directions_at(*maps_.sky, maps_.scene.partition, query);
         if (maps_.rays != GatherRays::go_on)
             add_indirect(branch.throughput * factor, query, branch.indirect_radius);
-        return false;
     }
 
     /// Adds the light of both sides where light comes through the surface too.  A second surface so
@@ -236,7 +280,8 @@ class GatherTracer {
     float weight_of(const GatherBranch& branch, const PhotonQuery& query, float first) const
     {
         const glm::vec3 way = query.position - branch.gathered_at;
-        return gather_weight({first, branch.indirect_radius, glm::dot(way, way)}, maps_.scale);
+        return gather_weight({first, branch.indirect_radius, glm::dot(way, way), branch.gain},
+                             maps_.scale);
     }
 
     void add_caustic(const GatherBranch& branch, const Rgb& factor, const PhotonQuery& query)
@@ -305,13 +350,19 @@ class GatherTracer {
                       estimate_within(photons, maps_.surfaces, query, narrowing(radius), scratch));
     }
 
+    GatherBranch gather_ray(const GatherBranch& from, const Interaction& at)
+    {
+        GatherBranch out = scatter(maps_.scene, from, at, Lobes::gathered, random_);
+        out.source.points = maps_.emissive_points;
+        return out;
+    }
+
     /// gathering: the branch for the gathered lobes; null: they send no ray.
     void send_on(const GatherBranch* gathering, const GatherBranch& from, const Interaction& at)
     {
         Departures out;
         if (gathering != nullptr) {
-            GatherBranch sent = scatter(maps_.scene, *gathering, at, Lobes::gathered, random_);
-            sent.source.points = maps_.emissive_points;
+            GatherBranch sent = gather_ray(*gathering, at);
             if (!is_gathered(from.behind))
                 keep_record(at, sent);
             if (may_share(from, at))
@@ -343,9 +394,10 @@ GatherRays gather_rays(const RenderOptions& options)
                                                     : GatherRays::end_in_photons;
 }
 
-bool shares_gathers(const RenderOptions& options)
+bool shares_gathers(const RenderScene& scene, const RenderOptions& options)
 {
-    return options.sharing == GatherSharing::neighbours &&
+    const bool clear = !scene.opacity && (!scene.has_media() || are_surfaces_alone(*scene.media));
+    return options.sharing == GatherSharing::neighbours && clear &&
            gather_rays(options) == GatherRays::end_in_photons;
 }
 

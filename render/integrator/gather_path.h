@@ -21,8 +21,9 @@ enum class GatherRays : std::uint8_t {
 /// Returns what they do in an image.
 GatherRays gather_rays(const RenderOptions& options);
 
-/// Returns whether pixels of an image share what gather rays find.
-bool shares_gathers(const RenderOptions& options);
+/// Returns whether pixels of an image share what gather rays find.  Nothing is shared where media
+/// scatter, emit or fill the scene, or where faces let a part of the light through.
+bool shares_gathers(const RenderScene& scene, const RenderOptions& options);
 
 /// The maps and lights that one pass gathers from.  Borrows everything.
 struct GatherMaps {

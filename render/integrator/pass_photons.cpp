@@ -90,6 +90,23 @@ TracedPhotons trace_together(const RenderScene& scene, const PhotonOptions& opti
     return out;
 }
 
+bool precomputes(const RenderScene& scene, const RenderOptions& options)
+{
+    return options.dissertation.irradiance == GatheredIrradiance::precomputed && !scene.directional;
+}
+
+DissertationOptions estimated(const RenderOptions& options)
+{
+    DissertationOptions out = without_levels(options.dissertation);
+    out.irradiance = GatheredIrradiance::estimated;
+    return out;
+}
+
+DissertationOptions gathered(const RenderScene& scene, const RenderOptions& options)
+{
+    return precomputes(scene, options) ? without_levels(options.dissertation) : estimated(options);
+}
+
 ChosenMaps build_maps(const MappedScene& mapped, const std::vector<Photon>& photons,
                       const MapRequest& request, KindStatistics& kind)
 {

@@ -41,6 +41,15 @@ TracedPhotons trace_pass(const RenderScene& scene, const PhotonOptions& options,
 TracedPhotons trace_together(const RenderScene& scene, const PhotonOptions& options,
                              const PilotTeam& team);
 
+/// Returns whether irradiance is precomputed where gather rays end; it is Lambert's alone.
+bool precomputes(const RenderScene& scene, const RenderOptions& options);
+
+/// Returns what is asked of maps that gather rays do not end in.
+DissertationOptions estimated(const RenderOptions& options);
+
+/// Returns what is asked of the maps that gather rays end in.
+DissertationOptions gathered(const RenderScene& scene, const RenderOptions& options);
+
 /// What is asked of the maps of one kind of photon.
 struct MapRequest {
     const MapOptions& options;

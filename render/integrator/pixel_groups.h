@@ -20,10 +20,10 @@ struct PixelGroups {
 /// docs/light_transport.md (51).  They lie elsewhere from pass to pass, so that no edge shows.
 inline PixelGroups sharing_groups(std::uint64_t pass)
 {
-    return {.across = 4,
-            .down = 2,
-            .left = static_cast<int>(2 * (pass % 2)),
-            .above = static_cast<int>(pass / 2 % 2)};
+    return {.across = 8,
+            .down = 4,
+            .left = static_cast<int>(4 * (pass % 2)),
+            .above = static_cast<int>(2 * (pass / 2 % 2))};
 }
 
 } // namespace hipmap

@@ -70,12 +70,6 @@ ProgressivePass numbered_pass(const MappedScene& mapped, std::uint64_t number,
             .shrink = radius_of_pass(number, shared.options.alpha)};
 }
 
-/// It is Lambert's alone.
-bool precomputes(const RenderScene& scene, const RenderOptions& options)
-{
-    return options.dissertation.irradiance == GatheredIrradiance::precomputed && !scene.directional;
-}
-
 PhotonOptions linked_options(const ProgressivePass& pass)
 {
     PhotonOptions photons = photon_options(pass.mapped.scene, pass.options, pass.number);
@@ -87,20 +81,6 @@ PhotonOptions linked_options(const ProgressivePass& pass)
     photons.guides = pass.guides;
     photons.seen = pass.seen_surfaces;
     return photons;
-}
-
-/// What is asked of maps that gather rays do not end in.
-DissertationOptions estimated(const RenderOptions& options)
-{
-    DissertationOptions out = without_levels(options.dissertation);
-    out.irradiance = GatheredIrradiance::estimated;
-    return out;
-}
-
-/// What is asked of the maps that gather rays end in.
-DissertationOptions gathered(const RenderScene& scene, const RenderOptions& options)
-{
-    return precomputes(scene, options) ? without_levels(options.dissertation) : estimated(options);
 }
 
 /// Returns the options of the maps by which first radii are found.  part: of k, docs/photon_maps.md
@@ -117,13 +97,24 @@ MapOptions radius_options(const ProgressivePass& pilot, EmissionGuide PhotonGuid
     return out;
 }
 
-/// What is shared counts more.
+/// Rays that are shared bring photons from more directions.
 GatherScale scale_of(const ProgressivePass& pass)
 {
-    const float rays =
-        (shares_gathers(pass.options) ? kSharedRays : 1) * static_cast<float>(pass.options.samples);
-    return gather_scale(rays, static_cast<float>(pass.shrink),
-                        radius_options(pass, &PhotonGuides::without_aim).neighbours);
+    const bool shares = shares_gathers(pass.mapped.scene, pass.options);
+    return gather_scale(static_cast<float>(pass.options.samples), static_cast<float>(pass.shrink),
+                        shares ? pass.options.maps.neighbours
+                               : radius_options(pass, &PhotonGuides::without_aim).neighbours);
+}
+
+/// Returns the photons of the indirect map.
+std::vector<Photon> weigh_bounces(const TracedPhotons& traced, const ProgressivePass& pass,
+                                  const ProgressiveRadii& first)
+{
+    return weigh_bounces(traced, first.surfaces, pass.mapped.surfaces, scale_of(pass),
+                         [&](const PhotonQuery& query) {
+                             return gain_of(
+                                 directions_at(first.guide, pass.mapped.scene.partition, query));
+                         });
 }
 
 /// By photons of their own, as many as a pass has.
@@ -193,7 +184,7 @@ ProgressiveMaps make_maps(const ProgressivePass& pass, const ProgressiveRadii& f
         maps.*to = build_maps(mapped, photons, request, kind);
         free_array(photons);
     };
-    auto indirect = weigh_bounces(traced, first.surfaces, mapped.surfaces, scale_of(pass));
+    auto indirect = weigh_bounces(traced, pass, first);
     free_array(traced.bounces);
     const DissertationOptions read = estimated(options), ends = gathered(scene, options);
     const MapRequest plain{options.maps, read};
@@ -285,7 +276,7 @@ std::shared_ptr<const PhotonGuides> find_guides(const ProgressivePass& pilot,
         return nullptr;
     const MapSurfaces& surfaces = pilot.mapped.surfaces;
     const PhotonWorth worth = make_worth(importons, surfaces, [&](const TracedPhotons& traced) {
-        return weigh_bounces(traced, first.surfaces, surfaces, scale_of(pilot));
+        return weigh_bounces(traced, pilot, first);
     });
     PhotonOptions learning = linked_options(pilot);
     learning.pass = kPilotPass - 1;
@@ -327,7 +318,7 @@ RenderedPass gather_pass(const ProgressivePass& pass, const Progressive& shared,
     const RenderScene& scene = pass.mapped.scene;
     const GatherMaps maps =
         gathered_maps(pass, *shared.first, photons, shared.allocation.emissive_points);
-    const bool sharing = shares_gathers(pass.options);
+    const bool sharing = shares_gathers(scene, pass.options);
     const PixelGroups groups = sharing ? sharing_groups(pass.number) : PixelGroups{};
     const TileTracer tracer{
         [&](const Ray& ray, SeenLights seen, RandomSequence& random, GatherScratch& scratch) {

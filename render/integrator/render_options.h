@@ -52,7 +52,7 @@ struct RenderOptions {
     DirectLight direct = DirectLight::shadow_rays;
     Emission emission = Emission::guided;
     GatherDirections gather = GatherDirections::guided;
-    GatherSharing sharing = GatherSharing::none;
+    GatherSharing sharing = GatherSharing::neighbours;
     IndirectLight indirect = IndirectLight::photons;
     std::uint64_t photons = 0; ///< light paths per pass
     std::uint32_t samples = 1; ///< eye paths per pixel and pass

@@ -1,5 +1,6 @@
 #include "render/integrator/shared_gathers.h"
 
+#include "common/math/part.h"
 #include "render/shading/scatter.h"
 
 #include <cmath>
@@ -10,6 +11,13 @@ namespace {
 
 /// Cosine between directions in which surfaces send about the same light.
 constexpr float kLikeWays = 0.99f;
+
+/// How many starts share their ends, at most.
+constexpr std::size_t kSharing = 8;
+
+/// Pixels from one to the next of those that share: between them lie pixels that share other ends,
+/// so that the filter of the image takes the mean over both.
+constexpr int kApart = 2;
 
 /// From a start to an end: all zero where it is not seen.
 struct Way {
@@ -23,7 +31,7 @@ struct Way {
 struct Group {
     const RenderScene& scene;
     const GatherScale& scale;
-    std::vector<const GatherStart*> starts{};
+    std::span<const GatherStart* const> starts{};
     std::vector<Way> ways{}; ///< from them to one end
 };
 
@@ -46,13 +54,13 @@ Way way_between(const RenderScene& scene, const GatherScale& scale, const Gather
     const float distance = std::sqrt(out.distance2);
     out.direction = between / distance;
     const float area = -glm::dot(out.direction, end.normal) / out.distance2;
-    if (!(area > 0) || distance < scale.shrink * end.first_global)
-        return out;
+    if (!(area > 0) || (distance < scale.shrink * end.first_global) != end.near)
+        return out; // its own ray would not end so
     const Scattered found = scattered(start.at, out.direction, Lobes::gathered);
     const float pdf =
         start.guide == nullptr ? found.pdf : mixed_pdf(*start.guide, found.pdf, out.direction);
     const Rgb factor = start.throughput * found.value;
-    if (is_black(factor) || !is_seen(scene, start, of)) // the start's own rays end so, too
+    if (is_black(factor) || !is_seen(scene, start, of))
         return out;
     out.pdf = area * pdf;
     out.factor = area * factor;
@@ -92,7 +100,8 @@ void share_end(Group& group, const GatherStart& of, std::vector<TracedSample<3>>
         if (!(way.pdf > 0) || !like)
             continue;
         const auto weight = [&](float first) {
-            return gather_weight({first, start.indirect_radius, way.distance2}, group.scale);
+            return gather_weight(
+                {first, start.indirect_radius, way.distance2, gain_of(start.guide)}, group.scale);
         };
         const float global = weight(end.first_global), caustic = weight(end.first_caustic);
         const Rgb factor = way.factor / pdf_of_all(group.ways, way, end.separable);
@@ -113,17 +122,31 @@ void over_groups(const PixelGroups& groups, const PixelRect& rows, const Use& us
     }
 }
 
-/// Calls use(sample) with the sample number `s` of each pixel that has so many.
+/// Calls use(lattice) with each lattice of pixels kApart apart, from its first pixel on.
 template <typename Use>
-void over_pixels(const TracedRows<3>& rows, const PixelRect& pixels, std::uint32_t s,
-                 const Use& use)
+void over_lattices(const PixelRect& pixels, const Use& use)
 {
-    for (int y = pixels.y0; y < pixels.y1; ++y)
-        for (int x = pixels.x0; x < pixels.x1; ++x) {
+    for (int y = pixels.y0; y < std::min(pixels.y0 + kApart, pixels.y1); ++y)
+        for (int x = pixels.x0; x < std::min(pixels.x0 + kApart, pixels.x1); ++x)
+            use(PixelRect{x, y, pixels.x1, pixels.y1});
+}
+
+/// Calls use(sample) with the sample number `s` of each pixel of a lattice that has so many.
+/// Returns whether there is one.
+template <typename Use>
+bool over_samples(const TracedRows<3>& rows, const PixelRect& lattice, std::uint32_t s,
+                  const Use& use)
+{
+    bool found = false;
+    for (int y = lattice.y0; y < lattice.y1; y += kApart)
+        for (int x = lattice.x0; x < lattice.x1; x += kApart) {
             const std::uint32_t pixel = rows.pixel_at(x, y), sample = rows.begins[pixel] + s;
-            if (sample < rows.begins[pixel + 1])
-                use(sample);
+            if (!(sample < rows.begins[pixel + 1]))
+                continue;
+            use(sample);
+            found = true;
         }
+    return found;
 }
 
 /// Returns the first of the starts of each sample, and the end of all.
@@ -137,6 +160,20 @@ std::vector<std::size_t> begins_of(std::span<const GatherStart> starts, std::siz
     return out;
 }
 
+/// Shares the ends of all starts, a few starts at a time.
+void share_ends(Group& group, std::span<const GatherStart* const> starts,
+                std::vector<TracedSample<3>>& samples)
+{
+    const std::size_t parts = (starts.size() + kSharing - 1) / kSharing;
+    for (std::size_t i = 0; i < parts; ++i) {
+        const Part part = part_of(starts.size(), i, parts);
+        group.starts = starts.subspan(part.begin, part.size());
+        for (const GatherStart* start : group.starts)
+            if (start->end)
+                share_end(group, *start, samples);
+    }
+}
+
 } // namespace
 
 void share_gathers(const RenderScene& scene, const GatherScale& scale, const PixelGroups& groups,
@@ -146,19 +183,18 @@ void share_gathers(const RenderScene& scene, const GatherScale& scale, const Pix
         return;
     const std::vector<std::size_t> begins = begins_of(starts, rows.samples.size());
     Group group{scene, scale};
+    std::vector<const GatherStart*> all;
+    const auto append = [&](std::uint32_t sample) {
+        for (std::size_t i = begins[sample]; i < begins[sample + 1]; ++i)
+            all.push_back(&starts[i]);
+    };
     over_groups(groups, rows.pixels, [&](const PixelRect& pixels) {
-        for (std::uint32_t s = 0, found = 1; found > 0; ++s) {
-            found = 0;
-            group.starts.clear();
-            over_pixels(rows, pixels, s, [&](std::uint32_t sample) {
-                ++found;
-                for (std::size_t i = begins[sample]; i < begins[sample + 1]; ++i)
-                    group.starts.push_back(&starts[i]);
-            });
-            for (const GatherStart* start : group.starts)
-                if (start->end)
-                    share_end(group, *start, rows.samples);
-        }
+        over_lattices(pixels, [&](const PixelRect& lattice) {
+            all.clear();
+            for (std::uint32_t s = 0; over_samples(rows, lattice, s, append); ++s)
+                ;
+            share_ends(group, all, rows.samples);
+        });
     });
 }
 

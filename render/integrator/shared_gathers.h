@@ -8,19 +8,18 @@
 
 namespace hipmap {
 
-/// For how many rays one counts whose end is shared, in the weights of (42): measured.
-inline constexpr float kSharedRays = 1.4f;
-
 /// Estimates of one radiance with the radius of the pass and with two narrower ones (kNarrowing),
 /// from the same photons and rays, so that they differ by their bias and the noise of few photons.
 using RadianceByRadius = std::array<Rgb, 3>;
 
-/// Where a final-gather ray ends, at a diffuse surface: what this sends back of light from photons.
+/// Where a final-gather ray ends, at gathered lobes: what these send back.
 struct GatherEnd {
     SurfacePoint point;
     glm::vec3 normal{0.0f}; ///< geometric, on the side of the ray
     bool separable = true;  ///< it sends the same in all directions
-    RadianceByRadius global{}, caustic{};
+    bool near = false;      ///< within the global map's radius: treated as met first
+    RadianceByRadius global{},
+        caustic{}; ///< from the global map or, if near, as met first; from caustics
     float first_global = 0, first_caustic = 0; ///< radii of the first pass
 };
 
@@ -31,15 +30,15 @@ struct GatherStart {
     Rgb throughput{0.0f};   ///< of the path to there
     float indirect_radius = 0;
     const DirectionGuide* guide = nullptr; ///< by which its ray is drawn; null: by lobes alone
-    std::optional<GatherEnd> end{};        ///< none: the ray met something else
+    std::optional<GatherEnd> end{};        ///< none: the ray met nothing that gathers
 };
 
 /// Adds to each sample what it gathers from the ends of all rays of its group, each ray weighed
 /// against the others that could have found its end: docs/light_transport.md (51).  starts: of the
 /// samples of `rows`, in their order.  Without bias but for light that a surface which is not
 /// separable sends in other directions, less than kLikeWays apart, than the one it was computed
-/// for.  Cost: a ray and the lobes of the start for each end and each start of a group; a group has
-/// the first samples of its pixels, or the second, and so on.  Thread-safe.
+/// for.  Cost: a ray and the lobes of the start for each end and each start of a group; so many
+/// share, and no more.  Thread-safe.
 void share_gathers(const RenderScene& scene, const GatherScale& scale, const PixelGroups& groups,
                    std::span<const GatherStart> starts, TracedRows<3>& rows);
 
