@@ -19,7 +19,6 @@ struct GatherBranch : PathState {
     float transmitted_radius = 0;          ///< the same on the other side
     const DirectionGuide* guide = nullptr; ///< of the ray that the gathered lobes are to send
     const DirectionGuide* sky = nullptr;   ///< of samples of environments there
-    float gain = 1;                        ///< of the guide at the last gathered lobe
     std::size_t record = kNoRecord;        ///< of the gather ray behind it
     std::size_t start = kNoRecord;         ///< the same, of its GatherStart
     float photons = 0; ///< that the ray of the followed lobes competes with, by its cosine

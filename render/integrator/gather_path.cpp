@@ -242,7 +242,6 @@ class GatherTracer {
         branch.gathered_at = query.position;
         if (maps_.guide != nullptr && sends_rays())
             branch.guide = directions_at(*maps_.guide, maps_.scene.partition, query);
-        branch.gain = gain_of(branch.guide);
         if (maps_.sky != nullptr)
             branch.sky = directions_at(*maps_.sky, maps_.scene.partition, query);
         if (maps_.rays != GatherRays::go_on)
@@ -280,8 +279,7 @@ class GatherTracer {
     float weight_of(const GatherBranch& branch, const PhotonQuery& query, float first) const
     {
         const glm::vec3 way = query.position - branch.gathered_at;
-        return gather_weight({first, branch.indirect_radius, glm::dot(way, way), branch.gain},
-                             maps_.scale);
+        return gather_weight({first, branch.indirect_radius, glm::dot(way, way)}, maps_.scale);
     }
 
     void add_caustic(const GatherBranch& branch, const Rgb& factor, const PhotonQuery& query)

@@ -24,7 +24,7 @@ GatherScale gather_scale(float samples, float shrink, std::uint32_t neighbours)
 
 float gather_weight(const Bounce& bounce, const GatherScale& scale)
 {
-    const float y2 = scale.rays * bounce.gain * bounce.radius_at_y * bounce.radius_at_y;
+    const float y2 = scale.rays * bounce.radius_at_y * bounce.radius_at_y;
     const float x2 = bounce.radius_at_x * bounce.radius_at_x;
     const float blur2 = scale.shrink * scale.shrink * x2;
     const float clear = bounce.distance2 / (bounce.distance2 + blur2);
@@ -56,8 +56,7 @@ std::vector<Photon> weigh_glossy(const TracedPhotons& traced, const FirstRadii& 
 }
 
 std::vector<Photon> weigh_bounces(const TracedPhotons& traced, const FirstRadii& first,
-                                  const MapSurfaces& surfaces, const GatherScale& scale,
-                                  const std::function<float(const PhotonQuery&)>& gain)
+                                  const MapSurfaces& surfaces, const GatherScale& scale)
 {
     std::vector<Photon> out(traced.bounces.size());
     tbb::parallel_for(
@@ -72,10 +71,10 @@ std::vector<Photon> weigh_bounces(const TracedPhotons& traced, const FirstRadii&
                     (bounced.from_caustic ? traced.caustic : traced.global)[bounced.from];
                 const float y = radius_at(bounced.from_caustic ? first.caustic : first.global,
                                           surfaces, query_at(from, surfaces));
-                const PhotonQuery there = query_at(bounced.photon, surfaces);
-                const float x = radius_at(first.indirect, surfaces, there);
+                const float x =
+                    radius_at(first.indirect, surfaces, query_at(bounced.photon, surfaces));
                 const glm::vec3 way = bounced.photon.position - from.position;
-                out[i].power *= 1 - gather_weight({y, x, glm::dot(way, way), gain(there)}, scale);
+                out[i].power *= 1 - gather_weight({y, x, glm::dot(way, way)}, scale);
             }
         });
     return out;

@@ -4,7 +4,6 @@
 #include "render/photons/trace_photons.h"
 
 #include <cstdint>
-#include <functional>
 
 namespace hipmap {
 
@@ -23,7 +22,6 @@ struct Bounce {
     float radius_at_y = 0; ///< the first radii
     float radius_at_x = 0;
     float distance2 = 0; ///< square, from y to x
-    float gain = 1;      ///< of the guide of gather rays at x
 };
 
 /// The gather rays that count in the weights of a pass, and its radius over the first one.
@@ -56,10 +54,8 @@ float glossy_density(const FirstRadii& first, float radius, const GatherScale& s
 std::vector<Photon> weigh_glossy(const TracedPhotons& traced, const FirstRadii& first,
                                  const MapSurfaces& surfaces, const GatherScale& scale);
 
-/// Returns the bounced photons with their powers multiplied by 1 - gather_weight.  gain: of the
-/// gather rays from where a photon lies.  In parallel.
+/// Returns the bounced photons with their powers multiplied by 1 - gather_weight.  In parallel.
 std::vector<Photon> weigh_bounces(const TracedPhotons& traced, const FirstRadii& first,
-                                  const MapSurfaces& surfaces, const GatherScale& scale,
-                                  const std::function<float(const PhotonQuery&)>& gain);
+                                  const MapSurfaces& surfaces, const GatherScale& scale);
 
 } // namespace hipmap

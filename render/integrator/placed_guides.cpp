@@ -56,14 +56,9 @@ Shares grid_of(std::span<const GatherRecord> records, const Every& every)
     return out;
 }
 
-/// How often directions are to be drawn from the lobes, and DirectionGuide::gain.
-struct GridUse {
-    float by_lobes = 1, gain = 1;
-};
-
-DirectionGuide guide_by(const Shares& grid, const GridUse& use)
+DirectionGuide guide_by(const Shares& grid, float by_lobes)
 {
-    DirectionGuide out{.by_lobes = use.by_lobes, .gain = use.gain};
+    DirectionGuide out{.by_lobes = by_lobes};
     double sum = 0;
     for (std::size_t cell = 0; cell < grid.size(); ++cell)
         out.up_to[cell] = static_cast<float>(sum += grid[cell]);
@@ -84,19 +79,19 @@ double sum_of_squares(std::span<const GatherRecord> records, const Every& every,
     return out;
 }
 
-/// Returns the best use, by records that the grid was not learnt from.
-GridUse best_use(std::span<const GatherRecord> records, double least_gain)
+/// Returns how often directions are to be drawn from the lobes, by records that the grid was not
+/// learnt from.
+float best_by_lobes(std::span<const GatherRecord> records, double least_gain)
 {
-    GridUse out;
+    float out = 1;
     const Shares learnt = grid_of(records, {.from = 0, .step = 2});
     const Every test{.from = 1, .step = 2};
-    const double alone = sum_of_squares(records, test, guide_by(learnt, {}));
-    double best = alone / least_gain;
+    double best = sum_of_squares(records, test, guide_by(learnt, 1)) / least_gain;
     for (const float by_lobes : kByLobes) {
-        const double found = sum_of_squares(records, test, guide_by(learnt, {by_lobes}));
+        const double found = sum_of_squares(records, test, guide_by(learnt, by_lobes));
         if (found < best) {
             best = found;
-            out = {by_lobes, static_cast<float>(alone / found)};
+            out = by_lobes;
         }
     }
     return out;
@@ -104,7 +99,7 @@ GridUse best_use(std::span<const GatherRecord> records, double least_gain)
 
 DirectionGuide guide_of(std::span<const GatherRecord> records, double least_gain)
 {
-    return guide_by(grid_of(records, {}), best_use(records, least_gain));
+    return guide_by(grid_of(records, {}), best_by_lobes(records, least_gain));
 }
 
 /// The tree of a side of a map, with places of its own.

@@ -27,6 +27,10 @@ constexpr double kPhotonShare = 0.3;
 /// Estimates of more photons cost more, and no gain is known so well.
 constexpr double kMostGain = 64;
 
+/// For how many rays one counts while guides of photons are learnt: those that gather rays read are
+/// to be many, as they bring less noise than bounced ones.  Measured, docs/light_transport.md (41).
+constexpr float kGuidedRays = 4;
+
 /// Returns the part of k by which the radii of the caustic map are found, docs/photon_maps.md (11).
 double caustic_part(std::size_t photons)
 {
@@ -106,17 +110,6 @@ GatherScale scale_of(const ProgressivePass& pass)
                                : radius_options(pass, &PhotonGuides::without_aim).neighbours);
 }
 
-/// Returns the photons of the indirect map.
-std::vector<Photon> weigh_bounces(const TracedPhotons& traced, const ProgressivePass& pass,
-                                  const ProgressiveRadii& first)
-{
-    return weigh_bounces(traced, first.surfaces, pass.mapped.surfaces, scale_of(pass),
-                         [&](const PhotonQuery& query) {
-                             return gain_of(
-                                 directions_at(first.guide, pass.mapped.scene.partition, query));
-                         });
-}
-
 /// By photons of their own, as many as a pass has.
 ProgressiveRadii find_first_radii(const ProgressivePass& pilot, const PilotTeam& team)
 {
@@ -184,7 +177,7 @@ ProgressiveMaps make_maps(const ProgressivePass& pass, const ProgressiveRadii& f
         maps.*to = build_maps(mapped, photons, request, kind);
         free_array(photons);
     };
-    auto indirect = weigh_bounces(traced, pass, first);
+    auto indirect = weigh_bounces(traced, first.surfaces, mapped.surfaces, scale_of(pass));
     free_array(traced.bounces);
     const DissertationOptions read = estimated(options), ends = gathered(scene, options);
     const MapRequest plain{options.maps, read};
@@ -275,8 +268,10 @@ std::shared_ptr<const PhotonGuides> find_guides(const ProgressivePass& pilot,
     if (!(importons.light > 0))
         return nullptr;
     const MapSurfaces& surfaces = pilot.mapped.surfaces;
+    GatherScale scale = scale_of(pilot);
+    scale.rays *= kGuidedRays;
     const PhotonWorth worth = make_worth(importons, surfaces, [&](const TracedPhotons& traced) {
-        return weigh_bounces(traced, pilot, first);
+        return weigh_bounces(traced, first.surfaces, surfaces, scale);
     });
     PhotonOptions learning = linked_options(pilot);
     learning.pass = kPilotPass - 1;

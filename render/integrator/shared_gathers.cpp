@@ -100,8 +100,7 @@ void share_end(Group& group, const GatherStart& of, std::vector<TracedSample<3>>
         if (!(way.pdf > 0) || !like)
             continue;
         const auto weight = [&](float first) {
-            return gather_weight(
-                {first, start.indirect_radius, way.distance2, gain_of(start.guide)}, group.scale);
+            return gather_weight({first, start.indirect_radius, way.distance2}, group.scale);
         };
         const float global = weight(end.first_global), caustic = weight(end.first_caustic);
         const Rgb factor = way.factor / pdf_of_all(group.ways, way, end.separable);

@@ -17,14 +17,7 @@ struct DirectionGuide {
 
     float by_lobes = 1.0f; ///< probability that a direction is drawn from the lobes instead
     Shares up_to{};        ///< running sum of the cells' shares, which ends at 1
-    float gain = 1;        ///< fall of the mean square of what rays find
 };
-
-/// Returns the gain; guide: null where the lobes alone draw.
-inline float gain_of(const DirectionGuide* guide)
-{
-    return guide == nullptr ? 1.0f : guide->gain;
-}
 
 /// Returns the cell of a unit direction.
 std::size_t cell_of(const glm::vec3& direction);

@@ -109,9 +109,7 @@ TEST_CASE("gather guide: rays go where records found light", "[integrator]")
     int inside = 0;
     for (int i = 0; i < 1000; ++i)
         inside += glm::dot(draw(*found, random.next2()), window) > 0.95f ? 1 : 0;
-    CHECK(inside > 350);       // the grid is coarse; by the lobe 14
-    CHECK(found->gain > 2.5f); // one in four is drawn by the lobes
-    CHECK(gain_of(nullptr) == 1);
+    CHECK(inside > 350); // the grid is coarse; by the lobe 14
     CHECK(directions_at(guide, partition, query_on_side(1)) == nullptr);
 }
 
