@@ -149,7 +149,7 @@ class GatherTracer {
         return out;
     }
 
-    /// Of the estimates by such a query.
+    /// Returns the factor by which what a query of query_of finds is multiplied.
     Rgb factor_of(const PhotonLobes& lobes) const
     {
         return maps_.scene.directional ? Rgb(1) : lobes.base();

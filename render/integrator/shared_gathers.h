@@ -15,11 +15,11 @@ using RadianceByRadius = std::array<Rgb, 3>;
 /// Where a final-gather ray ends, at gathered lobes: what these send back.
 struct GatherEnd {
     SurfacePoint point;
-    glm::vec3 normal{0.0f}; ///< geometric, on the side of the ray
-    bool separable = true;  ///< it sends the same in all directions
-    bool near = false;      ///< within the global map's radius: treated as met first
-    RadianceByRadius global{},
-        caustic{}; ///< from the global map or, if near, as met first; from caustics
+    glm::vec3 normal{0.0f};     ///< geometric, on the side of the ray
+    bool separable = true;      ///< it sends the same in all directions
+    bool near = false;          ///< nearer than the global map's radius
+    RadianceByRadius global{};  ///< from the global map, or if near what a surface met first sends
+    RadianceByRadius caustic{}; ///< from the caustic map
     float first_global = 0, first_caustic = 0; ///< radii of the first pass
 };
 
@@ -37,8 +37,8 @@ struct GatherStart {
 /// against the others that could have found its end: docs/light_transport.md (51).  starts: of the
 /// samples of `rows`, in their order.  Without bias but for light that a surface which is not
 /// separable sends in other directions, less than kLikeWays apart, than the one it was computed
-/// for.  Cost: a ray and the lobes of the start for each end and each start of a group; so many
-/// share, and no more.  Thread-safe.
+/// for.  Cost: a ray and the lobes of the start for each end and each of the at most eight
+/// starts that share it.  Thread-safe.
 void share_gathers(const RenderScene& scene, const GatherScale& scale, const PixelGroups& groups,
                    std::span<const GatherStart> starts, TracedRows<3>& rows);
 

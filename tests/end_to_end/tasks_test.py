@@ -71,7 +71,7 @@ class Tasks(ToolsTestCase):
         for name, part in (("a", states[:7]), ("b", states[7:])):
             self.merge(*part, options=("--state", self.path(name + ".state")))
         said = self.merge("a.state", "b.state", options=(
-            "--fireflies", "keep",  # they are told by the pixels around
+            "--fireflies", "keep",  # a missing tile changes which samples count as fireflies
             "--state", self.path("c.state"), "--stats", self.path("c.json"), "-o", self.path("c.exr"),
             "--error-image", self.path("c.png"), "--passes", PASSES + 1))
         self.assertRegex(said, rf"missing: passes {PASSES} of 21x4 pixels at 0,4;|"
