@@ -141,12 +141,17 @@ class GatherTracer {
         scratch_.starts.back().at.inside = nullptr; // the branch's
     }
 
-    PhotonQuery query_of(const Interaction& at, const PhotonLobes& lobes) const
+    /// lobes: null where photons count alike from all directions.
+    static PhotonQuery query_at(const Interaction& at, const PhotonLobes* lobes)
     {
         PhotonQuery out{at.point.position, at.normal, at.point.face, at.side};
-        if (maps_.scene.directional)
-            out.lobes = &lobes;
+        out.lobes = lobes;
         return out;
+    }
+
+    PhotonQuery query_of(const Interaction& at, const PhotonLobes& lobes) const
+    {
+        return query_at(at, maps_.scene.directional ? &lobes : nullptr);
     }
 
     /// Returns the factor by which what a query of query_of finds is multiplied.
@@ -300,8 +305,7 @@ class GatherTracer {
         if (maps_.glossy == nullptr || shared_maps(*maps_.glossy).maps.empty())
             return 0;
         const PhotonLobes lobes(at, Lobes::followed);
-        PhotonQuery query{at.point.position, at.normal, at.point.face, at.side};
-        query.lobes = &lobes;
+        const PhotonQuery query = query_at(at, &lobes);
         const float first = radius_at(maps_.first.glossy, maps_.surfaces, query);
         if (!std::isfinite(first))
             return 0;

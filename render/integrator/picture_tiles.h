@@ -65,19 +65,6 @@ inline TileGrid tile_grid(const PictureJob& job)
     return {rendered, traced, tiles};
 }
 
-/// The samples of some rows of a tile, pixel by pixel.
-template <std::size_t images>
-struct TracedRows {
-    PixelRect pixels;                  ///< of the image
-    std::vector<std::uint32_t> begins; ///< [pixels + 1] of their samples
-    std::vector<TracedSample<images>> samples;
-
-    std::uint32_t pixel_at(int x, int y) const
-    {
-        return static_cast<std::uint32_t>((y - pixels.y0) * pixels.width() + x - pixels.x0);
-    }
-};
-
 /// What an integrator does with the samples of a tile: `trace(ray, seen, random, scratch)` returns
 /// the Samples of a ray, `finish(rows, scratch)` adds to the samples of whole groups of pixels, and
 /// `count(scratch)` receives the counts of each tile, one at a time.
@@ -97,12 +84,7 @@ void trace_rows(const PictureJob& job, const Tracer& tracer, Scratch& scratch,
     rows.samples.clear();
     for (int y = rows.pixels.y0; y < rows.pixels.y1; ++y)
         for (int x = rows.pixels.x0; x < rows.pixels.x1; ++x) {
-            trace_pixel(
-                job, x, y,
-                [&](const Ray& ray, SeenLights seen, RandomSequence& random) {
-                    return tracer.trace(ray, seen, random, scratch);
-                },
-                rows.samples);
+            trace_pixel(job, {x, y}, tracer.trace, scratch, rows.samples);
             rows.begins.push_back(static_cast<std::uint32_t>(rows.samples.size()));
         }
 }
@@ -114,12 +96,10 @@ void add_rows(const PictureJob& job, const TracedRows<traced_images<images>>& ro
 {
     for (int y = rows.pixels.y0; y < rows.pixels.y1; ++y)
         for (int x = rows.pixels.x0; x < rows.pixels.x1; ++x) {
-            const std::uint32_t pixel = rows.pixel_at(x, y);
-            const std::span all(rows.samples);
+            const Part own = rows.samples_of(x, y);
             const auto filtered = filter_pixel<images>(
-                job, x, y,
-                all.subspan(rows.begins[pixel], rows.begins[pixel + 1] - rows.begins[pixel]));
-            sums.dropped += rows.begins[pixel + 1] - rows.begins[pixel] - filtered.kept;
+                job, x, y, std::span(rows.samples).subspan(own.begin, own.size()));
+            sums.dropped += own.size() - filtered.kept;
             sums.add(x - tile.x, y - tile.y, filtered);
         }
 }
@@ -260,12 +240,7 @@ CoarseImage render_coarse(const PictureJob& job, const PilotControl& control, co
             const int x = std::min(pixels.x0 + u * out.block + out.block / 2, pixels.x1 - 1);
             const int y = std::min(pixels.y0 + v * out.block + out.block / 2, pixels.y1 - 1);
             std::vector<TracedSample<images>> traced;
-            trace_pixel(
-                few, x, y,
-                [&](const Ray& ray, SeenLights seen, RandomSequence& random) {
-                    return trace(ray, seen, random, scratch);
-                },
-                traced);
+            trace_pixel(few, {x, y}, trace, scratch, traced);
             const auto samples = filter_pixel<images>(few, x, y, traced);
             const Rgb mean = samples.values[4][0] / samples.weights[4]; // of the pixel itself
             out.image.at(u, v) = is_finite(mean) ? mean : Rgb(0);

@@ -16,14 +16,23 @@ struct PixelGroups {
     int begin_y(int y) const { return y - (y + above) % down; }
 };
 
+/// How many gather rays share their ends, at most; a pixel has one for each of its samples.
+inline constexpr int kSharing = 8;
+
+/// Pixels from one to the next of those that share: between them lie pixels that share other ends,
+/// so that the filter of the image takes the mean over both.
+inline constexpr int kApart = 2;
+
 /// Returns the groups of a pass whose samples share what their gather rays find,
 /// docs/light_transport.md (51).  They lie elsewhere from pass to pass, so that no edge shows.
 inline PixelGroups sharing_groups(std::uint64_t pass)
 {
-    return {.across = 8,
-            .down = 4,
-            .left = static_cast<int>(4 * (pass % 2)),
-            .above = static_cast<int>(2 * (pass / 2 % 2))};
+    constexpr int kColumns = 4, kRows = kSharing / kColumns;
+    constexpr int kAcross = kColumns * kApart, kDown = kRows * kApart;
+    return {.across = kAcross,
+            .down = kDown,
+            .left = kAcross / 2 * static_cast<int>(pass % 2),
+            .above = kDown / 2 * static_cast<int>(pass / 2 % 2)};
 }
 
 } // namespace hipmap

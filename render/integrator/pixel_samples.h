@@ -1,5 +1,7 @@
 #pragma once
 
+#include "common/image/pixel_rect.h"
+#include "common/math/part.h"
 #include "common/math/random.h"
 #include "common/math/sampling.h"
 #include "common/rays/camera_ray.h"
@@ -163,20 +165,36 @@ struct TracedSample {
     Samples<images> value{};
 };
 
-/// Appends the samples of a pixel.
-template <std::size_t images, typename Trace>
-void trace_pixel(const PictureJob& job, int x, int y, const Trace& trace,
+/// Appends the samples of a pixel.  trace(ray, seen, random, scratch): as that of TileTracer.
+template <std::size_t images, typename Scratch, typename Trace>
+void trace_pixel(const PictureJob& job, const glm::ivec2& at, const Trace& trace, Scratch& scratch,
                  std::vector<TracedSample<images>>& out)
 {
-    const std::uint64_t pixel = job.index_of(x, y);
+    const std::uint64_t pixel = job.index_of(at.x, at.y);
     const std::uint32_t samples = job.samples(pixel);
     const SeenLights seen = job.light_samples(pixel) > 0 ? SeenLights::left_out : SeenLights::added;
     for (std::uint32_t s = 0; s < samples; ++s) {
         RandomSequence random = sample_sequence(job, RandomStream::eye_paths, pixel, samples, s);
-        const PixelRay from = pixel_ray(job, x, y, random);
-        out.push_back({from.at, trace(from.ray, seen, random)});
+        const PixelRay from = pixel_ray(job, at.x, at.y, random);
+        out.push_back({from.at, trace(from.ray, seen, random, scratch)});
     }
 }
+
+/// The samples of some rows of pixels, pixel by pixel.
+template <std::size_t images>
+struct TracedRows {
+    PixelRect pixels;                  ///< of the image
+    std::vector<std::uint32_t> begins; ///< [pixels + 1] of their samples
+    std::vector<TracedSample<images>> samples;
+
+    /// Returns which of the samples are those of a pixel.
+    Part samples_of(int x, int y) const
+    {
+        const auto pixel =
+            static_cast<std::size_t>((y - pixels.y0) * pixels.width() + x - pixels.x0);
+        return {begins[pixel], begins[pixel + 1]};
+    }
+};
 
 /// Clamps and filters all samples of a pixel, with its seen lights; samples that are not finite are
 /// left out with their weights.  All samples of a pixel together weigh one.

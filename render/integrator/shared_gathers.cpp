@@ -1,6 +1,5 @@
 #include "render/integrator/shared_gathers.h"
 
-#include "common/math/part.h"
 #include "render/shading/scatter.h"
 
 #include <cmath>
@@ -11,13 +10,6 @@ namespace {
 
 /// Cosine between directions in which surfaces send about the same light.
 constexpr float kLikeWays = 0.99f;
-
-/// How many starts share their ends, at most.
-constexpr std::size_t kSharing = 8;
-
-/// Pixels from one to the next of those that share: between them lie pixels that share other ends,
-/// so that the filter of the image takes the mean over both.
-constexpr int kApart = 2;
 
 /// From a start to an end: all zero where it is not seen.
 struct Way {
@@ -133,16 +125,16 @@ void over_lattices(const PixelRect& pixels, const Use& use)
 /// Calls use(sample) with the sample number `s` of each pixel of a lattice that has so many.
 /// Returns whether there is one.
 template <typename Use>
-bool over_samples(const TracedRows<3>& rows, const PixelRect& lattice, std::uint32_t s,
+bool over_samples(const TracedRows<3>& rows, const PixelRect& lattice, std::size_t s,
                   const Use& use)
 {
     bool found = false;
     for (int y = lattice.y0; y < lattice.y1; y += kApart)
         for (int x = lattice.x0; x < lattice.x1; x += kApart) {
-            const std::uint32_t pixel = rows.pixel_at(x, y), sample = rows.begins[pixel] + s;
-            if (!(sample < rows.begins[pixel + 1]))
+            const Part own = rows.samples_of(x, y);
+            if (!(s < own.size()))
                 continue;
-            use(sample);
+            use(own.begin + s);
             found = true;
         }
     return found;
@@ -163,7 +155,8 @@ std::vector<std::size_t> begins_of(std::span<const GatherStart> starts, std::siz
 void share_ends(Group& group, std::span<const GatherStart* const> starts,
                 std::vector<TracedSample<3>>& samples)
 {
-    const std::size_t parts = (starts.size() + kSharing - 1) / kSharing;
+    constexpr std::size_t kMost = kSharing;
+    const std::size_t parts = (starts.size() + kMost - 1) / kMost;
     for (std::size_t i = 0; i < parts; ++i) {
         const Part part = part_of(starts.size(), i, parts);
         group.starts = starts.subspan(part.begin, part.size());
@@ -183,14 +176,14 @@ void share_gathers(const RenderScene& scene, const GatherScale& scale, const Pix
     const std::vector<std::size_t> begins = begins_of(starts, rows.samples.size());
     Group group{scene, scale};
     std::vector<const GatherStart*> all;
-    const auto append = [&](std::uint32_t sample) {
+    const auto append = [&](std::size_t sample) {
         for (std::size_t i = begins[sample]; i < begins[sample + 1]; ++i)
             all.push_back(&starts[i]);
     };
     over_groups(groups, rows.pixels, [&](const PixelRect& pixels) {
         over_lattices(pixels, [&](const PixelRect& lattice) {
             all.clear();
-            for (std::uint32_t s = 0; over_samples(rows, lattice, s, append); ++s)
+            for (std::size_t s = 0; over_samples(rows, lattice, s, append); ++s)
                 ;
             share_ends(group, all, rows.samples);
         });

@@ -49,15 +49,38 @@ PassImages third_pass(const RenderScene& scene, const PixelRect& crop, std::size
     return make_pass_source(scene, options, ignored).render(3, {}).images;
 }
 
-/// Walls of a rough diffuse lobe, which sends not quite the same in all directions.
-Scene rough_room()
+Scene room_of(const Material& walls)
 {
-    Material plaster = tiny::diffuse({0.7f, 0.6f, 0.5f});
-    plaster.diffuse_model = DiffuseModel::oren_nayar;
-    plaster.roughness = 1;
-    Scene scene = tiny::with_glass_and_mirror(tiny::box(plaster), Rgb(0.9f));
+    Scene scene = tiny::with_glass_and_mirror(tiny::box(walls), Rgb(0.9f));
     tiny::add(scene, tiny::floor_at(0.45f, -0.3f), tiny::emissive(Rgb(5)));
     return scene;
+}
+
+/// Of a rough diffuse lobe, which sends not quite the same in all directions.
+Material plaster()
+{
+    Material out = tiny::diffuse({0.7f, 0.6f, 0.5f});
+    out.diffuse_model = DiffuseModel::oren_nayar;
+    out.roughness = 1;
+    return out;
+}
+
+/// Of a diffuse lobe under one that is followed, which takes most light at grazing angles.
+Material plastic()
+{
+    Material out = tiny::diffuse({0.7f, 0.6f, 0.5f});
+    out.specular = 1;
+    out.roughness = 0.2f;
+    return out;
+}
+
+/// The same under a smooth clear coat.
+Material lacquer()
+{
+    Material out = tiny::diffuse({0.7f, 0.6f, 0.5f});
+    out.clearcoat = 1;
+    out.clearcoat_roughness = 0;
+    return out;
 }
 
 } // namespace
@@ -68,7 +91,8 @@ TEST_CASE("shared gathers: with those of neighbours the image is that of paths",
     static_cast<RenderOptions&>(options) = small_options(GatherSharing::neighbours);
     options.width = options.height = 16;
     check_agreement(*tiny::ready(tiny::room()), options, 8, 30);
-    check_agreement(*tiny::ready(rough_room()), options, 8, 30);
+    for (const Material& walls : {plaster(), plastic(), lacquer()})
+        check_agreement(*tiny::ready(room_of(walls)), options, 8, 30);
 }
 
 TEST_CASE("shared gathers: lessen the noise of diffuse walls", "[integrator]")
