@@ -14,6 +14,9 @@ namespace {
 /// of the floats the corners are given in.
 constexpr double kInside = 0x1p-22;
 
+/// To test so many pieces takes less time than to find the one in a direction.
+constexpr std::size_t kFewPieces = 8;
+
 /// Angle from u counter-clockwise to v, whose keys are `turn` apart (0 to 4).  The keys settle what
 /// the arctangent leaves open or rounds away: no turn or a whole one, in particular.
 double angle_between(const glm::dvec2& u, const glm::dvec2& v, double turn)
@@ -102,7 +105,8 @@ bool VisibleDisc::hides(const Wall& wall, const glm::dvec2& p)
 {
     const double s = cross(p, wall.b);
     const double t = cross(wall.a, p);
-    return s >= 0 && t >= 0 && s + t > wall.cross;
+    // No branches: which is false first is chance.
+    return static_cast<bool>(int{s >= 0} & int{t >= 0} & int{s + t > wall.cross});
 }
 
 /// What any wall hides, the nearest in that direction hides too.  Where keys are rounded, that may
@@ -114,15 +118,21 @@ bool VisibleDisc::sees_past_walls(const glm::vec3& photon) const
         return false;
     if (glm::dot(p, p) <= nearest2_ || envelope_.empty())
         return true;
+    const std::size_t count = envelope_.size();
+    if (count <= kFewPieces) {
+        int hidden = 0;
+        for (const Piece& piece : envelope_)
+            hidden |= int{hides(walls_[piece.wall], p)};
+        return hidden == 0;
+    }
     const auto after =
         std::upper_bound(envelope_.begin(), envelope_.end(), direction_key(p),
                          [](double key, const Piece& piece) { return key < piece.from.key; });
-    const std::size_t count = envelope_.size();
-    const auto next = static_cast<std::size_t>(after - envelope_.begin()) + count;
-    for (const std::size_t i : {next - 1, next - 2, next})
-        if (hides(walls_[envelope_[i % count].wall], p))
-            return false;
-    return true;
+    const auto next = static_cast<std::size_t>(after - envelope_.begin());
+    const auto hidden_by = [&](std::size_t piece) {
+        return hides(walls_[envelope_[piece < count ? piece : piece - count].wall], p);
+    };
+    return !hidden_by(next + count - 1) && !hidden_by(next + count - 2) && !hidden_by(next);
 }
 
 /// The wall as one piece, or as two if it crosses the ray along +x, where keys jump.
