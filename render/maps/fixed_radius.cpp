@@ -1,8 +1,10 @@
 #include "render/maps/fixed_radius.h"
 
 #include "render/maps/gather.h"
+#include "render/maps/seen_photons.h"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -81,14 +83,18 @@ Slots seen_of(Slots slots, const FoundPhotons& found, const RadiusQuery& wanted,
 {
     const bool folds = wanted.surfaces.may_fold(wanted.query.face);
     const bool weighed = wanted.query.lobes != nullptr;
-    std::size_t count = 0;
+    PhotonPlaces places;
     for (const std::uint32_t slot : slots) {
         // Soon read: memory is what an estimate waits for.
         __builtin_prefetch(&found.map->powers.blocks[slot / kTreeWidth]);
         if (weighed)
             __builtin_prefetch(&found.map->directions[slot]);
-        if (disc.sees(found.map->tree.position(slot)) &&
-            (!folds || is_on_side({*found.map, slot}, wanted.query, wanted.surfaces)))
+        places.add(found.map->tree.position(slot));
+    }
+    std::size_t count = 0;
+    for (std::uint64_t left = seen_photons(disc, places); left != 0; left &= left - 1) {
+        const std::uint32_t slot = slots[static_cast<std::size_t>(std::countr_zero(left))];
+        if (!folds || is_on_side({*found.map, slot}, wanted.query, wanted.surfaces))
             out[count++] = slot;
     }
     return {out.data(), count};

@@ -96,12 +96,16 @@ bool VisibleDisc::look_past(const DiscQuery& query, std::span<const BoundarySegm
     for (const BoundarySegment& segment : boundary)
         add_walls(segment, double(query.radius) * query.radius);
     build_envelope();
+    few_.clear();
+    if (envelope_.size() <= kFewPieces)
+        for (const Piece& piece : envelope_)
+            few_.push_back(walls_[piece.wall]);
     return true;
 }
 
 /// A1: p = (s a + t b) / (a x b) lies beyond the wall if s, t >= 0 and s + t > a x b.  Both ends
 /// belong to the wall, so that nothing passes between two walls that share one.
-bool VisibleDisc::hides(const Wall& wall, const glm::dvec2& p)
+bool VisibleDisc::hides(const DiscWall& wall, const glm::dvec2& p)
 {
     const double s = cross(p, wall.b);
     const double t = cross(wall.a, p);
@@ -121,8 +125,8 @@ bool VisibleDisc::sees_past_walls(const glm::vec3& photon) const
     const std::size_t count = envelope_.size();
     if (count <= kFewPieces) {
         int hidden = 0;
-        for (const Piece& piece : envelope_)
-            hidden |= int{hides(walls_[piece.wall], p)};
+        for (const DiscWall& wall : few_)
+            hidden |= int{hides(wall, p)};
         return hidden == 0;
     }
     const auto after =
@@ -133,6 +137,13 @@ bool VisibleDisc::sees_past_walls(const glm::vec3& photon) const
         return hides(walls_[envelope_[piece < count ? piece : piece - count].wall], p);
     };
     return !hidden_by(next + count - 1) && !hidden_by(next + count - 2) && !hidden_by(next);
+}
+
+std::optional<DiscView> VisibleDisc::few_walls() const
+{
+    if (envelope_.size() > kFewPieces)
+        return std::nullopt;
+    return DiscView{centre_, x_axis_, y_axis_, normal_, fold_, nearest2_, few_};
 }
 
 /// The wall as one piece, or as two if it crosses the ray along +x, where keys jump.
@@ -179,7 +190,7 @@ void VisibleDisc::build_envelope()
 /// Where the wall of `piece` lies in a direction: between its ends, whatever the rounding.
 VisibleDisc::Mark VisibleDisc::mark_towards(const Piece& piece, const Mark& direction) const
 {
-    const Wall& wall = walls_[piece.wall];
+    const DiscWall& wall = walls_[piece.wall];
     const double to_b = std::max(0.0, cross(wall.a, direction.point));
     const double to_a = std::max(0.0, cross(direction.point, wall.b));
     const double t = to_b + to_a > 0 ? to_b / (to_b + to_a) : 0.5;
@@ -258,7 +269,7 @@ void VisibleDisc::merge(std::span<const Piece> left, std::span<const Piece> righ
 /// What of a piece lies within the circle; false if nothing.
 bool VisibleDisc::clip(const Piece& piece, double r2, Chord& chord) const
 {
-    const Wall& wall = walls_[piece.wall];
+    const DiscWall& wall = walls_[piece.wall];
     const glm::dvec2 along = wall.b - wall.a;
     const double length = std::sqrt(glm::dot(along, along));
     const glm::dvec2 unit = along / length;

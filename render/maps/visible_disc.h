@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -19,6 +20,21 @@ struct DiscQuery {
     std::array<glm::vec3, 3> face; ///< corners of the face the point lies on
     glm::vec3 point;               ///< on the face up to rounding, beyond its edges too
     float radius;                  ///< the largest that will be asked about; > 0, finite
+};
+
+/// A boundary segment in the plane of a query, counter-clockwise about the query, which is the
+/// origin.
+struct DiscWall {
+    glm::dvec2 a, b;
+    double cross; ///< a x b > 0
+};
+
+/// What decides whether photons are seen past few walls.  Borrows what it names.
+struct DiscView {
+    const glm::dvec3 &centre, &x_axis, &y_axis, &normal; ///< the query and its plane
+    OwnFold fold;
+    double nearest2; ///< of any wall, squared; infinite: there is none
+    std::span<const DiscWall> walls;
 };
 
 /// The part of a disc around a point that is visible from the point within the boundary of its map:
@@ -46,6 +62,12 @@ class VisibleDisc {
     /// logarithmic in the segments.
     bool sees(const glm::vec3& photon) const { return everything_ || sees_past_walls(photon); }
 
+    /// Returns whether it sees all photons.
+    bool sees_everything() const { return everything_; }
+
+    /// Returns the walls that it looks past, if they are few; it must not see everything.
+    std::optional<DiscView> few_walls() const;
+
     /// Returns the area of the visible part of the disc of radius r, square scene units (A4). r: >
     /// 0, at most the query's radius.  Never more than pi r^2; never zero (A5). Cost: linear in the
     /// segments.
@@ -55,11 +77,6 @@ class VisibleDisc {
     }
 
   private:
-    /// A projected segment, counter-clockwise about the query, which is the origin.
-    struct Wall {
-        glm::dvec2 a, b;
-        double cross; ///< a x b > 0
-    };
     /// A point of a wall and the key of its direction.
     struct Mark {
         glm::dvec2 point;
@@ -87,7 +104,7 @@ class VisibleDisc {
     void emit(const Piece& piece);
     Mark mark_towards(const Piece& piece, const Mark& direction) const;
     bool clip(const Piece& piece, double r2, Chord& chord) const;
-    static bool hides(const Wall& wall, const glm::dvec2& p);
+    static bool hides(const DiscWall& wall, const glm::dvec2& p);
     bool sees_past_walls(const glm::vec3& photon) const;
     double area_within_walls(float r) const;
 
@@ -95,8 +112,9 @@ class VisibleDisc {
     OwnFold fold_{0};
     glm::dvec3 centre_{0.0}, x_axis_{0.0}, y_axis_{0.0}, normal_{0.0};
     double nearest2_ = std::numeric_limits<double>::infinity(); ///< of any wall, squared
-    std::vector<Wall> walls_;
+    std::vector<DiscWall> walls_;
     std::vector<Piece> envelope_; ///< by direction, disjoint
+    std::vector<DiscWall> few_;   ///< those of the envelope, if it has few pieces
     std::vector<Piece> merged_;   ///< scratch, as are the two below
     std::vector<std::uint32_t> runs_, merged_runs_;
 };

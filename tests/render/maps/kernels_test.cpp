@@ -1,5 +1,7 @@
 #include "render/maps/fixed_radius.h"
 #include "render/maps/gather.h"
+#include "render/maps/seen_photons.h"
+#include "tests/render/maps/flat_walls.h"
 #include "tests/render/maps/within_by_hand.h"
 #include "tests/support/instruction_sets.h"
 
@@ -65,4 +67,33 @@ TEST_CASE("kernels: sums by radius have the bits of plain ones in the order of t
                 CHECK(sums.at(r) == plain[r]);
         });
     }
+}
+
+TEST_CASE("kernels: photons past few and many walls are seen as they are one by one", "[maps]")
+{
+    flat_walls::Random random(12);
+    std::vector<VisibleDisc> discs;
+    for (const int walls : {0, 1, 2, 3, 5, 8, 13, 30, 60})
+        discs.push_back(flat_walls::look(flat_walls::flat_query(0, 0, 1),
+                                         flat_walls::random_segments(random, walls)));
+    with_each_instruction_set([&] {
+        std::size_t different = 0, seen = 0, hidden = 0;
+        for (const VisibleDisc& disc : discs)
+            for (std::size_t count = 1; count <= PhotonPlaces::kMost; ++count) {
+                PhotonPlaces photons;
+                for (std::size_t i = 0; i < count; ++i)
+                    photons.add({random.between(-1, 1), random.between(-1, 1),
+                                 random.between(-0.5f, 0.5f)}); // some beyond the fold
+                const std::uint64_t found = seen_photons(disc, photons);
+                for (std::size_t i = 0; i < count; ++i) {
+                    const bool sees =
+                        disc.sees({photons.of[0][i], photons.of[1][i], photons.of[2][i]});
+                    ++(sees ? seen : hidden);
+                    different += (found >> i & 1) == std::uint64_t{sees} ? 0 : 1;
+                }
+            }
+        CHECK(different == 0);
+        CHECK(seen > 1000);
+        CHECK(hidden > 1000);
+    });
 }
