@@ -33,7 +33,8 @@ void print_photons(const RenderStatistics& statistics, Report& report)
     report.detail(line.str());
 }
 
-void print_guides(const RenderStatistics& statistics, Report& report)
+void print_guides(const RenderArguments& arguments, const RenderStatistics& statistics,
+                  Report& report)
 {
     const auto say = [&](const char* paths, double variance) {
         if (variance < 1)
@@ -42,6 +43,10 @@ void print_guides(const RenderStatistics& statistics, Report& report)
     };
     if (statistics.indirect_by == IndirectLight::paths)
         report.detail("indirect light: by paths, as these find light easily here (--indirect-by)");
+    else if (arguments.render.indirect == IndirectLight::paths &&
+             arguments.render.integrator == Integrator::progressive)
+        report.warn("--indirect-by paths has no effect: there is no indirect light, or photons "
+                    "bring it, as always with media and with methods of the dissertation");
     say("light paths", statistics.guided_variance);
     say("light paths aimed at specular surfaces", statistics.guided_variance_aimed);
 }
@@ -85,7 +90,7 @@ void print_statistics(const RenderArguments& arguments, const RenderedFrame& fra
     if (kind_of(arguments.render.integrator).photons) {
         if (statistics.emitted + statistics.aimed > 0)
             print_photons(statistics, report);
-        print_guides(statistics, report);
+        print_guides(arguments, statistics, report);
         print_levels(statistics, report);
     }
     warn_of_missed(arguments, frame, report);

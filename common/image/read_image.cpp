@@ -109,7 +109,7 @@ Image read_hdr(const std::filesystem::path& path, std::vector<std::byte> bytes)
         fail(path, "the header of this Radiance HDR file is damaged");
     bytes.insert(bytes.end(), kPadding, std::byte{0xff});
     if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
-        fail(path, "the file is larger than 2 GB");
+        fail(path, "the file is larger than 2 GB: scale the image down");
     const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
     const int size = static_cast<int>(bytes.size());
     int width = 0;

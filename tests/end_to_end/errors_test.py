@@ -116,6 +116,12 @@ class Errors(ToolsTestCase):
         self.refuse("preprocess", Tools.scene, "-o", self.path("a.hpm"), "--exclude", "Nobody",
                     naming="Nobody")
 
+    def test_an_option_without_effect_is_told(self):
+        said = self.succeed("render", Tools.scene, self.partition(), "-o", self.path("a.pfm"), "--size", "16",
+                            "--passes", "1", "--photons", "2000", "--effects", "-indirect",
+                            "--indirect-by", "paths")
+        self.assertIn("--indirect-by paths has no effect", said)
+
     @staticmethod
     def progress_told(render):
         """What it says until it tells its progress, of which it waits for 5 s, here without computing."""
