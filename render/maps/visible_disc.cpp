@@ -109,8 +109,7 @@ bool VisibleDisc::hides(const DiscWall& wall, const glm::dvec2& p)
 {
     const double s = cross(p, wall.b);
     const double t = cross(wall.a, p);
-    // No branches: which is false first is chance.
-    return static_cast<bool>(int{s >= 0} & int{t >= 0} & int{s + t > wall.cross});
+    return s >= 0 && t >= 0 && s + t > wall.cross;
 }
 
 /// What any wall hides, the nearest in that direction hides too.  Where keys are rounded, that may
@@ -120,15 +119,11 @@ bool VisibleDisc::sees_past_walls(const glm::vec3& photon) const
     const auto [p, height] = project(photon);
     if (!fold_.contains(p, height))
         return false;
-    if (glm::dot(p, p) <= nearest2_ || envelope_.empty())
+    if (glm::dot(p, p) <= nearest2_)
         return true;
     const std::size_t count = envelope_.size();
-    if (count <= kFewPieces) {
-        int hidden = 0;
-        for (const DiscWall& wall : few_)
-            hidden |= int{hides(wall, p)};
-        return hidden == 0;
-    }
+    if (count <= kFewPieces)
+        return std::ranges::none_of(few_, [&](const DiscWall& wall) { return hides(wall, p); });
     const auto after =
         std::upper_bound(envelope_.begin(), envelope_.end(), direction_key(p),
                          [](double key, const Piece& piece) { return key < piece.from.key; });

@@ -56,7 +56,7 @@ Scene room_of(const Material& walls)
     return scene;
 }
 
-/// Of a rough diffuse lobe, which sends not quite the same in all directions.
+/// Returns a rough diffuse material; its radiance depends a little on the direction.
 Material plaster()
 {
     Material out = tiny::diffuse({0.7f, 0.6f, 0.5f});
@@ -65,7 +65,7 @@ Material plaster()
     return out;
 }
 
-/// Of a diffuse lobe under one that is followed, which takes most light at grazing angles.
+/// Returns a diffuse material under a glossy layer, which reflects most light at grazing angles.
 Material plastic()
 {
     Material out = tiny::diffuse({0.7f, 0.6f, 0.5f});
@@ -74,7 +74,7 @@ Material plastic()
     return out;
 }
 
-/// The same under a smooth clear coat.
+/// Returns a diffuse material under a smooth clear coat.
 Material lacquer()
 {
     Material out = tiny::diffuse({0.7f, 0.6f, 0.5f});
