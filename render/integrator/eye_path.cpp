@@ -3,7 +3,10 @@
 #include "render/integrator/gather_branch.h"
 #include "render/integrator/media_beams.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <type_traits>
 
 namespace hipmap {
 
@@ -85,25 +88,59 @@ void send_on(const RenderScene& scene, const Interaction& at, const GatherBranch
 }
 
 /// Calls visit(branch, at, distance) at all surfaces that an eye path meets behind specular ones
-/// alone, and behind followed lobes after these.  Adds the lights on the way to `radiance`.
-template <typename Visit>
+/// alone, behind followed lobes after these, and up to class `last`, and visit(branch), if it can
+/// be called so, where it leaves the scene.  Adds the lights on the way to `radiance`.
+template <EyePathClass last = EyePathClass::highlight, typename Visit>
 void over_surfaces(const RenderScene& scene, const Ray& ray, RandomSequence& random, Rgb& radiance,
-                   const Visit& visit)
+                   Visit&& visit)
 {
     GatherBranchStack stack;
     stack.push({path_from_eye(scene, ray)});
     while (!stack.empty()) {
         GatherBranch branch = stack.pop();
-        if (!sees_lights(branch.behind))
+        if (branch.behind > last)
             continue;
         const MediaFlight reached = reach_by_beams(scene, nullptr, true, branch, radiance);
-        if (!reached.hit)
+        if (!reached.hit) {
+            if constexpr (std::is_invocable_v<Visit, const GatherBranch&>)
+                visit(branch);
             continue;
+        }
         const Interaction at = meet(scene, *reached.hit, random, branch);
         visit(branch, at, reached.hit->distance);
         send_on(scene, at, branch, random, stack);
     }
 }
+
+bool is_long(const GatherBranch& branch)
+{
+    constexpr int kSpecular = 6, kFollowed = 2;
+    return branch.depth >= (branch.behind == EyePathClass::specular ? kSpecular : kFollowed);
+}
+
+/// The mean over all directions of a light that a ray meets, and of its square.  Light samples find
+/// it too if followed lobes sent the ray.  pdf: of the ray, as in RaySource.
+glm::dvec2 moments(const SkyMoments& sky, float pdf)
+{
+    const double second = pdf > 0 ? std::min(sky.second, sky.first * sky.first * pdf) : sky.second;
+    return std::isfinite(second) ? glm::dvec2(sky.first, second) / (4.0 * kPi) : glm::dvec2(0);
+}
+
+struct LongPathVisitor {
+    std::span<const SkyMoments> sky;
+    LongPaths found{};
+
+    void operator()(const GatherBranch&, const Interaction&, float) { ++found.surfaces; }
+    void operator()(const GatherBranch& branch)
+    {
+        if (!is_long(branch))
+            return;
+        const double passed = max_channel(branch.throughput);
+        glm::vec2& of_class = sees_lights(branch.behind) ? found.seen : found.others;
+        for (const SkyMoments& light : sky)
+            of_class += moments(light, branch.source.pdf) * glm::dvec2(passed, passed * passed);
+    }
+};
 
 } // namespace
 
@@ -139,6 +176,31 @@ Rgb trace_seen_lights(const RenderScene& scene, const Ray& ray, RandomSequence& 
                                       light_sampled_light(scene, at, {.followed = 1}, random);
                   });
     return radiance;
+}
+
+LongPaths& LongPaths::operator+=(const LongPaths& more)
+{
+    seen += more.seen;
+    others += more.others;
+    surfaces += more.surfaces;
+    return *this;
+}
+
+LongPaths& LongPaths::operator/=(float samples)
+{
+    seen /= samples;
+    others /= samples;
+    surfaces /= samples;
+    return *this;
+}
+
+LongPaths trace_long_paths(const RenderScene& scene, std::span<const SkyMoments> sky,
+                           const Ray& ray, RandomSequence& random)
+{
+    LongPathVisitor visitor{sky};
+    Rgb lights_on_way(0.0f);
+    over_surfaces<EyePathClass::glossy>(scene, ray, random, lights_on_way, visitor);
+    return visitor.found;
 }
 
 Rgb trace_emissive_difference(const RenderScene& scene, const Ray& ray, RandomSequence& random)

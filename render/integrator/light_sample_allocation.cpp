@@ -1,5 +1,6 @@
 #include "render/integrator/light_sample_allocation.h"
 
+#include "render/integrator/long_paths.h"
 #include "render/integrator/pixel_samples.h"
 
 #include <tbb/parallel_for.h>
@@ -75,9 +76,11 @@ LightNoise measure_light_noise(const RenderScene& scene, const RenderOptions& op
             own[(y - rows.begin) * width + x] = moments_of(job, x, static_cast<int>(y));
     });
     const std::vector<Moments> moments = joined(team, std::move(own));
-    if (std::ranges::all_of(moments, [](const Moments& at) { return at.mean == 0; }))
-        return {};
     LightNoise out;
+    out.long_paths = measure_long_paths(job, team);
+    if (out.long_paths.empty() &&
+        std::ranges::all_of(moments, [](const Moments& at) { return at.mean == 0; }))
+        return {};
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
             const Moments all = around(moments, x, y, width, height);

@@ -14,6 +14,7 @@ namespace hipmap {
 /// pixel alone may miss a light.  Empty: no light is seen.
 struct LightNoise {
     std::vector<float> mean, variance;
+    std::vector<LongPaths> long_paths; ///< what these samples may miss; empty: nothing
 };
 
 /// Returns the mean over the image; zero if no light is seen.

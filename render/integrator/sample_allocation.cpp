@@ -17,8 +17,12 @@ constexpr double kLeastSamplesShare = 0.25;
 constexpr double kMostSamplesShare = 8;
 constexpr double kMostLightSamplesShare = 64;
 
-/// The square root of the cost of a sample over that of one of the seen lights.
-constexpr double kLightSamplesForOne = 3;
+/// The cost of a sample of the seen lights over that of another: at least, and by surface it meets.
+constexpr double kLeastLightCost = 1.0 / 9, kLightCostBySurface = 0.1;
+
+/// Light of long paths that a smaller share of samples finds is left to chance, docs/error.md (27):
+/// even the pixels with the most samples have no more than a million of them in a long render.
+constexpr double kRarest = 1e-6;
 
 /// A pixel's deviation is taken from those up to so many pixels away: two samples alone say little.
 constexpr int kReach = 2;
@@ -157,9 +161,36 @@ int choose_emissive_points(const PilotNoise& pilot, const Brightness& brightness
 struct Deviations {
     double rest = 0;   ///< of what its samples find
     double lights = 0; ///< of the seen lights, where they have samples of their own
+    double light_cost = kLeastLightCost; ///< of a sample of these, over that of another
 };
 
-/// docs/error.md (16), by pixel of the image.  variances: by pixel of the pilot's images.
+/// Returns the mean square of the light of long paths; zero if it is so rare that hardly any image
+/// would have a sample of it.
+double expected(const glm::vec2& paths, double rarest)
+{
+    return double{paths.x} * paths.x > rarest * paths.y ? paths.y : 0;
+}
+
+/// docs/error.md (16), (27).  rest: variance of the other samples; scale2: brightness, squared.
+Deviations deviations_at(const LightNoise& noise, std::size_t pixel, double rest, double scale2)
+{
+    double lights = noise.variance.empty() ? 0 : noise.variance[pixel], others = 0;
+    Deviations out;
+    if (!noise.long_paths.empty()) {
+        const LongPaths& paths = noise.long_paths[pixel];
+        lights = std::max(lights, expected(paths.seen, kRarest));
+        others = expected(paths.others, kRarest * kMostLightSamplesShare / kMostSamplesShare);
+        out.light_cost = std::max(kLeastLightCost, kLightCostBySurface * paths.surfaces);
+    }
+    lights = scale2 > 0 ? lights / scale2 : 0;
+    others = scale2 > 0 ? others / scale2 : 0;
+    const bool apart = lights > rest;
+    out.rest = std::sqrt(rest + others + (apart ? 0 : lights));
+    out.lights = apart ? std::sqrt(lights) : 0;
+    return out;
+}
+
+/// The same for each pixel of the image.  variances: by pixel of the pilot's images.
 std::vector<Deviations> deviations_of(const PilotNoise& pilot, const Brightness& brightness,
                                       const std::vector<double>& variances, int width, int height)
 {
@@ -169,18 +200,44 @@ std::vector<Deviations> deviations_of(const PilotNoise& pilot, const Brightness&
             const std::size_t from =
                 static_cast<std::size_t>(y * pilot.first.height / height) * pilot.first.width +
                 x * pilot.first.width / width;
-            double rest = variances[from], lights = 0;
-            if (!pilot.lights.mean.empty()) {
-                const glm::dvec3& mean = brightness.mean[from];
-                const double value = std::max({mean.x, mean.y, mean.z});
-                const double scale2 = value * value + brightness.least2;
-                lights = scale2 > 0 ? pilot.lights.variance[out.size()] / scale2 : 0;
-            }
-            if (!(lights > rest))
-                rest += std::exchange(lights, 0.0);
-            out.push_back({std::sqrt(rest), std::sqrt(lights)});
+            const glm::dvec3& mean = brightness.mean[from];
+            const double value = std::max({mean.x, mean.y, mean.z});
+            out.push_back(deviations_at(pilot.lights, out.size(), variances[from],
+                                        value * value + brightness.least2));
         }
     return out;
+}
+
+/// The least and the most samples that a pixel takes.
+struct SampleLimits {
+    double least, most, most_lights;
+
+    explicit SampleLimits(double mean)
+        : least(std::max(1.0, kLeastSamplesShare * mean)),
+          most(std::min(65534.0, kMostSamplesShare * mean)),
+          most_lights(std::min(65534.0, kMostLightSamplesShare * mean))
+    {
+    }
+};
+
+/// Returns the samples for each unit of deviation by which all cost as much as `mean` samples of
+/// each pixel; 0: none deviates.
+double samples_for_deviation(const std::vector<Deviations>& deviations, double mean)
+{
+    constexpr int kRounds = 6; // each gives others what pixels cannot take
+    const SampleLimits limits(mean);
+    double scale = 0;
+    for (int round = 0; round < kRounds; ++round) {
+        double cost = 0;
+        for (const Deviations& of : deviations)
+            cost += std::min(of.rest, limits.most / scale) +
+                    std::min(of.lights * std::sqrt(of.light_cost),
+                             of.light_cost * limits.most_lights / scale);
+        if (!(cost > 0))
+            return 0;
+        scale = mean * static_cast<double>(deviations.size()) / cost;
+    }
+    return scale;
 }
 
 /// Returns a count of the mean `wanted`, which is rounded at random by the pixel.
@@ -202,23 +259,19 @@ SampleAllocation allocate_samples(const PilotNoise& pilot, int width, int height
     out.emissive_points = choose_emissive_points(pilot, brightness, variances);
     const std::vector<Deviations> deviations =
         deviations_of(pilot, brightness, variances, width, height);
-    double cost = 0;
-    for (const Deviations& of : deviations)
-        cost += of.rest + of.lights / kLightSamplesForOne;
-    const double scale = cost > 0 ? mean * static_cast<double>(deviations.size()) / cost : 0;
-    const double most = std::min(65534.0, kMostSamplesShare * mean);
-    const double least = std::max(1.0, kLeastSamplesShare * mean);
-    const double most_lights = std::min(65534.0, kMostLightSamplesShare * mean);
+    const SampleLimits limits(mean);
+    const double scale = samples_for_deviation(deviations, mean);
     for (std::size_t i = 0; i < deviations.size(); ++i) {
         const Deviations& of = deviations[i];
-        const double wanted =
-            cost > 0 ? std::clamp(scale * of.rest, least, most) : static_cast<double>(mean);
+        const double wanted = scale > 0 ? std::clamp(scale * of.rest, limits.least, limits.most)
+                                        : static_cast<double>(mean);
         out.samples.push_back(rounded(wanted, i));
-        if (of.lights > 0)
+        if (of.lights > 0) {
             out.lights.resize(deviations.size(), 0);
-        if (of.lights > 0)
-            out.lights[i] =
-                rounded(std::clamp(scale * kLightSamplesForOne * of.lights, least, most_lights), i);
+            out.lights[i] = rounded(std::clamp(scale * of.lights / std::sqrt(of.light_cost),
+                                               limits.least, limits.most_lights),
+                                    i);
+        }
     }
     return out;
 }

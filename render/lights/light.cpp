@@ -62,6 +62,18 @@ std::optional<PrimarySample> primary_of(const Light& light, const Ray& ray)
         light);
 }
 
+std::optional<SkyMoments> sky_moments(const Light& light)
+{
+    return std::visit(
+        [](const auto& kind) -> std::optional<SkyMoments> {
+            if constexpr (requires { sky_moments(kind).second; })
+                return sky_moments(kind);
+            else
+                return std::nullopt;
+        },
+        light);
+}
+
 glm::dvec3 power(const Light& light)
 {
     return std::visit([](const auto& kind) { return power(kind); }, light);

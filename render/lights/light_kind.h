@@ -30,6 +30,7 @@ namespace hipmap {
 // and one whose light comes from beyond the scene
 //
 //   primary_of           the random numbers by which sample_emission draws a path
+//   sky_moments          the moments of its radiance over directions, if that differs by direction
 //
 // To add a kind: write its file, add it to `Light` (light.h) and make it from the scene
 // (collect_lights.cpp).
@@ -58,6 +59,12 @@ struct LightHit {
     float distance = 0.0f; ///< infinite for a light beyond the scene
     Rgb radiance{0.0f};    ///< W/(m2 sr)
     float pdf = 0.0f;      ///< per solid angle, that `sample_li` at the ray's origin draws this
+};
+
+/// The integrals over all directions of the largest channel of radiance, W/m2, and of its square.
+struct SkyMoments {
+    double first = 0;
+    double second = 0; ///< infinite: all of the light comes from one direction
 };
 
 /// The start of a light path.

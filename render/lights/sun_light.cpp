@@ -68,6 +68,12 @@ std::optional<LightHit> intersect(const SunLight& light, const Ray& ray)
     return LightHit{std::numeric_limits<float>::infinity(), disc_radiance(light), cone_pdf(height)};
 }
 
+SkyMoments sky_moments(const SunLight& light)
+{
+    const double flux = max_channel(light.irradiance);
+    return {flux, flux > 0 ? flux * max_channel(disc_radiance(light)) : 0};
+}
+
 EmittedPath sample_emission(const SunLight& light, const PathPlace&, RandomSequence& random)
 {
     return path_along(light.scene, draw(light, random), random);

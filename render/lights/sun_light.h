@@ -25,6 +25,8 @@ inline bool can_be_met(const SunLight& light)
     return light.half_angle > 0;
 }
 
+SkyMoments sky_moments(const SunLight& light);
+
 EmittedPath sample_emission(const SunLight& light, const PathPlace& path, RandomSequence& random);
 EmittedPath sample_aimed_emission(const SunLight& light, const PathPlace& path,
                                   const std::vector<TargetSphere>& targets, RandomSequence& random);

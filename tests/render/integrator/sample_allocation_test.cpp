@@ -89,7 +89,7 @@ TEST_CASE("sample allocation: noisy lights have samples of their own, out of the
           "[integrator]")
 {
     constexpr std::size_t kCount = 64 * 64, kNoisy = 20 * 64 + 20;
-    LightNoise lights{std::vector<float>(kCount, 0.1f), std::vector<float>(kCount, 1e-4f)};
+    LightNoise lights{std::vector<float>(kCount, 0.1f), std::vector<float>(kCount, 1e-4f), {}};
     lights.variance[kNoisy] = 100;
     const SampleAllocation with =
         allocate_samples({noisy_image(0), noisy_image(1), lights}, 64, 64, 16);
@@ -98,6 +98,28 @@ TEST_CASE("sample allocation: noisy lights have samples of their own, out of the
         CHECK((with.lights[i] > 16) == (i == kNoisy));
     CHECK(mean_samples(with, 64, 0, 64) < 16);
     CHECK(mean_samples(with, 64, 0, 64) > 14);
+}
+
+TEST_CASE("sample allocation: long paths count unless hardly any image would find their light",
+          "[integrator]")
+{
+    constexpr std::size_t kCount = 64 * 64, kSeen = 20 * 64 + 20, kOthers = 40 * 64 + 20;
+    LightNoise lights{std::vector<float>(kCount, 0), std::vector<float>(kCount, 0),
+                      std::vector<LongPaths>(kCount)};
+    const auto allocated = [&](float chance) {
+        const glm::vec2 light = glm::vec2(1, 1 / chance);
+        lights.long_paths[kSeen].seen = light;
+        lights.long_paths[kOthers].others = light;
+        return allocate_samples({noisy_image(0), noisy_image(1), lights}, 64, 64, 16);
+    };
+    const SampleAllocation common = allocated(1e-4f);
+    REQUIRE(common.lights.size() == kCount);
+    CHECK(common.lights[kSeen] == 64 * 16);
+    CHECK(common.samples[kOthers] == 8 * 16);
+    CHECK(common.lights[kOthers] == 0);
+    // What these two cannot take goes to the others.
+    CHECK(mean_samples(common, 64, 0, 64) > 14);
+    CHECK(allocated(1e-7f) == allocate_samples({noisy_image(0), noisy_image(1), {}}, 64, 64, 16));
 }
 
 TEST_CASE("sample allocation: as many points on emissive faces as their part of the noise pays for",

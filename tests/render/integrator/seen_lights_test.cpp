@@ -43,6 +43,41 @@ std::unique_ptr<tiny::ReadyScene> black_room_with_metal()
     return tiny::ready(std::move(scene));
 }
 
+constexpr float kSunAngle = 0.05f;
+
+/// Two walls that face each other, 0.1 apart and 1 high, below a sun that shines on their backs.
+std::unique_ptr<tiny::ReadyScene> facing_walls(const Material& left, const Material& right)
+{
+    Scene scene =
+        tiny::make_scene(tiny::parallelogram({-0.05f, -0.5f, 0.5f}, {0, 0, -1}, {0, 1, 0}));
+    scene.materials[0] = left;
+    tiny::add(scene, tiny::parallelogram({0.05f, -0.5f, -0.5f}, {0, 0, 1}, {0, 1, 0}), right);
+    scene.lights = {SceneSunLight{.name = "",
+                                  .direction = glm::normalize(glm::vec3(-1, -0.1f, 0)),
+                                  .irradiance = Rgb(3),
+                                  .half_angle = kSunAngle}};
+    scene.cameras[0] =
+        tiny::square_view({0, 0.5f, 0}, glm::normalize(glm::vec3(1, -1, 0)), 0.05f, 0.1f);
+    return tiny::ready(std::move(scene));
+}
+
+/// The long paths of a ray between such walls that goes so far to the right while it goes down.
+LongPaths long_paths(const RenderScene& scene, float slope)
+{
+    Ray ray;
+    ray.origin = {0, 0.5f, 0};
+    ray.direction = glm::normalize(glm::vec3(slope, -1, 0));
+    const std::optional<SkyMoments> sun = sky_moments(scene.lights.lights.at(0));
+    LongPaths sum;
+    constexpr int kSamples = 400;
+    for (int i = 0; i < kSamples; ++i) {
+        RandomSequence random(5, RandomStream::seen_lights, 0, static_cast<std::uint64_t>(i));
+        sum += trace_long_paths(scene, {&sun.value(), 1}, ray, random);
+    }
+    sum /= kSamples;
+    return sum;
+}
+
 /// Radiance of a ray, summed over the channels, with the lights it sees and without.
 using Traced = std::function<Rgb(const Ray&, SeenLights, RandomSequence&)>;
 
@@ -131,4 +166,48 @@ TEST_CASE("seen lights: pixels at their edges take samples of their own", "[inte
         CHECK(samples_at(lights, {0.5f + side * 1.5f * edge, 0.5f}) == 0);
     }
     CHECK(lights == allocated(*ready->render));
+}
+
+TEST_CASE("seen lights: long paths find a sun as if they left in all directions alike",
+          "[integrator]")
+{
+    Material smooth = tiny::mirror(Rgb(1)), rough = smooth;
+    rough.roughness = 0.2f;
+    const double irradiance = 3, sine = std::sin(kSunAngle / 2);
+    const double angle = 4 * M_PI * sine * sine;
+    const auto mirrors = facing_walls(smooth, smooth);
+    const LongPaths ten = long_paths(*mirrors->render, 1);
+    CHECK(ten.surfaces == 10);
+    CHECK(ten.seen.x == Approx(irradiance / (4 * M_PI)).epsilon(1e-4));
+    CHECK(ten.seen.y == Approx(irradiance * irradiance / angle / (4 * M_PI)).epsilon(0.01));
+    CHECK(ten.others == glm::vec2(0));
+    const LongPaths five = long_paths(*mirrors->render, 0.5f);
+    CHECK(five.surfaces == 5);
+    CHECK(five.seen == glm::vec2(0));
+    // Followed lobes alone are seen; specular surfaces behind them are not.
+    const LongPaths brushed = long_paths(*facing_walls(rough, rough)->render, 0.5f);
+    CHECK(brushed.seen.y > 0);
+    CHECK(brushed.others == glm::vec2(0));
+    const LongPaths mixed = long_paths(*facing_walls(smooth, rough)->render, 0.5f);
+    CHECK(mixed.seen == glm::vec2(0));
+    CHECK(mixed.others.y > 0);
+}
+
+TEST_CASE("seen lights: pixels with long paths take samples though none has found the sun",
+          "[integrator]")
+{
+    const auto mirrors = facing_walls(tiny::mirror(Rgb(1)), tiny::mirror(Rgb(1)));
+    const RenderOptions options = small_picture();
+    const LightNoise noise = measure_light_noise(*mirrors->render, options);
+    REQUIRE(noise.long_paths.size() == kSide * kSide);
+    CHECK(std::ranges::all_of(noise.mean, [](float mean) { return mean == 0; }));
+    const Image black(kSide / 2, kSide / 2);
+    const SampleAllocation allocation =
+        allocate_samples({black, black, noise, nullptr}, kSide, kSide, 4);
+    CHECK(allocation.lights.empty()); // no brightness to compare with
+    Image grey = black;
+    std::ranges::fill(grey.pixels, Rgb(0.1f));
+    const SampleAllocation seen = allocate_samples({grey, grey, noise, nullptr}, kSide, kSide, 4);
+    REQUIRE(seen.lights.size() == kSide * kSide);
+    CHECK(samples_at(seen.lights, {0.5f, 0.5f}) > 0);
 }

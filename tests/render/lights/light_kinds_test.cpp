@@ -339,6 +339,27 @@ TEST_CASE("light kinds: lights without size bring their irradiance in closed for
     CHECK(sampled_irradiance(at, kPosition, random) == Approx(truth).epsilon(1e-5));
 }
 
+TEST_CASE("light kinds: moments over the sky are those of uniform directions", "[lights]")
+{
+    const Kind kind = GENERATE(Kind::wide_sun, Kind::image_world);
+    const LitScene at = lit(lit_scene(kind), kind);
+    INFO("kind " << static_cast<int>(kind));
+    const std::optional<SkyMoments> moments = sky_moments(at.light);
+    REQUIRE(moments);
+    RunningMean first, second;
+    RandomSequence random(9, RandomStream::eye_paths, 0, 0);
+    for (int i = 0; i < 200'000; ++i) {
+        const auto hit = intersect(at.light, ray_from(kPosition, sample_sphere(random.next2())));
+        const double light = hit ? max_channel(hit->radiance) : 0;
+        first.add(4 * double{kPi} * light);
+        second.add(4 * double{kPi} * light * light);
+    }
+    CHECK(std::abs(first.z_score(moments->first)) < kMostZ);
+    CHECK(std::abs(second.z_score(moments->second)) < kMostZ);
+    CHECK(std::isinf(sky_moments(lit(lit_scene(Kind::sun), Kind::sun).light)->second));
+    CHECK_FALSE(sky_moments(lit(lit_scene(Kind::even_world), Kind::even_world).light));
+}
+
 TEST_CASE("light kinds: light paths together carry the light's power", "[lights]")
 {
     const Kind kind = GENERATE(from_range(kKinds));
