@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <span>
 
 namespace hipmap {
@@ -50,6 +51,18 @@ RoundWorth worth_of_round(const MappedScene& mapped, const PhotonWorth& worth,
             joined(team, std::vector(first_aimed, own.end()))};
 }
 
+/// Returns how many aimed paths there should be for each other one, so that the noise of both
+/// together is least in the same time (Neyman 1934), docs/light_transport.md (41).  Arguments: mean
+/// squares of what a path is worth.
+double aimed_share(double square_without_aim, double square_aimed)
+{
+    constexpr double kCost = 4; // of an aimed path over that of another
+    constexpr double kLeast = 1.0 / 32, kMost = 1;
+    return square_without_aim > 0
+               ? std::clamp(std::sqrt(square_aimed / (kCost * square_without_aim)), kLeast, kMost)
+               : kMost;
+}
+
 /// Importons do not see photons in media.
 bool has_volume_photons(const RenderScene& scene)
 {
@@ -84,6 +97,8 @@ learn_guides(const MappedScene& mapped, const PhotonOptions& photons, const Phot
     }
     PhotonGuides out{without_aim.best(), aimed.best()};
     const bool found = out.without_aim.variance < 1 || out.aimed.variance < 1;
+    out.aimed_share =
+        aimed_share(without_aim.mean_square(out.without_aim), aimed.mean_square(out.aimed));
     return found ? std::make_shared<const PhotonGuides>(std::move(out)) : nullptr;
 }
 
@@ -93,6 +108,7 @@ std::uint64_t checksum(const PhotonGuides& guides)
     const auto add = [&](double value) {
         sum = mix_bits(sum + std::bit_cast<std::uint64_t>(value) + 1);
     };
+    add(guides.aimed_share);
     for (const EmissionGuide* guide : {&guides.without_aim, &guides.aimed})
         for (const EmissionGuide::OfLight& light : guide->lights) {
             add(light.share);

@@ -83,6 +83,9 @@ PhotonOptions linked_options(const ProgressivePass& pass)
     photons.link_bounces = photons.light.indirect;
     photons.store_glossy = photons.light.caustic;
     photons.guides = pass.guides;
+    if (pass.guides != nullptr)
+        photons.caustic_paths = static_cast<std::uint64_t>(pass.guides->aimed_share *
+                                                           static_cast<double>(photons.paths));
     photons.seen = pass.seen_surfaces;
     return photons;
 }

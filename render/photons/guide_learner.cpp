@@ -2,6 +2,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include <numeric>
 #include <utility>
 
 namespace hipmap {
@@ -107,22 +108,24 @@ void GuideLearner::learn()
     guides_.push_back(std::move(next));
 }
 
-/// The variance of the photons' worth by a guide over that by power, from all paths.
-double GuideLearner::variance(const EmissionGuide& guide) const
+double GuideLearner::mean_square(const EmissionGuide& guide) const
 {
-    std::vector<double> densities(points_.size());
+    std::vector<double> squares(points_.size());
     tbb::parallel_for(std::size_t{0}, points_.size(), [&](std::size_t i) {
         const EmissionGuide::OfLight& light = guide.lights[points_[i].light];
-        densities[i] = light.share * density_at(light.density, points_[i].worth.at);
+        const PrimaryWorth& at = points_[i].worth;
+        squares[i] =
+            at.worth * at.worth / (at.density * light.share * density_at(light.density, at.at));
     });
-    double by_power = 0, by_guide = 0; // in the order of the points: the same at any thread count
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-        const Point& point = points_[i];
-        const double second = point.worth.worth * point.worth.worth / point.worth.density;
-        by_power += second / by_power_.lights[point.light].share;
-        by_guide += second / densities[i];
-    }
-    return by_power > 0 ? by_guide / by_power : 1;
+    // In the order of the points: the same at any thread count.
+    return std::accumulate(squares.begin(), squares.end(), 0.0);
+}
+
+/// The variance of the photons' worth by a guide over that by power.
+double GuideLearner::variance(const EmissionGuide& guide) const
+{
+    const double by_power = mean_square(by_power_);
+    return by_power > 0 ? mean_square(guide) / by_power : 1;
 }
 
 bool GuideLearner::is_worth_it() const

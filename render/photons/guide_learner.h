@@ -42,6 +42,9 @@ class GuideLearner {
     /// another is clearly better.
     EmissionGuide best() const;
 
+    /// Returns the mean square of what one path by a guide is worth, from all paths so far.
+    double mean_square(const EmissionGuide& guide) const;
+
   private:
     struct Point {
         std::size_t light = 0;

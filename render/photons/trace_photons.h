@@ -17,6 +17,7 @@ namespace hipmap {
 struct PhotonGuides {
     EmissionGuide without_aim;
     EmissionGuide aimed;
+    double aimed_share = 0; ///< aimed paths for each of the others
 };
 
 struct PhotonOptions {

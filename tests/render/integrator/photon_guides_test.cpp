@@ -104,6 +104,27 @@ TEST_CASE("photon guides: the image is that of emission by power", "[integrator]
     same(mean_of_passes(*rooms, Emission::guided), mean_of_passes(*rooms, Emission::by_power));
 }
 
+TEST_CASE("photon guides: paths are aimed as far as caustics are seen", "[integrator]")
+{
+    const auto aimed_for_each = [](const glm::vec3& ball_at) {
+        Scene scene = box_on_a_plain();
+        scene.materials[0] = tiny::diffuse(Rgb(0.05f)); // little indirect light
+        TriangleMesh ball = tiny::uv_sphere(16, 8);
+        tiny::scale(ball, 0.15f);
+        tiny::move(ball, ball_at);
+        tiny::add(scene, ball, tiny::glass(1.5f));
+        const auto ready = tiny::ready(std::move(scene));
+        RenderStatistics statistics;
+        const RenderOptions options = small_options(Emission::guided);
+        make_pass_source(*ready->render, options, statistics).render(0, {});
+        return static_cast<double>(statistics.aimed) / static_cast<double>(statistics.emitted);
+    };
+    const double seen = aimed_for_each({0, -0.2f, 0}), unseen = aimed_for_each({15, -0.4f, 0});
+    CHECK(unseen == Approx(1.0 / 32).epsilon(0.01)); // the fewest
+    CHECK(seen > 4 * unseen);
+    CHECK(seen <= 1);
+}
+
 TEST_CASE("photon guides: seeds are starts of paths that reach the importons", "[integrator]")
 {
     Scene scene = box_on_a_plain();
