@@ -24,6 +24,9 @@ constexpr double kLeastLightCost = 1.0 / 9, kLightCostBySurface = 0.1;
 /// even the pixels with the most samples have no more than a million of them in a long render.
 constexpr double kRarest = 1e-6;
 
+/// The share of it that is counted: some directions end on surfaces, or are not taken.
+constexpr double kReached = 0.25;
+
 /// A pixel's deviation is taken from those up to so many pixels away: two samples alone say little.
 constexpr int kReach = 2;
 
@@ -168,7 +171,7 @@ struct Deviations {
 /// would have a sample of it.
 double expected(const glm::vec2& paths, double rarest)
 {
-    return double{paths.x} * paths.x > rarest * paths.y ? paths.y : 0;
+    return double{paths.x} * paths.x > rarest * paths.y ? kReached * paths.y : 0;
 }
 
 /// docs/error.md (16), (27).  rest: variance of the other samples; scale2: brightness, squared.
