@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <type_traits>
 
 namespace hipmap {
@@ -118,12 +119,16 @@ bool is_long(const GatherBranch& branch)
     return branch.depth >= (branch.behind == EyePathClass::specular ? kSpecular : kFollowed);
 }
 
-/// The mean over all directions of a light that a ray meets, and of its square.  Light samples find
+/// The mean over all directions of a light that a ray meets, and the variance.  Light samples find
 /// it too if followed lobes sent the ray.  pdf: of the ray, as in RaySource.
 glm::dvec2 moments(const SkyMoments& sky, float pdf)
 {
     const double second = pdf > 0 ? std::min(sky.second, sky.first * sky.first * pdf) : sky.second;
-    return std::isfinite(second) ? glm::dvec2(sky.first, second) / (4.0 * kPi) : glm::dvec2(0);
+    if (!std::isfinite(second))
+        return glm::dvec2(0);
+    constexpr double kSphere = 4 * std::numbers::pi;
+    const double mean = sky.first / kSphere;
+    return {mean, std::max(0.0, second / kSphere - mean * mean)};
 }
 
 struct LongPathVisitor {

@@ -59,7 +59,7 @@ Rgb trace_seen_lights(const RenderScene& scene, const Ray& ray, RandomSequence& 
 /// of which a followed lobe sent it on: the paths beside it say little of its direction.
 /// docs/error.md (27).
 struct LongPaths {
-    glm::vec2 seen{0.0f};   ///< the light of a sample of trace_seen_lights, and its square
+    glm::vec2 seen{0.0f};   ///< the light of a sample of trace_seen_lights, and its variance
     glm::vec2 others{0.0f}; ///< the same of a sample of the other paths without a gathered lobe
     float surfaces = 0;     ///< that a sample meets
 

@@ -167,7 +167,7 @@ struct Deviations {
     double light_cost = kLeastLightCost; ///< of a sample of these, over that of another
 };
 
-/// Returns the mean square of the light of long paths; zero if it is so rare that hardly any image
+/// Returns the variance of the light of long paths; zero if it is so rare that hardly any image
 /// would have a sample of it.
 double expected(const glm::vec2& paths, double rarest)
 {

@@ -62,17 +62,18 @@ std::unique_ptr<tiny::ReadyScene> facing_walls(const Material& left, const Mater
 }
 
 /// The long paths of a ray between such walls that goes so far to the right while it goes down.
-LongPaths long_paths(const RenderScene& scene, float slope)
+LongPaths long_paths(const RenderScene& scene, float slope, std::optional<SkyMoments> sky = {})
 {
     Ray ray;
     ray.origin = {0, 0.5f, 0};
     ray.direction = glm::normalize(glm::vec3(slope, -1, 0));
-    const std::optional<SkyMoments> sun = sky_moments(scene.lights.lights.at(0));
+    if (!sky)
+        sky = sky_moments(scene.lights.lights.at(0));
     LongPaths sum;
     constexpr int kSamples = 400;
     for (int i = 0; i < kSamples; ++i) {
         RandomSequence random(5, RandomStream::seen_lights, 0, static_cast<std::uint64_t>(i));
-        sum += trace_long_paths(scene, {&sun.value(), 1}, ray, random);
+        sum += trace_long_paths(scene, {&sky.value(), 1}, ray, random);
     }
     sum /= kSamples;
     return sum;
@@ -184,6 +185,8 @@ TEST_CASE("seen lights: long paths find a sun as if they left in all directions 
     const LongPaths five = long_paths(*mirrors->render, 0.5f);
     CHECK(five.surfaces == 5);
     CHECK(five.seen == glm::vec2(0));
+    CHECK(long_paths(*mirrors->render, 1, SkyMoments{4 * M_PI, 4 * M_PI}).seen.y ==
+          0); // an even sky
     // Followed lobes alone are seen; specular surfaces behind them are not.
     const LongPaths brushed = long_paths(*facing_walls(rough, rough)->render, 0.5f);
     CHECK(brushed.seen.y > 0);
