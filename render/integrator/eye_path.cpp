@@ -119,20 +119,20 @@ bool is_long(const GatherBranch& branch)
     return branch.depth >= (branch.behind == EyePathClass::specular ? kSpecular : kFollowed);
 }
 
-/// The mean over all directions of a light that a ray meets, and the variance.  Light samples find
-/// it too if followed lobes sent the ray.  pdf: of the ray, as in RaySource.
-glm::dvec2 moments(const SkyMoments& sky, float pdf)
+/// The mean over directions within 60 degrees of a light that a ray meets, and the variance.  Light
+/// samples find it too if followed lobes sent the ray.  pdf: of the ray, as in RaySource.
+glm::dvec2 moments(const FarLight& sun, float pdf)
 {
-    const double second = pdf > 0 ? std::min(sky.second, sky.first * sky.first * pdf) : sky.second;
+    constexpr double kNear = std::numbers::pi; // solid angle
+    const double second = pdf > 0 ? std::min(sun.second, sun.first * sun.first * pdf) : sun.second;
     if (!std::isfinite(second))
         return glm::dvec2(0);
-    constexpr double kSphere = 4 * std::numbers::pi;
-    const double mean = sky.first / kSphere;
-    return {mean, std::max(0.0, second / kSphere - mean * mean)};
+    const double mean = sun.first / kNear;
+    return {mean, std::max(0.0, second / kNear - mean * mean)};
 }
 
 struct LongPathVisitor {
-    std::span<const SkyMoments> sky;
+    std::span<const FarLight> suns;
     LongPaths found{};
 
     void operator()(const GatherBranch&, const Interaction&, float) { ++found.surfaces; }
@@ -142,8 +142,9 @@ struct LongPathVisitor {
             return;
         const double passed = max_channel(branch.throughput);
         glm::vec2& of_class = sees_lights(branch.behind) ? found.seen : found.others;
-        for (const SkyMoments& light : sky)
-            of_class += moments(light, branch.source.pdf) * glm::dvec2(passed, passed * passed);
+        for (const FarLight& sun : suns)
+            if (glm::dot(sun.towards, branch.ray.direction) > 0.5f)
+                of_class += moments(sun, branch.source.pdf) * glm::dvec2(passed, passed * passed);
     }
 };
 
@@ -199,10 +200,10 @@ LongPaths& LongPaths::operator/=(float samples)
     return *this;
 }
 
-LongPaths trace_long_paths(const RenderScene& scene, std::span<const SkyMoments> sky,
-                           const Ray& ray, RandomSequence& random)
+LongPaths trace_long_paths(const RenderScene& scene, std::span<const FarLight> suns, const Ray& ray,
+                           RandomSequence& random)
 {
-    LongPathVisitor visitor{sky};
+    LongPathVisitor visitor{suns};
     Rgb lights_on_way(0.0f);
     over_surfaces<EyePathClass::glossy>(scene, ray, random, lights_on_way, visitor);
     return visitor.found;

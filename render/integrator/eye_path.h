@@ -54,10 +54,10 @@ Rgb trace_eye_path(const PassMaps& maps, const Ray& ray, SeenLights seen, Random
 /// nothing more, so it costs a small part of an eye path.  Thread-safe.
 Rgb trace_seen_lights(const RenderScene& scene, const Ray& ray, RandomSequence& random);
 
-/// What long paths would find of the lights beyond the scene if they left it in all directions
-/// alike: means over samples.  A path is long behind six specular surfaces, or behind two surfaces
-/// of which a followed lobe sent it on: the paths beside it say little of its direction.
-/// docs/error.md (27).
+/// What long paths that leave the scene within 60 degrees of a sun would find of it if they did so
+/// in all these directions alike: means over samples.  A path is long behind six specular surfaces,
+/// or behind two surfaces of which a followed lobe sent it on: the paths beside it say little of
+/// its direction. docs/error.md (27).
 struct LongPaths {
     glm::vec2 seen{0.0f};   ///< the light of a sample of trace_seen_lights, and its variance
     glm::vec2 others{0.0f}; ///< the same of a sample of the other paths without a gathered lobe
@@ -67,9 +67,9 @@ struct LongPaths {
     LongPaths& operator/=(float samples);
 };
 
-/// Returns the long paths of one eye ray.  sky: of the lights beyond the scene.  Thread-safe.
-LongPaths trace_long_paths(const RenderScene& scene, std::span<const SkyMoments> sky,
-                           const Ray& ray, RandomSequence& random);
+/// Returns the long paths of one eye ray.  Thread-safe.
+LongPaths trace_long_paths(const RenderScene& scene, std::span<const FarLight> suns, const Ray& ray,
+                           RandomSequence& random);
 
 /// Returns the difference between what two points on emissive faces bring to the gathered lobes of
 /// all surfaces that an eye path meets: its variance is twice that of one point a surface.

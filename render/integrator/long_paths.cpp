@@ -13,12 +13,12 @@ namespace {
 constexpr Part kFirst{0, 8}, kFurther{8, 64};
 constexpr int kReach = 3;
 
-std::vector<SkyMoments> sky_of(const RenderScene& scene)
+std::vector<FarLight> suns_of(const RenderScene& scene)
 {
-    std::vector<SkyMoments> out;
+    std::vector<FarLight> out;
     for (const Light& light : scene.lights.lights)
-        if (const std::optional<SkyMoments> sky = sky_moments(light); sky && sky->second > 0)
-            out.push_back(*sky);
+        if (const std::optional<FarLight> sun = far_light(light); sun && sun->second > 0)
+            out.push_back(*sun);
     return out;
 }
 
@@ -27,7 +27,7 @@ bool has_any(const LongPaths& paths)
     return paths.seen.y + paths.others.y > 0;
 }
 
-LongPaths sum_of(const PictureJob& job, std::span<const SkyMoments> sky, std::size_t pixel,
+LongPaths sum_of(const PictureJob& job, std::span<const FarLight> suns, std::size_t pixel,
                  const Part& samples)
 {
     const int width = job.options.width;
@@ -38,7 +38,7 @@ LongPaths sum_of(const PictureJob& job, std::span<const SkyMoments> sky, std::si
                                                 static_cast<std::uint32_t>(kFurther.end),
                                                 static_cast<std::uint32_t>(s));
         const Ray ray = pixel_ray(job, x, y, random).ray;
-        const LongPaths sample = trace_long_paths(job.scene, sky, ray, random);
+        const LongPaths sample = trace_long_paths(job.scene, suns, ray, random);
         if (std::isfinite(sample.seen.y + sample.others.y))
             sum += sample;
     }
@@ -59,15 +59,15 @@ void around(const RenderOptions& image, std::size_t pixel, int reach, const Visi
 
 std::vector<LongPaths> measure_long_paths(const PictureJob& job, const PilotTeam& team)
 {
-    const std::vector<SkyMoments> sky = sky_of(job.scene);
-    if (sky.empty())
+    const std::vector<FarLight> suns = suns_of(job.scene);
+    if (suns.empty())
         return {};
     const auto width = static_cast<std::size_t>(job.options.width);
     const Part rows = team.part(static_cast<std::size_t>(job.options.height));
     const Part pixels{rows.begin * width, rows.end * width};
     std::vector<LongPaths> own(pixels.size());
     tbb::parallel_for(pixels.begin, pixels.end,
-                      [&](std::size_t i) { own[i - pixels.begin] = sum_of(job, sky, i, kFirst); });
+                      [&](std::size_t i) { own[i - pixels.begin] = sum_of(job, suns, i, kFirst); });
     const std::vector<LongPaths> first = joined(team, own);
     std::vector<std::size_t> samples(first.size(), kFirst.size());
     for (std::size_t i = 0; i < first.size(); ++i)
@@ -76,7 +76,7 @@ std::vector<LongPaths> measure_long_paths(const PictureJob& job, const PilotTeam
     if (std::ranges::none_of(first, has_any))
         return {};
     tbb::parallel_for(pixels.begin, pixels.end, [&](std::size_t i) {
-        own[i - pixels.begin] += sum_of(job, sky, i, {kFirst.end, samples[i]});
+        own[i - pixels.begin] += sum_of(job, suns, i, {kFirst.end, samples[i]});
     });
     const std::vector<LongPaths> sums = joined(team, std::move(own));
     std::vector<LongPaths> out(sums.size());

@@ -8,10 +8,9 @@
 namespace hipmap {
 
 /// Returns by pixel of the image, [height][width], the mean of the long paths of one sample of the
-/// pixel and of those around it; empty: there are none, or nothing beyond the scene emits more in
-/// one direction than in another.  Depends on scene, seed and size alone.  On all threads, each
-/// process of a team some rows; cost: 8 eye rays a pixel that are not shaded, and 56 more near
-/// pixels that have long paths.
+/// pixel and of those around it; empty: there are none, or no sun.  Depends on scene, seed and size
+/// alone.  On all threads, each process of a team some rows; cost: 8 eye rays a pixel that are not
+/// shaded, and 56 more near pixels that have long paths.
 std::vector<LongPaths> measure_long_paths(const PictureJob& job, const PilotTeam& team);
 
 } // namespace hipmap

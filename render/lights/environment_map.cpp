@@ -65,21 +65,18 @@ double probability(const Sum* sums, int i)
     return sums[i] - (i == 0 ? 0.0 : double{sums[i - 1]});
 }
 
-/// Appends the running sums of the pixels of a row, and adds to `map.flux` and
-/// `map.brightest_square`.  Returns the flux of the row's largest channels.
+/// Appends the running sums of the pixels of a row, and adds to `map.flux`.  Returns the flux of
+/// the row's largest channels.
 double add_row(EnvironmentMap& map, int row)
 {
     const int width = map.radiance.width;
-    double sum = 0, squares = 0;
+    double sum = 0;
     glm::dvec3 sums(0);
     for (int x = 0; x < width; ++x) {
-        const double largest = max_channel(map.radiance.at(x, row));
-        sum += largest;
-        squares += largest * largest;
+        sum += max_channel(map.radiance.at(x, row));
         sums += glm::dvec3(map.radiance.at(x, row));
     }
     map.flux += sums * solid_angle(map, row);
-    map.brightest_square += squares * solid_angle(map, row);
     double so_far = 0;
     for (int x = 0; x < width; ++x) {
         so_far += max_channel(map.radiance.at(x, row));

@@ -15,10 +15,9 @@ struct EnvironmentMap {
     Image radiance;           ///< W/(m2 sr); empty: there is none
     float turn = 0.0f;        ///< radians that it is turned about +y, counter-clockwise from above
     std::vector<double> rows; ///< [H] running sum of the probabilities of rows, ends at 1
-    std::vector<float> columns;    ///< [H * W] running sums within each row, which end at 1
-    double brightest_flux = 0.0;   ///< integral of the largest channel over directions, W/m2
-    double brightest_square = 0.0; ///< the same of its square
-    glm::dvec3 flux{0.0};          ///< integral of each channel over directions, W/m2
+    std::vector<float> columns;  ///< [H * W] running sums within each row, which end at 1
+    double brightest_flux = 0.0; ///< integral of the largest channel over directions, W/m2
+    glm::dvec3 flux{0.0};        ///< integral of each channel over directions, W/m2
 
     bool empty() const { return radiance.pixels.empty(); }
 };

@@ -41,11 +41,6 @@ std::optional<LightHit> intersect(const ImageEnvironment& light, const Ray& ray)
     return LightHit{std::numeric_limits<float>::infinity(), point.radiance, point.pdf};
 }
 
-SkyMoments sky_moments(const ImageEnvironment& light)
-{
-    return {light.map->brightest_flux, light.map->brightest_square};
-}
-
 EmittedPath sample_emission(const ImageEnvironment& light, const PathPlace&, RandomSequence& random)
 {
     return path_along(light.scene, draw(light, random), random);

@@ -24,8 +24,6 @@ inline bool can_be_met(const ImageEnvironment&)
     return true;
 }
 
-SkyMoments sky_moments(const ImageEnvironment& light);
-
 EmittedPath sample_emission(const ImageEnvironment& light, const PathPlace& path,
                             RandomSequence& random);
 /// Returns what `sample_emission` draws for light along a ray of the scene, in its first two steps.

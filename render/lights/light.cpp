@@ -62,12 +62,12 @@ std::optional<PrimarySample> primary_of(const Light& light, const Ray& ray)
         light);
 }
 
-std::optional<SkyMoments> sky_moments(const Light& light)
+std::optional<FarLight> far_light(const Light& light)
 {
     return std::visit(
-        [](const auto& kind) -> std::optional<SkyMoments> {
-            if constexpr (requires { sky_moments(kind).second; })
-                return sky_moments(kind);
+        [](const auto& kind) -> std::optional<FarLight> {
+            if constexpr (requires { far_light(kind).second; })
+                return far_light(kind);
             else
                 return std::nullopt;
         },

@@ -59,8 +59,8 @@ EmittedPath sample_aimed_emission(const Light& light, const PathPlace& path,
 /// Returns the random numbers by which `sample_emission` draws a path along a ray; nothing for
 /// kinds of light without a `primary_of`.  Steps that `sample_emission` does not use are zero.
 std::optional<PrimarySample> primary_of(const Light& light, const Ray& ray);
-/// Returns nothing for kinds of light without a `sky_moments`.
-std::optional<SkyMoments> sky_moments(const Light& light);
+/// Returns nothing for kinds of light without a `far_light`.
+std::optional<FarLight> far_light(const Light& light);
 glm::dvec3 power(const Light& light);
 std::optional<LightBounds> bounds(const Light& light);
 

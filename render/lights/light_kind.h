@@ -30,7 +30,7 @@ namespace hipmap {
 // and one whose light comes from beyond the scene
 //
 //   primary_of           the random numbers by which sample_emission draws a path
-//   sky_moments          the moments of its radiance over directions, if that differs by direction
+//   far_light            what is known of it as a whole, if it shines from one place in the sky
 //
 // To add a kind: write its file, add it to `Light` (light.h) and make it from the scene
 // (collect_lights.cpp).
@@ -61,10 +61,12 @@ struct LightHit {
     float pdf = 0.0f;      ///< per solid angle, that `sample_li` at the ray's origin draws this
 };
 
-/// The integrals over all directions of the largest channel of radiance, W/m2, and of its square.
-struct SkyMoments {
+/// A light in one place of the sky, by the integrals over directions of the largest channel of its
+/// radiance, W/m2, and of its square.
+struct FarLight {
+    glm::vec3 towards{0.0f}; ///< unit
     double first = 0;
-    double second = 0; ///< infinite: all of the light comes from one direction
+    double second = 0; ///< infinite: it has no size
 };
 
 /// The start of a light path.

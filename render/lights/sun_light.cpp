@@ -68,10 +68,10 @@ std::optional<LightHit> intersect(const SunLight& light, const Ray& ray)
     return LightHit{std::numeric_limits<float>::infinity(), disc_radiance(light), cone_pdf(height)};
 }
 
-SkyMoments sky_moments(const SunLight& light)
+FarLight far_light(const SunLight& light)
 {
     const double flux = max_channel(light.irradiance);
-    return {flux, flux > 0 ? flux * max_channel(disc_radiance(light)) : 0};
+    return {-light.direction, flux, flux > 0 ? flux * max_channel(disc_radiance(light)) : 0};
 }
 
 EmittedPath sample_emission(const SunLight& light, const PathPlace&, RandomSequence& random)

@@ -25,7 +25,7 @@ inline bool can_be_met(const SunLight& light)
     return light.half_angle > 0;
 }
 
-SkyMoments sky_moments(const SunLight& light);
+FarLight far_light(const SunLight& light);
 
 EmittedPath sample_emission(const SunLight& light, const PathPlace& path, RandomSequence& random);
 EmittedPath sample_aimed_emission(const SunLight& light, const PathPlace& path,

@@ -45,15 +45,17 @@ std::unique_ptr<tiny::ReadyScene> black_room_with_metal()
 
 constexpr float kSunAngle = 0.05f;
 
-/// Two walls that face each other, 0.1 apart and 1 high, below a sun that shines on their backs.
-std::unique_ptr<tiny::ReadyScene> facing_walls(const Material& left, const Material& right)
+/// Two walls that face each other, 0.1 apart and 1 high.  height: of a sun nearly straight below
+/// them (-1) or above them (1).
+std::unique_ptr<tiny::ReadyScene> facing_walls(const Material& left, const Material& right,
+                                               float height = -1)
 {
     Scene scene =
         tiny::make_scene(tiny::parallelogram({-0.05f, -0.5f, 0.5f}, {0, 0, -1}, {0, 1, 0}));
     scene.materials[0] = left;
     tiny::add(scene, tiny::parallelogram({0.05f, -0.5f, -0.5f}, {0, 0, 1}, {0, 1, 0}), right);
     scene.lights = {SceneSunLight{.name = "",
-                                  .direction = glm::normalize(glm::vec3(-1, -0.1f, 0)),
+                                  .direction = glm::normalize(glm::vec3(-0.2f, -height, 0)),
                                   .irradiance = Rgb(3),
                                   .half_angle = kSunAngle}};
     scene.cameras[0] =
@@ -62,18 +64,17 @@ std::unique_ptr<tiny::ReadyScene> facing_walls(const Material& left, const Mater
 }
 
 /// The long paths of a ray between such walls that goes so far to the right while it goes down.
-LongPaths long_paths(const RenderScene& scene, float slope, std::optional<SkyMoments> sky = {})
+LongPaths long_paths(const RenderScene& scene, float slope)
 {
     Ray ray;
     ray.origin = {0, 0.5f, 0};
     ray.direction = glm::normalize(glm::vec3(slope, -1, 0));
-    if (!sky)
-        sky = sky_moments(scene.lights.lights.at(0));
+    const std::optional<FarLight> sun = far_light(scene.lights.lights.at(0));
     LongPaths sum;
     constexpr int kSamples = 400;
     for (int i = 0; i < kSamples; ++i) {
         RandomSequence random(5, RandomStream::seen_lights, 0, static_cast<std::uint64_t>(i));
-        sum += trace_long_paths(scene, {&sky.value(), 1}, ray, random);
+        sum += trace_long_paths(scene, {&sun.value(), 1}, ray, random);
     }
     sum /= kSamples;
     return sum;
@@ -169,7 +170,7 @@ TEST_CASE("seen lights: pixels at their edges take samples of their own", "[inte
     CHECK(lights == allocated(*ready->render));
 }
 
-TEST_CASE("seen lights: long paths find a sun as if they left in all directions alike",
+TEST_CASE("seen lights: long paths find a sun as if all directions around it were alike",
           "[integrator]")
 {
     Material smooth = tiny::mirror(Rgb(1)), rough = smooth;
@@ -179,14 +180,14 @@ TEST_CASE("seen lights: long paths find a sun as if they left in all directions 
     const auto mirrors = facing_walls(smooth, smooth);
     const LongPaths ten = long_paths(*mirrors->render, 1);
     CHECK(ten.surfaces == 10);
-    CHECK(ten.seen.x == Approx(irradiance / (4 * M_PI)).epsilon(1e-4));
-    CHECK(ten.seen.y == Approx(irradiance * irradiance / angle / (4 * M_PI)).epsilon(0.01));
+    CHECK(ten.seen.x == Approx(irradiance / M_PI).epsilon(1e-4));
+    CHECK(ten.seen.y == Approx(irradiance * irradiance / angle / M_PI).epsilon(0.01));
     CHECK(ten.others == glm::vec2(0));
     const LongPaths five = long_paths(*mirrors->render, 0.5f);
     CHECK(five.surfaces == 5);
     CHECK(five.seen == glm::vec2(0));
-    CHECK(long_paths(*mirrors->render, 1, SkyMoments{4 * M_PI, 4 * M_PI}).seen.y ==
-          0); // an even sky
+    CHECK(long_paths(*facing_walls(smooth, smooth, 1)->render, 1).seen ==
+          glm::vec2(0)); // behind it
     // Followed lobes alone are seen; specular surfaces behind them are not.
     const LongPaths brushed = long_paths(*facing_walls(rough, rough)->render, 0.5f);
     CHECK(brushed.seen.y > 0);
