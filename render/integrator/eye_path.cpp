@@ -119,11 +119,14 @@ bool is_long(const GatherBranch& branch)
     return branch.depth >= (branch.behind == EyePathClass::specular ? kSpecular : kFollowed);
 }
 
-/// The mean over directions within 60 degrees of a light that a ray meets, and the variance.  Light
+/// The cosine of the angle around a sun within which directions count as alike: 60 degrees.
+constexpr float kNearCosine = 0.5f;
+
+/// The mean over the directions near a sun of its light that a ray meets, and the variance.  Light
 /// samples find it too if followed lobes sent the ray.  pdf: of the ray, as in RaySource.
 glm::dvec2 moments(const FarLight& sun, float pdf)
 {
-    constexpr double kNear = std::numbers::pi; // solid angle
+    constexpr double kNear = 2 * std::numbers::pi * (1 - kNearCosine); // solid angle
     const double second = pdf > 0 ? std::min(sun.second, sun.first * sun.first * pdf) : sun.second;
     if (!std::isfinite(second))
         return glm::dvec2(0);
@@ -143,7 +146,7 @@ struct LongPathVisitor {
         const double passed = max_channel(branch.throughput);
         glm::vec2& of_class = sees_lights(branch.behind) ? found.seen : found.others;
         for (const FarLight& sun : suns)
-            if (glm::dot(sun.towards, branch.ray.direction) > 0.5f)
+            if (glm::dot(sun.towards, branch.ray.direction) > kNearCosine)
                 of_class += moments(sun, branch.source.pdf) * glm::dvec2(passed, passed * passed);
     }
 };

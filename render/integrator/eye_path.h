@@ -60,7 +60,7 @@ Rgb trace_seen_lights(const RenderScene& scene, const Ray& ray, RandomSequence& 
 /// its direction. docs/error.md (27).
 struct LongPaths {
     glm::vec2 seen{0.0f};   ///< the light of a sample of trace_seen_lights, and its variance
-    glm::vec2 others{0.0f}; ///< the same of a sample of the other paths without a gathered lobe
+    glm::vec2 others{0.0f}; ///< the same for paths of class glossy, which that function leaves out
     float surfaces = 0;     ///< that a sample meets
 
     LongPaths& operator+=(const LongPaths& more);

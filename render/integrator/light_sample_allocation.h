@@ -11,7 +11,7 @@ namespace hipmap {
 
 /// What one sample of the seen lights finds in each pixel, [height][width], by the brightest
 /// channel: the mean and the variance, of the pixel and of those around it, as the samples of a
-/// pixel alone may miss a light.  Empty: no light is seen.
+/// pixel alone may miss a light.  Empty: no light is seen, and none is expected by long paths.
 struct LightNoise {
     std::vector<float> mean, variance;
     std::vector<LongPaths> long_paths; ///< what these samples may miss; empty: nothing

@@ -193,7 +193,7 @@ Deviations deviations_at(const LightNoise& noise, std::size_t pixel, double rest
     return out;
 }
 
-/// The same for each pixel of the image.  variances: by pixel of the pilot's images.
+/// Returns deviations_at for each pixel of the image.  variances: by pixel of the pilot's images.
 std::vector<Deviations> deviations_of(const PilotNoise& pilot, const Brightness& brightness,
                                       const std::vector<double>& variances, int width, int height)
 {

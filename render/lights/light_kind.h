@@ -30,7 +30,7 @@ namespace hipmap {
 // and one whose light comes from beyond the scene
 //
 //   primary_of           the random numbers by which sample_emission draws a path
-//   far_light            what is known of it as a whole, if it shines from one place in the sky
+//   far_light            its direction and moments, if it fills a small part of the sky
 //
 // To add a kind: write its file, add it to `Light` (light.h) and make it from the scene
 // (collect_lights.cpp).
@@ -61,8 +61,8 @@ struct LightHit {
     float pdf = 0.0f;      ///< per solid angle, that `sample_li` at the ray's origin draws this
 };
 
-/// A light in one place of the sky, by the integrals over directions of the largest channel of its
-/// radiance, W/m2, and of its square.
+/// A light that fills a small part of the sky, by the integrals over directions of the largest
+/// channel of its radiance, W/m2, and of its square.
 struct FarLight {
     glm::vec3 towards{0.0f}; ///< unit
     double first = 0;
