@@ -42,17 +42,15 @@ Moments moments_of(const PictureJob& job, int x, int y)
 }
 
 /// Returns the mean moments of the pixel and of those around it.
-Moments around(const std::vector<Moments>& moments, int x, int y, int width, int height)
+Moments around(const std::vector<Moments>& moments, const RenderOptions& image, std::size_t pixel)
 {
     Moments sum;
     float count = 0;
-    for (int v = std::max(0, y - 1); v <= std::min(height - 1, y + 1); ++v)
-        for (int u = std::max(0, x - 1); u <= std::min(width - 1, x + 1); ++u) {
-            const Moments& at = moments[static_cast<std::size_t>(v) * width + u];
-            sum.mean += at.mean;
-            sum.variance += at.variance;
-            ++count;
-        }
+    over_pixels_around(image, pixel, 1, [&](std::size_t near) {
+        sum.mean += moments[near].mean;
+        sum.variance += moments[near].variance;
+        ++count;
+    });
     return {sum.mean / count, sum.variance / count};
 }
 
@@ -67,9 +65,9 @@ double mean_of(const LightNoise& noise)
 LightNoise measure_light_noise(const RenderScene& scene, const RenderOptions& options,
                                const PilotTeam& team)
 {
-    const int width = options.width, height = options.height;
+    const int width = options.width;
     const PictureJob job{scene, options, kPilotPass, {}};
-    const Part rows = team.part(static_cast<std::size_t>(height));
+    const Part rows = team.part(static_cast<std::size_t>(options.height));
     std::vector<Moments> own(rows.size() * static_cast<std::size_t>(width));
     tbb::parallel_for(rows.begin, rows.end, [&](std::size_t y) {
         for (int x = 0; x < width; ++x)
@@ -81,12 +79,11 @@ LightNoise measure_light_noise(const RenderScene& scene, const RenderOptions& op
     if (out.long_paths.empty() &&
         std::ranges::all_of(moments, [](const Moments& at) { return at.mean == 0; }))
         return {};
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x) {
-            const Moments all = around(moments, x, y, width, height);
-            out.mean.push_back(all.mean);
-            out.variance.push_back(all.variance);
-        }
+    for (std::size_t pixel = 0; pixel < moments.size(); ++pixel) {
+        const Moments all = around(moments, options, pixel);
+        out.mean.push_back(all.mean);
+        out.variance.push_back(all.variance);
+    }
     return out;
 }
 

@@ -45,16 +45,6 @@ LongPaths sum_of(const PictureJob& job, std::span<const FarLight> suns, std::siz
     return sum;
 }
 
-/// Calls visit(pixel) for a pixel and those up to `reach` away along each axis.
-template <typename Visit>
-void around(const RenderOptions& image, std::size_t pixel, int reach, const Visit& visit)
-{
-    const int x = static_cast<int>(pixel) % image.width, y = static_cast<int>(pixel) / image.width;
-    for (int v = std::max(0, y - reach); v <= std::min(image.height - 1, y + reach); ++v)
-        for (int u = std::max(0, x - reach); u <= std::min(image.width - 1, x + reach); ++u)
-            visit(static_cast<std::size_t>(v) * image.width + u);
-}
-
 } // namespace
 
 std::vector<LongPaths> measure_long_paths(const PictureJob& job, const PilotTeam& team)
@@ -72,7 +62,8 @@ std::vector<LongPaths> measure_long_paths(const PictureJob& job, const PilotTeam
     std::vector<std::size_t> samples(first.size(), kFirst.size());
     for (std::size_t i = 0; i < first.size(); ++i)
         if (has_any(first[i]))
-            around(job.options, i, kReach, [&](std::size_t at) { samples[at] = kFurther.end; });
+            over_pixels_around(job.options, i, kReach,
+                               [&](std::size_t at) { samples[at] = kFurther.end; });
     if (std::ranges::none_of(first, has_any))
         return {};
     tbb::parallel_for(pixels.begin, pixels.end, [&](std::size_t i) {
@@ -82,7 +73,7 @@ std::vector<LongPaths> measure_long_paths(const PictureJob& job, const PilotTeam
     std::vector<LongPaths> out(sums.size());
     for (std::size_t i = 0; i < out.size(); ++i) {
         std::size_t taken = 0;
-        around(job.options, i, 1, [&](std::size_t at) {
+        over_pixels_around(job.options, i, 1, [&](std::size_t at) {
             out[i] += sums[at];
             taken += samples[at];
         });

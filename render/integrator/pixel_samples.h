@@ -126,6 +126,17 @@ inline PixelRay pixel_ray(const PictureJob& job, int x, int y, RandomSequence& r
     return {image_ray(job.scene, job.options, point, lens), at};
 }
 
+/// Calls visit(pixel) for a pixel and those of the image up to `reach` away along each axis.
+template <typename Visit>
+void over_pixels_around(const RenderOptions& image, std::size_t pixel, int reach,
+                        const Visit& visit)
+{
+    const int x = static_cast<int>(pixel) % image.width, y = static_cast<int>(pixel) / image.width;
+    for (int v = std::max(0, y - reach); v <= std::min(image.height - 1, y + reach); ++v)
+        for (int u = std::max(0, x - reach); u <= std::min(image.width - 1, x + reach); ++u)
+            visit(static_cast<std::size_t>(v) * image.width + u);
+}
+
 /// Takes the extra samples of directly visible lights; keeps those that are finite.
 inline FilteredSamples<1> sample_seen_lights(const PictureJob& job, int x, int y)
 {
