@@ -1,7 +1,7 @@
 #include "render/integrator/progressive.h"
 
 #include "common/freed_memory.h"
-#include "render/integrator/environment_seeds.h"
+#include "render/integrator/emission_seeds.h"
 #include "render/integrator/find_seen_surfaces.h"
 #include "render/integrator/gather_path.h"
 #include "render/integrator/indirect_choice.h"
@@ -279,7 +279,7 @@ std::shared_ptr<const PhotonGuides> find_guides(const ProgressivePass& pilot,
     PhotonOptions learning = linked_options(pilot);
     learning.pass = kPilotPass - 1;
     return learn_guides(pilot.mapped, learning, worth,
-                        environment_seeds(pilot.mapped.scene, importons, learning.seed), pilots);
+                        emission_seeds(pilot.mapped.scene, importons, learning.seed), pilots);
 }
 
 /// Learns where gather rays find light, from rays of pilots that read the maps of one; from few, if

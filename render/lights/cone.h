@@ -4,6 +4,7 @@
 
 #include <glm/glm.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace hipmap {
@@ -21,6 +22,16 @@ inline glm::vec3 direction_below_pole(float below, float u)
 {
     const float sine = std::sqrt(below * (2 - below)), phi = 2 * kPi * u;
     return {sine * std::cos(phi), sine * std::sin(phi), 1 - below};
+}
+
+/// Returns the u of [0, 1)^2 from which direction_below_pole(height * u.x, u.y) makes a unit vector
+/// of a cone about +z.
+inline glm::vec2 cone_sample_of(float height, const glm::vec3& direction)
+{
+    const glm::vec2 across(direction);
+    const float turn = std::atan2(across.y, across.x) / (2 * kPi);
+    const float below = glm::dot(across, across) / (1 + direction.z); // steadier than 1 - z
+    return {std::min(below / height, 0x1.fffffep-1f), turn < 0 ? turn + 1 : turn};
 }
 
 } // namespace hipmap

@@ -28,9 +28,11 @@ EmittedPath sample_emission(const ConstantEnvironment& light, const PathPlace&,
     return path_along(light.scene, {direction, irradiance(light), light.radiance}, random);
 }
 
-PrimarySample primary_of(const ConstantEnvironment& light, const Ray& ray)
+PrimarySample primary_of(const ConstantEnvironment& light, const Ray& ray,
+                         const PrimarySample& unused)
 {
-    return {sphere_sample_of(ray.direction), disc_sample_of(light.scene, ray)};
+    return {sphere_sample_of(ray.direction), disc_sample_of(light.scene, ray), unused[2],
+            unused[3]};
 }
 
 EmittedPath sample_aimed_emission(const ConstantEnvironment& light, const PathPlace&,

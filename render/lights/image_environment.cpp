@@ -46,9 +46,10 @@ EmittedPath sample_emission(const ImageEnvironment& light, const PathPlace&, Ran
     return path_along(light.scene, draw(light, random), random);
 }
 
-PrimarySample primary_of(const ImageEnvironment& light, const Ray& ray)
+PrimarySample primary_of(const ImageEnvironment& light, const Ray& ray, const PrimarySample& unused)
 {
-    return {direction_sample_of(*light.map, -ray.direction), disc_sample_of(light.scene, ray)};
+    return {direction_sample_of(*light.map, -ray.direction), disc_sample_of(light.scene, ray),
+            unused[2], unused[3]};
 }
 
 EmittedPath sample_aimed_emission(const ImageEnvironment& light, const PathPlace&,

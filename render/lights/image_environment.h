@@ -27,7 +27,8 @@ inline bool can_be_met(const ImageEnvironment&)
 EmittedPath sample_emission(const ImageEnvironment& light, const PathPlace& path,
                             RandomSequence& random);
 /// Returns what `sample_emission` draws for light along a ray of the scene, in its first two steps.
-PrimarySample primary_of(const ImageEnvironment& light, const Ray& ray);
+PrimarySample primary_of(const ImageEnvironment& light, const Ray& ray,
+                         const PrimarySample& unused);
 EmittedPath sample_aimed_emission(const ImageEnvironment& light, const PathPlace& path,
                                   const std::vector<TargetSphere>& targets, RandomSequence& random);
 

@@ -50,12 +50,13 @@ EmittedPath sample_aimed_emission(const Light& light, const PathPlace& path,
         light);
 }
 
-std::optional<PrimarySample> primary_of(const Light& light, const Ray& ray)
+std::optional<PrimarySample> primary_of(const Light& light, const Ray& ray,
+                                        const PrimarySample& unused)
 {
     return std::visit(
         [&](const auto& kind) -> std::optional<PrimarySample> {
-            if constexpr (requires { primary_of(kind, ray).size(); })
-                return primary_of(kind, ray);
+            if constexpr (requires { primary_of(kind, ray, unused).size(); })
+                return primary_of(kind, ray, unused);
             else
                 return std::nullopt;
         },

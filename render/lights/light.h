@@ -57,8 +57,9 @@ EmittedPath sample_emission(const Light& light, const PathPlace& path, RandomSeq
 EmittedPath sample_aimed_emission(const Light& light, const PathPlace& path,
                                   const std::vector<TargetSphere>& targets, RandomSequence& random);
 /// Returns the random numbers by which `sample_emission` draws a path along a ray; nothing for
-/// kinds of light without a `primary_of`.  Steps that `sample_emission` does not use are zero.
-std::optional<PrimarySample> primary_of(const Light& light, const Ray& ray);
+/// kinds of light without a `primary_of`.  unused: the steps that `sample_emission` does not draw.
+std::optional<PrimarySample> primary_of(const Light& light, const Ray& ray,
+                                        const PrimarySample& unused);
 /// Returns nothing for kinds of light without a `far_light`.
 std::optional<FarLight> far_light(const Light& light);
 glm::dvec3 power(const Light& light);

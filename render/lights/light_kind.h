@@ -29,7 +29,8 @@ namespace hipmap {
 //
 // and one whose light comes from beyond the scene
 //
-//   primary_of           the random numbers by which sample_emission draws a path
+//   primary_of           the random numbers by which sample_emission draws a path; those that
+//                        it does not draw are `unused`
 //   far_light            its direction and moments, if it fills a small part of the sky
 //
 // To add a kind: write its file, add it to `Light` (light.h) and make it from the scene

@@ -79,6 +79,15 @@ EmittedPath sample_emission(const SunLight& light, const PathPlace&, RandomSeque
     return path_along(light.scene, draw(light, random), random);
 }
 
+PrimarySample primary_of(const SunLight& light, const Ray& ray, const PrimarySample& unused)
+{
+    const glm::vec2 on_disc = disc_sample_of(light.scene, ray);
+    if (!(light.half_angle > 0))
+        return {on_disc, unused[1], unused[2], unused[3]};
+    return {cone_sample_of(cone_height(light), Frame(light.direction).to_local(ray.direction)),
+            on_disc, unused[2], unused[3]};
+}
+
 EmittedPath sample_aimed_emission(const SunLight& light, const PathPlace&,
                                   const std::vector<TargetSphere>& targets, RandomSequence& random)
 {

@@ -28,6 +28,7 @@ inline bool can_be_met(const SunLight& light)
 FarLight far_light(const SunLight& light);
 
 EmittedPath sample_emission(const SunLight& light, const PathPlace& path, RandomSequence& random);
+PrimarySample primary_of(const SunLight& light, const Ray& ray, const PrimarySample& unused);
 EmittedPath sample_aimed_emission(const SunLight& light, const PathPlace& path,
                                   const std::vector<TargetSphere>& targets, RandomSequence& random);
 

@@ -1,4 +1,4 @@
-#include "render/integrator/environment_seeds.h"
+#include "render/integrator/emission_seeds.h"
 #include "render/integrator/integrators.h"
 #include "render/integrator/photon_cache.h"
 #include "tests/support/statistics.h"
@@ -127,26 +127,38 @@ TEST_CASE("photon guides: paths are aimed as far as caustics are seen", "[integr
 
 TEST_CASE("photon guides: seeds are starts of paths that reach the importons", "[integrator]")
 {
-    Scene scene = box_on_a_plain();
-    scene.lights.clear();
-    scene.environment = Rgb(2);
-    const auto ready = tiny::ready(scene);
-    const LightSet& lights = ready->render->lights;
     Importons importons;
     for (const float x : {-0.3f, 0.1f, 0.4f})
         importons.global.push_back({{x, -0.5f, 0.2f}, Rgb(1), {0, 1, 0}, 0, 0});
-    const std::vector<EmissionSeed> seeds = environment_seeds(*ready->render, importons, 0);
-    REQUIRE(!seeds.empty());
-    for (const EmissionSeed& seed : seeds) {
-        RandomSequence random(0, RandomStream::photons, 0, 0);
-        random.give(seed.at);
-        const Ray ray = sample_emission(lights.lights[seed.light], {}, random).ray;
-        const auto misses = [&](const Photon& importon) {
-            const glm::vec3 way = importon.position - ray.origin;
-            return glm::length(way - glm::dot(way, ray.direction) * ray.direction) > 0.01f;
-        };
-        CHECK_FALSE(std::ranges::all_of(importons.global, misses));
-        CHECK(seed.weight > 0);
+    const auto check_seeds = [&](const Scene& scene) {
+        const auto ready = tiny::ready(scene);
+        const LightSet& lights = ready->render->lights;
+        const std::vector<EmissionSeed> seeds = emission_seeds(*ready->render, importons, 0);
+        REQUIRE(!seeds.empty());
+        for (const EmissionSeed& seed : seeds) {
+            RandomSequence random(0, RandomStream::photons, 0, 0);
+            random.give(seed.at);
+            const Ray ray = sample_emission(lights.lights[seed.light], {}, random).ray;
+            const auto misses = [&](const Photon& importon) {
+                const glm::vec3 way = importon.position - ray.origin;
+                return glm::length(way - glm::dot(way, ray.direction) * ray.direction) > 0.01f;
+            };
+            CHECK_FALSE(std::ranges::all_of(importons.global, misses));
+            CHECK(seed.weight > 0);
+        }
+    };
+    Scene scene = box_on_a_plain();
+    scene.lights.clear();
+    scene.environment = Rgb(2);
+    check_seeds(scene);
+    scene.environment = Rgb(0);
+    for (const double half_angle : {0.0, 0.05}) {
+        SceneSunLight sun;
+        sun.irradiance = glm::dvec3(5);
+        sun.direction = glm::normalize(glm::dvec3(0.1, -1, -0.1));
+        sun.half_angle = half_angle;
+        scene.lights = {sun};
+        check_seeds(scene);
     }
 }
 
