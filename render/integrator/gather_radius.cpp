@@ -26,7 +26,9 @@ float gather_weight(const Bounce& bounce, const GatherScale& scale)
 {
     const float y2 = scale.rays * bounce.radius_at_y * bounce.radius_at_y;
     const float x2 = bounce.radius_at_x * bounce.radius_at_x;
-    const float blur2 = scale.shrink * scale.shrink * x2;
+    // The more passes, the less noise is in the mean of all and the more the blur of each counts.
+    const float shrink2 = scale.shrink * scale.shrink;
+    const float blur2 = x2 / (shrink2 * shrink2);
     const float clear = bounce.distance2 / (bounce.distance2 + blur2);
     const float found2 = x2 * clear * clear;
     return found2 > 0 && std::isfinite(x2) && std::isfinite(y2) ? y2 / (y2 + found2) : 1.0f;
