@@ -20,8 +20,8 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 BIN = ROOT / "build/release/bin"
 PICTURES = ROOT / "docs/images/guided"
 HARD = ("window_room", "sixty_rooms", "wide_plane")
-FEW = 12  # of the references: radii like those of the images would hide the bias of both
 PRESENT = ("cornell", "cornell_diffuse", "cornell_spheres", "glass_globe", "hall_of_lamps")
+FEW = 12  # of the references: radii like those of the images would hide the bias of both
 
 
 def run(command):
