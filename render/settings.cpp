@@ -157,21 +157,31 @@ OptionRow progressive_row(const char* name, T& value, const Choice<T> (&choices)
             .only_with = {{"", "integrator", {"progressive"}}}};
 }
 
+/// A setting of the integrators that trace photons.
+template <typename T, std::size_t count>
+OptionRow guide_row(const char* name, T& value, const Choice<T> (&choices)[count], const char* help)
+{
+    OptionRow row = progressive_row(name, value, choices, help);
+    row.only_with = {{"", "integrator", {"progressive", "direct"}}};
+    return row;
+}
+
 OptionRow emission_row(Emission& emission)
 {
-    return progressive_row(
+    return guide_row(
         "emission", emission, kEmissions,
-        "Starts of the light paths of --integrator progressive: guided, where pilots "
-        "found that they matter to the image, or by the power of the lights alone");
+        "Starts of the light paths: guided, where pilots found that they matter to the image, or "
+        "by the power of the lights alone, as always by --integrator direct with methods of the "
+        "dissertation");
 }
 
 OptionRow gather_row(GatherDirections& gather)
 {
-    return progressive_row(
+    return guide_row(
         "gather", gather, kGatherDirections,
         "Directions of the final-gather rays of --integrator progressive: guided, where "
-        "pilots found light, with samples of the sky where little of it is seen, or by the "
-        "lobes of the surface alone");
+        "pilots found light, or by the lobes of the surface alone; guided, both integrators with "
+        "photons sample the sky where little of it is seen");
 }
 
 OptionRow sharing_row(GatherSharing& sharing)

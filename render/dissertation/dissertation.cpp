@@ -177,6 +177,12 @@ ChosenMaps build_chosen_maps(const std::vector<Photon>& photons, const MapSurfac
         build_dissertation_maps(photons, surfaces, options, asked));
 }
 
+bool uses_methods(const DissertationOptions& options)
+{
+    return options.mode != MapMode::shared || options.estimate != EstimateForm::clipped ||
+           options.tree != TreeKind::wide || options.irradiance != GatheredIrradiance::estimated;
+}
+
 DissertationOptions without_levels(DissertationOptions options)
 {
     if (options.mode == MapMode::thesis || options.mode == MapMode::hierarchical)

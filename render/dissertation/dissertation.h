@@ -57,6 +57,9 @@ struct DissertationOptions {
     GatheredIrradiance irradiance = GatheredIrradiance::estimated;
 };
 
+/// Returns whether any of its methods is used: they are about photons, by the power of the lights.
+bool uses_methods(const DissertationOptions& options);
+
 /// The cost and the saving of a map level, in nodes of a search, docs/photon_maps.md (8).
 struct LevelPlan {
     double asking = 0; ///< cost of asking for its map and limiting radius; 0: not planned

@@ -1,7 +1,9 @@
 #include "render/integrator/eye_path.h"
 
 #include "render/integrator/gather_branch.h"
+#include "render/integrator/importons.h"
 #include "render/integrator/media_beams.h"
+#include "render/integrator/placed_guides.h"
 
 #include <algorithm>
 #include <array>
@@ -26,13 +28,25 @@ namespace {
     return maps.scene.directional ? light : lobes.behind() * light;
 }
 
+PhotonQuery query_at(const Interaction& at)
+{
+    return {at.point.position, at.normal, at.point.face, at.side};
+}
+
+/// Returns where the gathered lobes ask for photons.
+PhotonQuery photon_query(const PassMaps& maps, const Interaction& at, const PhotonLobes& lobes)
+{
+    PhotonQuery query = query_at(at);
+    if (maps.scene.directional)
+        query.lobes = &lobes;
+    return query;
+}
+
 /// Light that the gathered lobes send back along the path, from photons.
 Rgb photon_light(const PassMaps& maps, const Interaction& at, EyeScratch& scratch)
 {
     const PhotonLobes lobes(at);
-    PhotonQuery query{at.point.position, at.normal, at.point.face, at.side};
-    if (maps.scene.directional)
-        query.lobes = &lobes;
+    PhotonQuery query = photon_query(maps, at, lobes);
     Rgb light = estimate_irradiance(maps.global, maps.surfaces, query, scratch.global);
     query.radius = even_radius(maps.caustic, maps.surfaces, query);
     light += estimate_irradiance(maps.caustic, maps.surfaces, query, scratch.caustic);
@@ -42,6 +56,24 @@ Rgb photon_light(const PassMaps& maps, const Interaction& at, EyeScratch& scratc
                : light;
 }
 
+/// Keeps where photon_light asks for photons.  weight: of what it returns.
+void keep_queries(const PassMaps& maps, const Interaction& at, const Rgb& weight,
+                  Importons& importons)
+{
+    const PhotonLobes lobes(at);
+    PhotonQuery query = photon_query(maps, at, lobes);
+    const auto keep_both = [&](const Rgb& factor) {
+        const Rgb each = maps.scene.directional ? weight : weight * factor;
+        keep(&importons, &Importons::global, query, each);
+        keep(&importons, &Importons::caustic, query, each);
+    };
+    keep_both(lobes.base());
+    if (!at.bsdf().transmits_diffusely)
+        return;
+    query = transmitted_side(query);
+    keep_both(lobes.behind());
+}
+
 /// Light from lights and photons that the surface sends back along the path; what followed lobes
 /// find by rays of their own is not in it.  highlights: also what they send of the lights sampled.
 Rgb scattered_light(const PassMaps& maps, const Interaction& at, bool highlights,
@@ -49,12 +81,14 @@ Rgb scattered_light(const PassMaps& maps, const Interaction& at, bool highlights
 {
     const bool gathers = at.gathers();
     const bool samples = gathers && maps.direct == DirectLight::shadow_rays;
-    const LobeRays rays{samples ? 1.0f : 0.0f, highlights && at.follows() ? 1.0f : 0.0f};
+    LobeRays rays{samples ? 1.0f : 0.0f, highlights && at.follows() ? 1.0f : 0.0f};
+    if (samples && maps.sky != nullptr)
+        rays.sky = directions_at(*maps.sky, maps.scene.partition, query_at(at));
     Rgb light(0.0f);
     if (rays.gathered + rays.followed > 0)
         light = light_sampled_light(maps.scene, at, rays, random);
     if (samples)
-        light += bsdf_sampled_light(maps.scene, at, {.gathered = 1}, random);
+        light += bsdf_sampled_light(maps.scene, at, {.gathered = 1, .sky = rays.sky}, random);
     if (gathers)
         light += photon_light(maps, at, scratch);
     return light;
@@ -169,6 +203,8 @@ Rgb trace_eye_path(const PassMaps& maps, const Ray& ray, SeenLights seen, Random
         if (sees)
             radiance += met_emission(maps.scene, at, reached.hit->distance, branch);
         radiance += branch.throughput * scattered_light(maps, at, sees, random, scratch);
+        if (scratch.importons != nullptr && at.gathers())
+            keep_queries(maps, at, branch.throughput, *scratch.importons);
         send_on(maps.scene, at, branch, random, stack);
     }
     return radiance;

@@ -10,6 +10,9 @@
 
 namespace hipmap {
 
+struct Importons;
+struct PlacedGuides;
+
 /// The source of direct light.
 enum class DirectLight : std::uint8_t {
     shadow_rays, ///< sampled at each hit; the maps hold the other classes
@@ -24,12 +27,14 @@ struct PassMaps {
     const ChosenMaps& global;
     DirectLight direct = DirectLight::shadow_rays;
     const VolumeMap* volume = nullptr; ///< null: the scene has no media
+    const PlacedGuides* sky = nullptr; ///< by which environments are sampled; null: they are not
 };
 
 /// Scratch memory of one thread for eye paths.
 struct EyeScratch {
     ChosenScratch caustic;
     ChosenScratch global;
+    Importons* importons = nullptr; ///< to keep the queries of photons in
 };
 
 /// Whether an eye path adds the lights that are seen (straight, over specular surfaces, and as

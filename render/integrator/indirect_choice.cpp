@@ -106,20 +106,13 @@ bool paths_pay(const PilotPaths& found, bool caustics)
     return found.lit >= kLeastLit && found.variance * cost < kMostForPaths * gathered;
 }
 
-/// The renderer compares methods of the dissertation, which are about photons.
-bool compares(const DissertationOptions& options)
-{
-    return options.mode != MapMode::shared || options.estimate != EstimateForm::clipped ||
-           options.tree != TreeKind::wide || options.irradiance != GatheredIrradiance::estimated;
-}
-
 } // namespace
 
 IndirectLight choose_indirect(const RenderScene& scene, const RenderOptions& options,
                               const PilotControl& pilots, RenderStatistics& statistics)
 {
     IndirectLight out = options.indirect;
-    if (!options.light.indirect || scene.has_media() || compares(options.dissertation))
+    if (!options.light.indirect || scene.has_media() || uses_methods(options.dissertation))
         out = IndirectLight::photons;
     if (out == IndirectLight::automatic)
         out = paths_pay(trace_pilot(scene, options, pilots.team),

@@ -24,6 +24,7 @@ struct OcclusionMethod : WithoutScratch {
     float reach; ///< scene units, unless the options say another
 
     explicit OcclusionMethod(const RenderScene& of) : scene(of), reach(reach_in(of.mesh())) {}
+    static OcclusionMethod at(const RenderScene& now) { return OcclusionMethod(now); }
 
     struct Pass {
         const RenderScene& scene;
@@ -67,7 +68,7 @@ struct OcclusionMethod : WithoutScratch {
 PassSource make_occlusion_source(const RenderScene& scene, const RenderOptions& options,
                                  RenderStatistics& statistics, const PilotControl& pilots)
 {
-    return make_sampled_source<OcclusionMethod>(scene, options, statistics, pilots);
+    return make_sampled_source(OcclusionMethod(scene), options, statistics, pilots);
 }
 
 } // namespace hipmap

@@ -2,6 +2,9 @@
 
 #include "common/scene/light_path_rules.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace hipmap {
 
 namespace {
@@ -32,6 +35,28 @@ PhotonOptions photon_options(const RenderScene& scene, const RenderOptions& opti
         out.store_direct = out.media = false;
     }
     return out;
+}
+
+void guide(const PhotonGuides* guides, PhotonOptions& photons)
+{
+    photons.guides = guides;
+    if (guides != nullptr)
+        photons.caustic_paths =
+            static_cast<std::uint64_t>(guides->aimed_share * static_cast<double>(photons.paths));
+}
+
+double neighbours_by(const PhotonGuides* guides, EmissionGuide PhotonGuides::*kind)
+{
+    constexpr double kMostGain = 64; // estimates of more photons cost more
+    return guides == nullptr ? 1 : std::cbrt(std::min(kMostGain, 1 / (guides->*kind).variance));
+}
+
+void count_guides(const PhotonGuides* guides, RenderStatistics& statistics)
+{
+    if (guides == nullptr)
+        return;
+    statistics.guided_variance = guides->without_aim.variance;
+    statistics.guided_variance_aimed = guides->aimed.variance;
 }
 
 VolumeRadii volume_radii(const RenderScene& scene, const TracedPhotons& pilot,

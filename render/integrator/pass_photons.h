@@ -23,6 +23,16 @@ struct MappedScene {
 PhotonOptions photon_options(const RenderScene& scene, const RenderOptions& options,
                              std::uint64_t pass);
 
+/// Makes the light paths of a pass guided.  guides: borrowed; null: they start by power.
+void guide(const PhotonGuides* guides, PhotonOptions& photons);
+
+/// Returns for how many times as many neighbours guided photons of a kind are looked.  They are
+/// denser: that is shared out between less noise and less bias, docs/light_transport.md (41).
+double neighbours_by(const PhotonGuides* guides, EmissionGuide PhotonGuides::*kind);
+
+/// Keeps what guides promise.  guides: null: there are none.
+void count_guides(const PhotonGuides* guides, RenderStatistics& statistics);
+
 /// Returns the radii of volume photons, from pilot photons, docs/media.md (9).
 VolumeRadii volume_radii(const RenderScene& scene, const TracedPhotons& pilot,
                          const RenderOptions& options);

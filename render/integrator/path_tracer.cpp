@@ -161,6 +161,7 @@ struct PathMethod : WithoutScratch {
     const RenderScene& scene;
 
     explicit PathMethod(const RenderScene& of) : scene(of) {}
+    static PathMethod at(const RenderScene& now) { return PathMethod(now); }
 
     struct Pass {
         const RenderScene& scene;
@@ -203,7 +204,7 @@ PathPair trace_path_pair(const RenderScene& scene, const Ray& ray, RandomSequenc
 PassSource make_path_source(const RenderScene& scene, const RenderOptions& options,
                             RenderStatistics& statistics, const PilotControl& pilots)
 {
-    return make_sampled_source<PathMethod>(scene, options, statistics, pilots);
+    return make_sampled_source(PathMethod(scene), options, statistics, pilots);
 }
 
 } // namespace hipmap

@@ -24,9 +24,6 @@ namespace {
 /// The share of its photons in the work of a pass, for the progress shown.
 constexpr double kPhotonShare = 0.3;
 
-/// Estimates of more photons cost more, and no gain is known so well.
-constexpr double kMostGain = 64;
-
 /// For how many rays one counts while guides of photons are learnt: those that gather rays read are
 /// to be many, as they bring less noise than bounced ones.  Measured, docs/light_transport.md (41).
 constexpr float kGuidedRays = 4;
@@ -82,24 +79,18 @@ PhotonOptions linked_options(const ProgressivePass& pass)
     photons.store_direct = photons.light.indirect; // for gather rays
     photons.link_bounces = photons.light.indirect;
     photons.store_glossy = photons.light.caustic;
-    photons.guides = pass.guides;
-    if (pass.guides != nullptr)
-        photons.caustic_paths = static_cast<std::uint64_t>(pass.guides->aimed_share *
-                                                           static_cast<double>(photons.paths));
+    guide(pass.guides, photons);
     photons.seen = pass.seen_surfaces;
     return photons;
 }
 
 /// Returns the options of the maps by which first radii are found.  part: of k, docs/photon_maps.md
-/// (11).  Guided photons are denser: that is shared out between less noise and less bias,
-/// docs/light_transport.md (41).
+/// (11).
 MapOptions radius_options(const ProgressivePass& pilot, EmissionGuide PhotonGuides::*kind,
                           double part = 1)
 {
     MapOptions out = pilot.options.maps;
-    double neighbours = part * out.neighbours;
-    if (pilot.guides != nullptr)
-        neighbours *= std::cbrt(std::min(kMostGain, 1 / (pilot.guides->*kind).variance));
+    const double neighbours = part * out.neighbours * neighbours_by(pilot.guides, kind);
     out.neighbours = std::max(2u, static_cast<std::uint32_t>(std::lround(neighbours)));
     return out;
 }
@@ -420,7 +411,7 @@ void prepare(const MappedScene& mapped, const PilotControl& pilots, Progressive&
         first = find_first_radii(pilot, pilots.team);
     }
     if (options.gather == GatherDirections::guided && !stopped) {
-        first.sky = learn_sky(mapped.scene, importons, options.seed);
+        first.sky = learn_sky(mapped.scene, importons.indirect, options.seed);
         if (gather_rays(options) == GatherRays::end_in_photons)
             first.guide = find_directions(pilot, first, pilots.team);
     }
@@ -459,10 +450,7 @@ PassSource make_progressive_source(const RenderScene& scene, const RenderOptions
     source.allocation = checksum(*shared);
     if (shared->seen)
         statistics.seen_scale = scale_of(*shared->seen);
-    if (shared->guides) {
-        statistics.guided_variance = shared->guides->without_aim.variance;
-        statistics.guided_variance_aimed = shared->guides->aimed.variance;
-    }
+    count_guides(shared->guides.get(), statistics);
     source.bias = precomputes(scene, options) ? BiasKnowledge::unknown : BiasKnowledge::from_radii;
     source.render = [&scene, &statistics, surfaces, shared](std::uint64_t pass,
                                                             const PassControl& control) {

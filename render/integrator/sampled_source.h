@@ -47,18 +47,20 @@ CoarseImage render_coarse_sampled(const Method& method, const RenderOptions& opt
 
 /// Makes an integrator whose image is the mean of samples that know nothing of each other.  Borrows
 /// and counts as make_pass_source does; renders the pilot.  A Method is
-///     Method(scene): what serves all passes of a scene; borrows it;
+///     what serves all passes of a scene, which it borrows, with at(scene), the same for another
+///         moment of it;
 ///     Method::Pass(method, job, statistics): what serves one pass, such as photon maps, with
 ///         trace(ray, seen, random, scratch), the radiance along an eye ray, thread-safe;
 ///     Method::Scratch: memory of one thread, and Method::count(scratch, statistics);
 ///     Method::kBegun: the share of a pass that is done when its Pass is there, for the progress;
 ///     Method::kBias: what is known of the bias of its images.
 template <typename Method>
-PassSource make_sampled_source(const RenderScene& scene, const RenderOptions& options,
+PassSource make_sampled_source(Method made, const RenderOptions& options,
                                RenderStatistics& statistics, const PilotControl& pilots,
                                SampleAllocation allocated = {})
 {
-    const auto method = std::make_shared<const Method>(scene);
+    const RenderScene& scene = made.scene;
+    const auto method = std::make_shared<const Method>(std::move(made));
     const auto allocation = std::make_shared<const SampleAllocation>(std::move(allocated));
     PassSource source;
     set_window(source, options);
@@ -76,9 +78,10 @@ PassSource make_sampled_source(const RenderScene& scene, const RenderOptions& op
                      allocation](std::uint64_t pass, const PassControl& control) {
         return render_sampled(*method, {scene, options, pass, *allocation}, control, statistics);
     };
-    source.render_in = [&options, &statistics, allocation](
+    source.render_in = [&options, &statistics, method, allocation](
                            const RenderScene& now, std::uint64_t pass, const PassControl& control) {
-        return render_sampled(Method(now), {now, options, pass, *allocation}, control, statistics);
+        return render_sampled(method->at(now), {now, options, pass, *allocation}, control,
+                              statistics);
     };
     return source;
 }

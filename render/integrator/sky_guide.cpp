@@ -49,12 +49,11 @@ void add_record(const RenderScene& scene, const Ray& ray, const Photon& importon
 
 } // namespace
 
-PlacedGuides learn_sky(const RenderScene& scene, const Importons& importons, std::uint64_t seed)
+PlacedGuides learn_sky(const RenderScene& scene, std::span<const Photon> from, std::uint64_t seed)
 {
     PlacedGuides out;
     if (scene.lights.environments.empty())
         return out;
-    const std::vector<Photon>& from = importons.indirect;
     const std::size_t step = from.size() / kMostImportons + 1;
     std::vector<GatherRecord> records;
     for (const Round& round : kRounds) {

@@ -45,10 +45,10 @@ Scene two_rooms()
     return scene;
 }
 
-RenderOptions small_options(Emission emission)
+RenderOptions small_options(Emission emission, Integrator integrator = Integrator::progressive)
 {
     RenderOptions options;
-    options.integrator = Integrator::progressive;
+    options.integrator = integrator;
     options.width = options.height = 16;
     options.photons = 20000;
     options.samples = 4;
@@ -194,4 +194,68 @@ TEST_CASE("photon guides: where all photons matter alike there is none", "[integ
         return make_pass_source(*ready->render, options, ignored).render(0, {}).images;
     };
     CHECK(pass(Emission::guided).radiance.pixels == pass(Emission::by_power).radiance.pixels);
+}
+
+TEST_CASE("photon guides: direct estimates have less noise and less bias by them", "[integrator]")
+{
+    const auto plain = tiny::ready(box_on_a_plain());
+    constexpr int kPasses = 10;
+    const auto images = [&](const RenderOptions& options) {
+        RenderStatistics ignored;
+        const PassSource source = make_pass_source(*plain->render, options, ignored);
+        std::vector<Image> out;
+        for (std::uint64_t pass = 0; pass < kPasses; ++pass)
+            out.push_back(source.render(pass, {}).images.radiance);
+        return out;
+    };
+    const auto mean_of_images = [](const std::vector<Image>& of) {
+        Image sum(of[0].width, of[0].height);
+        for (const Image& image : of)
+            for (std::size_t i = 0; i < sum.pixels.size(); ++i)
+                sum.pixels[i] += image.pixels[i] / static_cast<float>(of.size());
+        return sum;
+    };
+    const auto distance = [](const Image& a, const Image& b) {
+        double sum = 0;
+        for (std::size_t i = 0; i < a.pixels.size(); ++i)
+            sum += double{glm::dot(a.pixels[i] - b.pixels[i], a.pixels[i] - b.pixels[i])};
+        return sum;
+    };
+    RenderOptions long_path = small_options(Emission::by_power, Integrator::path);
+    long_path.samples = 1024;
+    const Image truth = mean_of_images(images(long_path));
+    const auto guided = images(small_options(Emission::guided, Integrator::direct));
+    const auto by_power = images(small_options(Emission::by_power, Integrator::direct));
+    const double error = distance(mean_of_images(guided), truth);
+    const double error_by_power = distance(mean_of_images(by_power), truth);
+    const double noise = distance(guided[0], guided[1]);
+    const double noise_by_power = distance(by_power[0], by_power[1]);
+    INFO(error << " " << error_by_power << "; " << noise << " " << noise_by_power);
+    CHECK(error < 0.7 * error_by_power);
+    CHECK(noise < 0.2 * noise_by_power);
+}
+
+TEST_CASE("photon guides: direct estimates have the same bits by any number of threads, and by "
+          "power where photons matter alike or the dissertation's methods are compared",
+          "[integrator]")
+{
+    const auto plain = tiny::ready(box_on_a_plain()),
+               box = tiny::ready(tiny::emissive_box(Rgb(0.5f)));
+    const auto pass = [](const tiny::ReadyScene& ready, const RenderOptions& options,
+                         std::size_t threads) {
+        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+        RenderStatistics ignored;
+        return make_pass_source(*ready.render, options, ignored)
+            .render(3, {})
+            .images.radiance.pixels;
+    };
+    RenderOptions guided = small_options(Emission::guided, Integrator::direct);
+    RenderOptions by_power = small_options(Emission::by_power, Integrator::direct);
+    const std::vector<Rgb> one = pass(*plain, guided, 1);
+    CHECK(one == pass(*plain, guided, 2));
+    CHECK(one == pass(*plain, guided, 7));
+    CHECK(one != pass(*plain, by_power, 2));
+    CHECK(pass(*box, guided, 2) == pass(*box, by_power, 2));
+    guided.dissertation.estimate = by_power.dissertation.estimate = EstimateForm::thesis;
+    CHECK(pass(*plain, guided, 2) == pass(*plain, by_power, 2));
 }

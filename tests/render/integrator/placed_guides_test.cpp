@@ -27,10 +27,11 @@ Scene room_below_a_lid()
     return scene;
 }
 
-RenderOptions small_options(GatherDirections gather)
+RenderOptions small_options(GatherDirections gather,
+                            Integrator integrator = Integrator::progressive)
 {
     RenderOptions options;
-    options.integrator = Integrator::progressive;
+    options.integrator = integrator;
     options.width = options.height = 32;
     options.photons = 20000;
     options.samples = 4;
@@ -43,10 +44,11 @@ struct GatheredMeans {
     RunningMean noise; ///< square of the relative difference of a pixel between two passes
 };
 
-GatheredMeans mean_of_passes(const tiny::ReadyScene& ready, GatherDirections gather)
+GatheredMeans mean_of_passes(const tiny::ReadyScene& ready, GatherDirections gather,
+                             Integrator integrator = Integrator::progressive)
 {
     RenderStatistics ignored;
-    const RenderOptions options = small_options(gather);
+    const RenderOptions options = small_options(gather, integrator);
     const PassSource source = make_pass_source(*ready.render, options, ignored);
     GatheredMeans out;
     Image last;
@@ -142,10 +144,10 @@ TEST_CASE("sky guide: where little of the sky is seen, its samples go there", "[
     const FaceId floor = room->render->rays.nearest({.direction = {0, -1, 0}})->face;
     const PhotonQuery query{{0.1f, -0.5f, 0}, {0, 1, 0}, floor, 0};
     RandomSequence random(4, RandomStream::pictures, 0, 0);
-    Importons importons;
+    std::vector<Photon> importons;
     for (int i = 0; i < 2000; ++i) {
         const glm::vec3 place{random.next() - 0.5f, -0.5f, random.next() - 0.5f};
-        importons.indirect.push_back({place, Rgb(1), query.normal, floor, query.side});
+        importons.push_back({place, Rgb(1), query.normal, floor, query.side});
     }
     const PlacedGuides guide = learn_sky(*room->render, importons, 1);
     const DirectionGuide* const found = directions_at(guide, room->partition, query);
@@ -166,7 +168,7 @@ TEST_CASE("sky guide: where little of the sky is seen, its samples go there", "[
     CHECK(by_guide > 2 * by_cosine);
     Scene open = tiny::diffuse_floor();
     open.environment = Rgb(3);
-    for (Photon& importon : importons.indirect)
+    for (Photon& importon : importons)
         importon.face = 0;
     CHECK(learn_sky(*tiny::ready(open)->render, importons, 1).directions.empty());
     CHECK(learn_sky(*room->render, {}, 1).directions.empty());
@@ -185,4 +187,21 @@ TEST_CASE("gather guide: a pass has the same bits by however many threads", "[in
     CHECK(mean_of(one.radiance) > 0);
     for (const std::size_t threads : {2, 7})
         CHECK(one.radiance.pixels == second_pass(threads).radiance.pixels);
+}
+
+TEST_CASE("sky guide: direct estimates are those without it, with less noise", "[integrator]")
+{
+    const auto room = tiny::ready(room_below_a_lid());
+    const auto means = [&](GatherDirections gather) {
+        return mean_of_passes(*room, gather, Integrator::direct);
+    };
+    const GatheredMeans guided = means(GatherDirections::guided);
+    const GatheredMeans by_lobes = means(GatherDirections::by_lobes);
+    const double noise =
+        std::hypot(guided.radiance.standard_error(), by_lobes.radiance.standard_error());
+    INFO(guided.radiance.mean() << " " << by_lobes.radiance.mean() << " " << noise << "; "
+                                << guided.noise.mean() << " " << by_lobes.noise.mean());
+    CHECK(std::abs(guided.radiance.mean() - by_lobes.radiance.mean()) < kMostZ * noise);
+    CHECK(kMostZ * noise < 0.1 * by_lobes.radiance.mean());
+    CHECK(guided.noise.mean() < 0.8 * by_lobes.noise.mean());
 }
