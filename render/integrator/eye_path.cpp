@@ -28,25 +28,11 @@ namespace {
     return maps.scene.directional ? light : lobes.behind() * light;
 }
 
-PhotonQuery query_at(const Interaction& at)
-{
-    return {at.point.position, at.normal, at.point.face, at.side};
-}
-
-/// Returns where the gathered lobes ask for photons.
-PhotonQuery photon_query(const PassMaps& maps, const Interaction& at, const PhotonLobes& lobes)
-{
-    PhotonQuery query = query_at(at);
-    if (maps.scene.directional)
-        query.lobes = &lobes;
-    return query;
-}
-
 /// Light that the gathered lobes send back along the path, from photons.
 Rgb photon_light(const PassMaps& maps, const Interaction& at, EyeScratch& scratch)
 {
     const PhotonLobes lobes(at);
-    PhotonQuery query = photon_query(maps, at, lobes);
+    PhotonQuery query = query_of(maps.scene, at, lobes);
     Rgb light = estimate_irradiance(maps.global, maps.surfaces, query, scratch.global);
     query.radius = even_radius(maps.caustic, maps.surfaces, query);
     light += estimate_irradiance(maps.caustic, maps.surfaces, query, scratch.caustic);
@@ -61,7 +47,7 @@ void keep_queries(const PassMaps& maps, const Interaction& at, const Rgb& weight
                   Importons& importons)
 {
     const PhotonLobes lobes(at);
-    PhotonQuery query = photon_query(maps, at, lobes);
+    PhotonQuery query = query_of(maps.scene, at, lobes);
     const auto keep_both = [&](const Rgb& factor) {
         const Rgb each = maps.scene.directional ? weight : weight * factor;
         keep(&importons, &Importons::global, query, each);

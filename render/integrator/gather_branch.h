@@ -2,6 +2,7 @@
 
 #include "common/fixed_list.h"
 #include "render/integrator/gather_record.h"
+#include "render/maps/find_photons.h"
 #include "render/paths/path_state.h"
 
 namespace hipmap {
@@ -38,6 +39,22 @@ struct Departures {
 /// A stack of waiting branches: a surface before kSplitDepth takes one off and adds at most
 /// kMostRays.
 using GatherBranchStack = FixedList<GatherBranch, kMostRays*(kSplitDepth + 1)>;
+
+/// Returns the query of photons where a surface is met.  lobes: null where photons count alike from
+/// all directions.
+inline PhotonQuery query_at(const Interaction& at, const PhotonLobes* lobes = nullptr)
+{
+    PhotonQuery out{at.point.position, at.normal, at.point.face, at.side};
+    out.lobes = lobes;
+    return out;
+}
+
+/// Returns the query of gathered lobes, which may see the directions of photons in some scenes.
+inline PhotonQuery query_of(const RenderScene& scene, const Interaction& at,
+                            const PhotonLobes& lobes)
+{
+    return query_at(at, scene.directional ? &lobes : nullptr);
+}
 
 /// Returns one ray in a direction drawn from the lobes.
 GatherBranch scatter(const RenderScene& scene, const GatherBranch& from, const Interaction& at,

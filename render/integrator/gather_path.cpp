@@ -141,19 +141,6 @@ class GatherTracer {
         scratch_.starts.back().at.inside = nullptr; // the branch's
     }
 
-    /// lobes: null where photons count alike from all directions.
-    static PhotonQuery query_at(const Interaction& at, const PhotonLobes* lobes)
-    {
-        PhotonQuery out{at.point.position, at.normal, at.point.face, at.side};
-        out.lobes = lobes;
-        return out;
-    }
-
-    PhotonQuery query_of(const Interaction& at, const PhotonLobes& lobes) const
-    {
-        return query_at(at, maps_.scene.directional ? &lobes : nullptr);
-    }
-
     /// Returns the factor by which what a query of query_of finds is multiplied.
     Rgb factor_of(const PhotonLobes& lobes) const
     {
@@ -176,7 +163,7 @@ class GatherTracer {
                       .normal = at.normal,
                       .separable = at.bsdf().is_separable && at.is_diffuse()};
         const PhotonLobes lobes(at);
-        const PhotonQuery query = query_of(at, lobes);
+        const PhotonQuery query = query_of(maps_.scene, at, lobes);
         const Rgb factor = factor_of(lobes);
         end.first_global = radius_at(maps_.first.global, maps_.surfaces, query);
         const float radius = maps_.scale.shrink * end.first_global;
@@ -218,7 +205,7 @@ class GatherTracer {
     bool add_photons(GatherBranch& branch, const Interaction& at, float distance)
     {
         const PhotonLobes lobes(at);
-        const PhotonQuery query = query_of(at, lobes);
+        const PhotonQuery query = query_of(maps_.scene, at, lobes);
         if (at.bsdf().transmits_diffusely)
             return add_both_sides(branch, query, lobes);
         const Rgb factor = factor_of(lobes);

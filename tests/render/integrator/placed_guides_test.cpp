@@ -45,7 +45,7 @@ struct GatheredMeans {
 };
 
 GatheredMeans mean_of_passes(const tiny::ReadyScene& ready, GatherDirections gather,
-                             Integrator integrator = Integrator::progressive)
+                             Integrator integrator)
 {
     RenderStatistics ignored;
     const RenderOptions options = small_options(gather, integrator);
@@ -63,6 +63,19 @@ GatheredMeans mean_of_passes(const tiny::ReadyScene& ready, GatherDirections gat
         out.radiance.add(mean_of(now));
     }
     return out;
+}
+
+/// Checks that guides leave the light of passes as it is and lessen their noise.
+void check_guided(Integrator integrator)
+{
+    const auto room = tiny::ready(room_below_a_lid());
+    const GatheredMeans guided = mean_of_passes(*room, GatherDirections::guided, integrator);
+    const GatheredMeans by_lobes = mean_of_passes(*room, GatherDirections::by_lobes, integrator);
+    const double noise =
+        std::hypot(guided.radiance.standard_error(), by_lobes.radiance.standard_error());
+    CHECK(std::abs(guided.radiance.mean() - by_lobes.radiance.mean()) < kMostZ * noise);
+    CHECK(kMostZ * noise < 0.1 * by_lobes.radiance.mean());
+    CHECK(guided.noise.mean() < 0.8 * by_lobes.noise.mean());
 }
 
 /// Records of one face, drawn by a Lambertian lobe about +y; light comes from within a cone alone.
@@ -128,14 +141,7 @@ TEST_CASE("gather guide: there is none where lobes are as good, or nothing is kn
 
 TEST_CASE("gather guide: the image is that of rays by the lobes, with less noise", "[integrator]")
 {
-    const auto room = tiny::ready(room_below_a_lid());
-    const GatheredMeans guided = mean_of_passes(*room, GatherDirections::guided);
-    const GatheredMeans by_lobes = mean_of_passes(*room, GatherDirections::by_lobes);
-    const double noise =
-        std::hypot(guided.radiance.standard_error(), by_lobes.radiance.standard_error());
-    CHECK(std::abs(guided.radiance.mean() - by_lobes.radiance.mean()) < kMostZ * noise);
-    CHECK(kMostZ * noise < 0.1 * by_lobes.radiance.mean());
-    CHECK(guided.noise.mean() < 0.8 * by_lobes.noise.mean());
+    check_guided(Integrator::progressive);
 }
 
 TEST_CASE("sky guide: where little of the sky is seen, its samples go there", "[integrator]")
@@ -191,17 +197,5 @@ TEST_CASE("gather guide: a pass has the same bits by however many threads", "[in
 
 TEST_CASE("sky guide: direct estimates are those without it, with less noise", "[integrator]")
 {
-    const auto room = tiny::ready(room_below_a_lid());
-    const auto means = [&](GatherDirections gather) {
-        return mean_of_passes(*room, gather, Integrator::direct);
-    };
-    const GatheredMeans guided = means(GatherDirections::guided);
-    const GatheredMeans by_lobes = means(GatherDirections::by_lobes);
-    const double noise =
-        std::hypot(guided.radiance.standard_error(), by_lobes.radiance.standard_error());
-    INFO(guided.radiance.mean() << " " << by_lobes.radiance.mean() << " " << noise << "; "
-                                << guided.noise.mean() << " " << by_lobes.noise.mean());
-    CHECK(std::abs(guided.radiance.mean() - by_lobes.radiance.mean()) < kMostZ * noise);
-    CHECK(kMostZ * noise < 0.1 * by_lobes.radiance.mean());
-    CHECK(guided.noise.mean() < 0.8 * by_lobes.noise.mean());
+    check_guided(Integrator::direct);
 }
