@@ -282,9 +282,10 @@ WideTree build_wide_tree(std::span<TreePoint> points)
 std::vector<TreePoint> every_nth_photon(const WideTree& tree, std::uint32_t n)
 {
     std::vector<TreePoint> points;
-    for (std::size_t i = 0; i * n < tree.size; ++i)
-        points.push_back(
-            {tree.position(static_cast<std::uint32_t>(i * n)), static_cast<std::uint32_t>(i * n)});
+    for (std::uint64_t i = 0; i * n < tree.size; ++i) {
+        const auto slot = static_cast<std::uint32_t>(std::min(i * n + i % n, tree.size - 1));
+        points.push_back({tree.position(slot), slot});
+    }
     return points;
 }
 

@@ -194,3 +194,23 @@ TEST_CASE("wide tree: of equally near photons those with the lower slots", "[map
             CHECK(found.slots[i] == i);
     }
 }
+
+TEST_CASE("wide tree: every n-th photon lies to no side of the others", "[maps]")
+{
+    constexpr std::size_t kCount = 1 << 14; // blocks are 1/32 wide
+    const OwnedTree owner(make_points(kPlaces[1].second, 5, kCount));
+    glm::dvec3 of_all(0);
+    for (const TreePoint& point : owner.points)
+        of_all += glm::dvec3(point.position) / double{kCount};
+    for (const std::uint32_t n : {1u, 4u, 5u}) {
+        const std::vector<TreePoint> some = every_nth_photon(owner.tree, n);
+        REQUIRE(some.size() == (kCount + n - 1) / n);
+        glm::dvec3 mean(0);
+        for (const TreePoint& point : some) {
+            CHECK(point.position == owner.tree.position(point.photon));
+            mean += glm::dvec3(point.position) / static_cast<double>(some.size());
+        }
+        CHECK(glm::distance(mean, of_all) < 0.03 / 32);
+    }
+    CHECK(every_nth_photon(WideTree(), 4).empty());
+}
