@@ -274,16 +274,17 @@ float even_radius(const DissertationMaps& maps, const MapSurfaces& surfaces,
 }
 
 RadiusField build_radius_field(const DissertationMaps& maps, const MapSurfaces& surfaces,
-                               RadiusField::Sparse sparse)
+                               const RadiusField::Rules& rules)
 {
     RadiusField out;
-    out.sparse = sparse;
+    out.sparse = rules.sparse;
     out.index.options = maps.shared.options;
     out.index.map_of = maps.shared.map_of;
     for (const PhotonMap& map : maps.shared.maps)
         out.maps.push_back(build_radius_map(
-            map, maps.shared.options.neighbours, surfaces, maps.area_read(surfaces, map.faces[0]),
-            [&maps, &map] {
+            {map, maps.area_read(surfaces, map.faces[0]), maps.shared.options.neighbours,
+             rules.sharp},
+            surfaces, [&maps, &map] {
                 return [&maps, &map, wide = TreeScratch(),
                         kd = KdScratch()](const TreeQuery& query) mutable {
                     return find_in_map(maps.kd_tree(map), map.tree, query, {wide, kd});

@@ -153,7 +153,7 @@ RadiusEstimates estimate_gathered(const DissertationMaps& maps, const MapSurface
 float even_radius(const DissertationMaps& maps, const MapSurfaces& surfaces,
                   const PhotonQuery& query);
 RadiusField build_radius_field(const DissertationMaps& maps, const MapSurfaces& surfaces,
-                               RadiusField::Sparse sparse);
+                               const RadiusField::Rules& rules);
 
 } // namespace dissertation
 
@@ -202,11 +202,11 @@ inline float even_radius(const ChosenMaps& maps, const MapSurfaces& surfaces,
 
 /// Builds a radius field as render/maps/radius_field.h does for shared maps.
 inline RadiusField build_radius_field(const ChosenMaps& maps, const MapSurfaces& surfaces,
-                                      RadiusField::Sparse sparse = RadiusField::Sparse::even)
+                                      const RadiusField::Rules& rules = {})
 {
     if (const PhotonMaps* shared = std::get_if<PhotonMaps>(&maps))
-        return build_radius_field(*shared, surfaces, sparse);
-    return dissertation::build_radius_field(*std::get<1>(maps), surfaces, sparse);
+        return build_radius_field(*shared, surfaces, rules);
+    return dissertation::build_radius_field(*std::get<1>(maps), surfaces, rules);
 }
 
 } // namespace hipmap

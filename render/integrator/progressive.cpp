@@ -115,13 +115,12 @@ ProgressiveRadii find_first_radii(const ProgressivePass& pilot, const PilotTeam&
     for (const BouncedPhoton& bounced : traced.bounces)
         indirect.push_back(bounced.photon);
     free_array(traced.bounces);
-    using Sparse = RadiusField::Sparse;
     const auto field = [&](std::vector<Photon>& photons, const MapOptions& maps,
-                           Sparse sparse = Sparse::even) {
+                           const RadiusField::Rules& rules = {}) {
         const ChosenMaps built =
             build_chosen_maps(photons, mapped.surfaces, maps, estimated(options));
         free_array(photons);
-        return build_radius_field(built, mapped.surfaces, sparse);
+        return build_radius_field(built, mapped.surfaces, rules);
     };
     const MapOptions caustic =
         radius_options(pilot, &PhotonGuides::aimed, caustic_part(traced.caustic.size()));
@@ -133,11 +132,10 @@ ProgressiveRadii find_first_radii(const ProgressivePass& pilot, const PilotTeam&
         glossy.push_back(one.photon);
         power += max_channel(one.photon.power) / static_cast<double>(traced.glossy.size());
     }
-    RadiusField of_caustics = field(traced.caustic, caustic);
-    narrow_where_dense(of_caustics);
-    return {FirstRadii{std::move(of_caustics), field(traced.global, others),
-                       field(indirect, others, Sparse::infinite),
-                       field(glossy, aimed, Sparse::infinite), static_cast<float>(power)},
+    const RadiusField::Rules infinite{.sparse = RadiusField::Sparse::infinite};
+    return {FirstRadii{field(traced.caustic, caustic, {.sharp = true}),
+                       field(traced.global, others), field(indirect, others, infinite),
+                       field(glossy, aimed, infinite), static_cast<float>(power)},
             volume_radii(mapped.scene, traced, options)};
 }
 

@@ -23,9 +23,23 @@ struct RadiusField {
         even,    ///< the even radius: an estimate over much of the map
         infinite ///< no estimate: the light is found in another way
     };
+    /// What radii are like.
+    struct Rules {
+        Sparse sparse = Sparse::even;
+        bool sharp = false; ///< narrower where photons are dense and where they end, for light with
+                            ///< sharp edges: docs/photon_maps.md (11), (12)
+    };
     PhotonMaps index; ///< of the photons, without them
     std::vector<Map> maps;
     Sparse sparse = Sparse::even;
+};
+
+/// A map whose radii are looked for.
+struct MapOfRadii {
+    const PhotonMap& photons;
+    float area = 0.0f; ///< of its surface, square scene units
+    std::uint32_t neighbours = 0;
+    bool sharp = false; ///< RadiusField::Rules::sharp
 };
 
 /// Finds the k nearest photons of a map, fewer if there are no more within the radius; for one
@@ -33,20 +47,14 @@ struct RadiusField {
 using NearestSearch = std::function<FoundSlots(const TreeQuery&)>;
 
 /// Computes the radii of one map of a field, in parallel; narrower where the surface is,
-/// docs/visible_area.md (A10).  area: of its surface, square scene units.  make_search: returns a
-/// search of `photons` for one thread.
-RadiusField::Map build_radius_map(const PhotonMap& photons, std::uint32_t neighbours,
-                                  const MapSurfaces& surfaces, float area,
+/// docs/visible_area.md (A10).  make_search: returns a search of the map's photons for one thread.
+RadiusField::Map build_radius_map(const MapOfRadii& map, const MapSurfaces& surfaces,
                                   const std::function<NearestSearch()>& make_search);
 
 /// Builds a radius field, in parallel.  Same maps, same field, at any thread count.  No photons: a
 /// field without maps. Cost: a search for every fourth photon.
 RadiusField build_radius_field(const PhotonMaps& photons, const MapSurfaces& surfaces,
-                               RadiusField::Sparse sparse = RadiusField::Sparse::even);
-
-/// Narrows the radii where photons are dense, to half at least, docs/photon_maps.md (11).  A field
-/// without maps stays as it is.  Cost: linear in the radii.
-void narrow_where_dense(RadiusField& field);
+                               const RadiusField::Rules& rules = {});
 
 /// Returns the radius at a point, scene units: at most the radius within which k photons would lie
 /// if the map's photons were spread evenly over it; where the map has no photon, that of one

@@ -33,9 +33,9 @@ struct Field {
     MapSurfaces surfaces{ready->scene.mesh, ready->partition};
     RadiusField field;
 
-    explicit Field(const std::vector<Photon>& photons)
+    explicit Field(const std::vector<Photon>& photons, const RadiusField::Rules& rules = {})
         : field(build_radius_field(build_photon_maps(photons, ready->partition, {kNeighbours}),
-                                   surfaces))
+                                   surfaces, rules))
     {
     }
 
@@ -109,19 +109,50 @@ TEST_CASE("radius field: stays short of dense photons, but not of sparse ones", 
     CHECK(Field(sparse).at({0.6f, 0.5f, 0}) > 0.1f);
 }
 
-TEST_CASE("radius field: narrowed where photons are dense, by half at most", "[maps]")
+TEST_CASE("radius field: sharp ones are narrowed where photons are dense", "[maps]")
 {
     const auto ready = tiny::ready(tiny::make_scene(tiny::quad()));
     const std::vector<Photon> photons = photons_on_square(ready->scene.mesh, 3000, 1, 3);
-    Field field(photons);
-    const std::vector<float> wide = field.field.maps[0].radius;
-    narrow_where_dense(field.field);
-    const std::vector<float>& narrowed = field.field.maps[0].radius;
+    const std::vector<float> wide = Field(photons).field.maps[0].radius;
+    const std::vector<float> sharp = Field(photons, {.sharp = true}).field.maps[0].radius;
     const float even = filter_radius(1, kNeighbours, photons.size());
     REQUIRE(wide.size() >= photons.size() / 4);
-    for (std::size_t i = 0; i < wide.size(); ++i)
-        CHECK(narrowed[i] ==
-              Approx(wide[i] * std::sqrt(std::max(wide[i] / even, 0.25f))).epsilon(1e-5));
+    std::size_t by_density = 0;
+    for (std::size_t i = 0; i < wide.size(); ++i) {
+        const float most = wide[i] * std::sqrt(std::max(wide[i] / even, 0.25f));
+        CHECK(sharp[i] <= most * 1.00001f);
+        CHECK(sharp[i] >= 0.3f * most * 0.99999f); // docs/photon_maps.md (12)
+        by_density += sharp[i] >= most * 0.99999f ? 1 : 0;
+    }
+    CHECK(by_density > wide.size() / 10);
+}
+
+TEST_CASE("radius field: sharp ones are narrowed at an edge of light, and not in even light",
+          "[maps]")
+{
+    const auto ready = tiny::ready(tiny::make_scene(tiny::quad()));
+    std::vector<Photon> photons = photons_on_square(ready->scene.mesh, 60'000, 6, 1);
+    std::erase_if(photons, [](const Photon& photon) { return photon.position.x > 0.25f; });
+    const Field wide(photons), sharp(photons, {.sharp = true});
+    const RadiusField::Map& of_wide = wide.field.maps[0];
+    const float even = filter_radius(1, kNeighbours, photons.size());
+    RunningMean at_edge, in_light;
+    for (std::uint32_t slot = 0; slot < of_wide.radius.size(); ++slot) {
+        const glm::vec3 at = of_wide.tree.position(slot);
+        const float radius = of_wide.radius[slot];
+        const double part = sharp.field.maps[0].radius[slot] / (radius * std::sqrt(radius / even));
+        if (std::min({at.x, at.y, 1 - at.y}) < 2 * radius) // the border of the map
+            continue;
+        if (at.x > 0.25f - 0.1f * radius)
+            at_edge.add(part);
+        else if (at.x < 0.25f - 2 * radius)
+            in_light.add(part);
+    }
+    REQUIRE(at_edge.count() > 9);
+    CHECK(at_edge.mean() < 0.5);
+    CHECK(at_edge.mean() >= 0.3);
+    CHECK(in_light.mean() > 0.93); // it may look like an edge by chance
+    CHECK(in_light.mean() < 1.01);
 }
 
 TEST_CASE("radius field: the same by every instruction set, and never zero", "[maps]")
