@@ -1,6 +1,7 @@
 #include "render/integrator/emission_seeds.h"
 
 #include "render/integrator/sky_rays.h"
+#include "render/shading/scatter.h"
 
 #include <tbb/parallel_for.h>
 
@@ -31,16 +32,34 @@ class SeedFinder {
 
     bool can_find() const { return !suns_.empty() || !scene_.lights.environments.empty(); }
 
-    void find(const Photon& importon, RandomSequence& random, std::vector<EmissionSeed>& out) const
+    /// Adds the light that comes straight to an importon.  rays: of each way to find it.
+    void find(const Photon& importon, int rays, RandomSequence& random,
+              std::vector<EmissionSeed>& out) const
     {
         if (!scene_.lights.environments.empty())
-            draw_sky_rays(scene_, importon, kRays, random, [&](const Ray& ray) {
+            draw_sky_rays(scene_, importon, rays, random, [&](const Ray& ray) {
                 if (!scene_.rays.nearest(ray))
                     add_of_sky(ray, importon, random, out);
             });
         for (const std::uint32_t sun : suns_)
-            for (int i = 0; i < kRays; ++i)
+            for (int i = 0; i < rays; ++i)
                 add_of_sun(sun, importon, random, out);
+    }
+
+    /// Adds the light that comes to it by a bounce.
+    void find_bounced(const Photon& importon, RandomSequence& random,
+                      std::vector<EmissionSeed>& out) const
+    {
+        for (int i = 0; i < kRays; ++i) {
+            const Ray ray = ray_by_cosine(importon, random);
+            const std::optional<RayHit> hit = scene_.rays.nearest(ray);
+            if (!hit)
+                continue;
+            const Interaction at = interact(scene_, ray, *hit);
+            const Rgb worth = importon.power * scattered_share(at, Lobes::gathered);
+            if (!is_black(worth))
+                find({at.point.position, worth, at.normal, hit->face, at.side}, 1, random, out);
+        }
     }
 
   private:
@@ -104,12 +123,16 @@ std::vector<EmissionSeed> emission_seeds(const RenderScene& scene, const Importo
     if (!finder.can_find())
         return {};
     std::vector<EmissionSeed> out;
+    const bool bounced = importons.indirect.empty(); // none lies where gather rays end
     for (const std::vector<Photon>* kind : {&importons.global, &importons.indirect}) {
         const std::size_t step = kind->size() / kMostImportons + 1;
         std::vector<std::vector<EmissionSeed>> found((kind->size() + step - 1) / step);
         tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t i) {
             RandomSequence random(seed, RandomStream::seeds, kind == &importons.global, i);
-            finder.find((*kind)[i * step], random, found[i]);
+            const Photon& importon = (*kind)[i * step];
+            finder.find(importon, kRays, random, found[i]);
+            if (bounced)
+                finder.find_bounced(importon, random, found[i]);
         });
         for (const std::vector<EmissionSeed>& seeds : found)
             out.insert(out.end(), seeds.begin(), seeds.end());

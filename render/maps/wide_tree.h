@@ -83,8 +83,8 @@ WideTree build_wide_tree(std::span<TreePoint> points);
 inline constexpr std::uint32_t kPhotonsOfRadius = 4;
 
 /// Returns one of every n photons by slot, n >= 1.  Slots lie in the order of the tree, so that the
-/// result is spread as all photons are; which of n differs from run to run, as the photons of a
-/// block are sorted along an axis.  `photon` is the slot.
+/// result is spread as all photons are; it takes them in turn from each place among n, as the
+/// photons of a block are sorted along an axis.  `photon` is the slot.
 std::vector<TreePoint> every_nth_photon(const WideTree& tree, std::uint32_t n);
 
 /// Builds the blocks alone, in the order of the points: for positions by slot where another

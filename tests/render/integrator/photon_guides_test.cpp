@@ -130,6 +130,7 @@ TEST_CASE("photon guides: seeds are starts of paths that reach the importons", "
     Importons importons;
     for (const float x : {-0.3f, 0.1f, 0.4f})
         importons.global.push_back({{x, -0.5f, 0.2f}, Rgb(1), {0, 1, 0}, 0, 0});
+    importons.indirect = importons.global; // otherwise there are seeds by a bounce
     const auto check_seeds = [&](const Scene& scene) {
         const auto ready = tiny::ready(scene);
         const LightSet& lights = ready->render->lights;
@@ -160,6 +161,31 @@ TEST_CASE("photon guides: seeds are starts of paths that reach the importons", "
         scene.lights = {sun};
         check_seeds(scene);
     }
+}
+
+TEST_CASE("photon guides: seeds lead to what is seen from the importons, if none lies there",
+          "[integrator]")
+{
+    const auto ready = tiny::ready(box_on_a_plain());
+    Importons importons;
+    for (int i = 0; i < 50; ++i) // in the shadow of a wall
+        importons.global.push_back(
+            {{-0.4f, -0.5f, 0.004f * static_cast<float>(i)}, Rgb(1), {0, 1, 0}, 0, 0});
+    const RenderScene& scene = *ready->render;
+    const std::vector<EmissionSeed> seeds = emission_seeds(scene, importons, 0);
+    CHECK(seeds.size() > 20);
+    for (const EmissionSeed& seed : seeds) {
+        RandomSequence random(0, RandomStream::photons, 0, 0);
+        random.give(seed.at);
+        const Ray ray = sample_emission(scene.lights.lights[seed.light], {}, random).ray;
+        const auto hit = scene.rays.nearest(ray);
+        REQUIRE(hit);
+        const float height = interact(scene, ray, *hit).point.position.y;
+        CHECK(std::abs(height) < 0.499f); // of a wall, not of the floor
+        CHECK(seed.weight > 0);
+    }
+    importons.indirect = importons.global;
+    CHECK(emission_seeds(scene, importons, 0).empty());
 }
 
 TEST_CASE(
