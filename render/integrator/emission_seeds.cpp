@@ -80,14 +80,11 @@ class SeedFinder {
     void add_of_sun(std::uint32_t sun, const Photon& importon, RandomSequence& random,
                     std::vector<EmissionSeed>& out) const
     {
-        const SurfacePoint from = {.face = importon.face,
-                                   .position = importon.position,
-                                   .geometric_normal = importon.direction};
         const auto drawn =
             sample_li(scene_.lights.lights[sun], {importon.position, importon.direction}, random);
         if (!drawn || !(glm::dot(importon.direction, drawn->direction) > 0))
             return;
-        const Ray ray = ray_from(from, drawn->direction);
+        const Ray ray = ray_from_importon(importon, drawn->direction);
         if (!scene_.rays.nearest(ray))
             add(sun, ray,
                 sum_of(importon.power) * sum_of(drawn->light) *

@@ -7,14 +7,20 @@
 
 namespace hipmap {
 
+/// Returns the ray from an importon in a direction.
+inline Ray ray_from_importon(const Photon& importon, const glm::vec3& direction)
+{
+    return ray_from({.face = importon.face,
+                     .position = importon.position,
+                     .geometric_normal = importon.direction},
+                    direction);
+}
+
 /// Returns a ray from an importon by the cosine about its normal.
 inline Ray ray_by_cosine(const Photon& importon, RandomSequence& random)
 {
-    const SurfacePoint from = {.face = importon.face,
-                               .position = importon.position,
-                               .geometric_normal = importon.direction};
-    return ray_from(from,
-                    Frame(importon.direction).to_world(sample_cosine_hemisphere(random.next2())));
+    return ray_from_importon(
+        importon, Frame(importon.direction).to_world(sample_cosine_hemisphere(random.next2())));
 }
 
 /// Draws rays from an importon to look for the environments with: `count` by the cosine about its
@@ -24,15 +30,13 @@ template <typename Visit>
 void draw_sky_rays(const RenderScene& scene, const Photon& importon, int count,
                    RandomSequence& random, const Visit& visit)
 {
-    const glm::vec3& normal = importon.direction;
-    const SurfacePoint from = {
-        .face = importon.face, .position = importon.position, .geometric_normal = normal};
     for (int i = 0; i < count; ++i) {
         visit(ray_by_cosine(importon, random));
         for (const std::uint32_t environment : scene.lights.environments)
-            if (const std::optional<LightSample> drawn = sample_li(
-                    scene.lights.lights[environment], {importon.position, normal}, random))
-                visit(ray_from(from, drawn->direction));
+            if (const std::optional<LightSample> drawn =
+                    sample_li(scene.lights.lights[environment],
+                              {importon.position, importon.direction}, random))
+                visit(ray_from_importon(importon, drawn->direction));
     }
 }
 

@@ -14,7 +14,7 @@ struct RadiusField {
     /// The radii of one map.
     struct Map {
         WideTree tree;             ///< of some of its photons
-        std::vector<float> radius; ///< [n] by slot: where the k-th photon from there is
+        std::vector<float> radius; ///< [n] by slot: where the k-th photon is, or narrower
         float even_radius = 0.0f;  ///< docs/photon_maps.md (5), of all its photons
         bool sparse = false;       ///< it has fewer than k photons
     };

@@ -109,22 +109,37 @@ TEST_CASE("radius field: stays short of dense photons, but not of sparse ones", 
     CHECK(Field(sparse).at({0.6f, 0.5f, 0}) > 0.1f);
 }
 
-TEST_CASE("radius field: sharp ones are narrowed where photons are dense", "[maps]")
+TEST_CASE("radius field: sharp ones are narrowed by density and by how far photons lie to one side",
+          "[maps]")
 {
     const auto ready = tiny::ready(tiny::make_scene(tiny::quad()));
     const std::vector<Photon> photons = photons_on_square(ready->scene.mesh, 3000, 1, 3);
-    const std::vector<float> wide = Field(photons).field.maps[0].radius;
-    const std::vector<float> sharp = Field(photons, {.sharp = true}).field.maps[0].radius;
+    const Field wide(photons), sharp(photons, {.sharp = true});
+    const RadiusField::Map& of_wide = wide.field.maps[0];
     const float even = filter_radius(1, kNeighbours, photons.size());
-    REQUIRE(wide.size() >= photons.size() / 4);
-    std::size_t by_density = 0;
-    for (std::size_t i = 0; i < wide.size(); ++i) {
-        const float most = wide[i] * std::sqrt(std::max(wide[i] / even, 0.25f));
-        CHECK(sharp[i] <= most * 1.00001f);
-        CHECK(sharp[i] >= 0.3f * most * 0.99999f); // docs/photon_maps.md (12)
-        by_density += sharp[i] >= most * 0.99999f ? 1 : 0;
+    std::vector<glm::vec3> points;
+    for (const Photon& photon : photons)
+        points.push_back(photon.position);
+    REQUIRE(of_wide.radius.size() >= photons.size() / 4);
+    std::size_t at_edges = 0;
+    for (std::uint32_t slot = 0; slot < of_wide.radius.size(); ++slot) {
+        const glm::vec3 at = of_wide.tree.position(slot);
+        const float radius = of_wide.radius[slot];
+        double expected = radius * std::sqrt(std::max(radius / even, 0.25f)); // (11)
+        const auto nearest =
+            brute_force::k_nearest(points, at, kNeighbours, 2, [](std::uint32_t) { return true; });
+        if (nearest.back().distance2 < even * even) { // docs/photon_maps.md (12)
+            glm::dvec3 mean(0);
+            for (const auto& one : nearest)
+                mean += glm::dvec3(points[one.photon] - at) / double{kNeighbours};
+            const double m2 = glm::dot(mean, mean) / double{nearest.back().distance2};
+            const double edge = std::clamp((m2 - 0.5 / kNeighbours) / 0.09, 0.0, 1.0);
+            expected *= 1 - 0.7 * edge;
+            at_edges += edge > 0.5 ? 1 : 0;
+        }
+        CHECK(sharp.field.maps[0].radius[slot] == Approx(expected).epsilon(1e-4));
     }
-    CHECK(by_density > wide.size() / 10);
+    CHECK(at_edges > 20);
 }
 
 TEST_CASE("radius field: sharp ones are narrowed at an edge of light, and not in even light",
