@@ -21,8 +21,8 @@ constexpr double kMostLightSamplesShare = 64;
 constexpr double kLeastLightCost = 1.0 / 9, kLightCostBySurface = 0.1;
 
 /// Light of long paths that a smaller share of samples finds is left to chance, docs/error.md (27):
-/// even the pixels with the most samples have no more than a million of them in a long render.
-constexpr double kRarest = 1e-6;
+/// even the pixels with the most samples have hardly more than 100,000 of them in a long render.
+constexpr double kRarest = 1e-5;
 
 /// The share of it that is counted: some directions end on surfaces, or are not taken.
 constexpr double kReached = 0.25;

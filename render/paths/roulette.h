@@ -31,6 +31,17 @@ inline float survival_probability(int depth, float carried)
     return std::min(depth < kEndlessDepth ? 1.0f : kEndlessProbability, carried);
 }
 
+/// The same for a path of which only specular surfaces and followed lobes lie behind: at any depth
+/// it survives surely while it carries kSeenWeight.  The lights it may run into are hundreds of
+/// times as bright as what the other paths find, so few survivors of large weight would be
+/// fireflies.
+inline constexpr float kSeenWeight = 0.05f;
+
+inline float survival_probability_of_seen(int depth, float carried)
+{
+    return std::min(depth < kEndlessDepth ? 1.0f : kEndlessProbability, carried / kSeenWeight);
+}
+
 /// Plays Russian roulette: returns false if it has ended the path, else divides the throughput by
 /// the probability. Draws a number only where the probability is below one.
 inline bool survives(float probability, RandomSequence& random, Rgb& throughput)
