@@ -1,22 +1,28 @@
 #!/usr/bin/env python3
 """Measures what guided emission gains where light is hard to find, and writes docs/guided_emission.md.
 
-    bench/guided_emission.py [--before BIN] [--seconds 30] [--reference 150] [--size 192] [SCENE...]
+    bench/guided_emission.py [--before BIN] [--seconds 30] [--reference 150] [--seeds 1] [--size 192] [SCENE...]
 
 Each scene is rendered by integrator progressive for the same wall time with --emission by-power and guided, and
-by the render of another build if one is given; relMSE (docs/error.md (3)) is against a longer render of
-another seed with narrower radii.  Takes (reference + 2 or 3 times seconds) for each scene, on all cores.
+by the render of another build if one is given.  relMSE (docs/error.md (3)) is against two renders of narrower
+radii and other seeds, each as long as half of the reference: the noise of one does not agree with that of the
+other, and so averages out.  Takes (reference + 2 or 3 times seeds times seconds) for each scene, on all cores.
 """
 
 import argparse
 import datetime
 import pathlib
 import re
+import statistics
 import subprocess
 import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
+sys.path.append(str(ROOT / "experiments/accuracy"))
+
+import arithmetic  # noqa: E402
+
 BIN = ROOT / "build/release/bin"
 PICTURES = ROOT / "docs/images/guided"
 HARD = ("window_room", "sixty_rooms", "wide_plane")
@@ -39,7 +45,7 @@ class Lab:
 
     def render(self, scene, name, seconds, *more, tool=BIN):
         """Returns the picture, the passes and the stated error."""
-        image = self.folder / f"{scene}_{name}.exr"
+        image = self.folder / f"{scene}_{name}.pfm"
         partition = self.folder / f"{scene}_{'now' if tool == BIN else 'before'}.hpm"
         if not partition.exists():
             run([tool / "preprocess", ROOT / f"assets/{scene}.glb", "-o", partition])
@@ -49,26 +55,37 @@ class Lab:
         passes = re.search(r"in (\d+) passes", printed)
         return image, passes[1] if passes else "", stated[1] if stated else ""
 
+    def halves(self, scene):
+        """The two halves of the reference."""
+        return [arithmetic.read_pfm(self.render(
+                    scene, f"half_{seed}", self.options.reference / 2, "--seed", seed,
+                    "--fireflies", "keep", "--neighbours", FEW)[0]) for seed in (98, 99)]
+
+    def kinds(self, scene):
+        """What render made of each kind and seed."""
+        seeds = range(1, self.options.seeds + 1)
+        made = {kind: [self.render(scene, f"{kind}_{seed}", self.options.seconds, "--seed", seed,
+                                   "--emission", kind) for seed in seeds]
+                for kind in ("by-power", "guided")}
+        if not self.options.before:
+            return made
+        return {"before": [self.render(scene, f"before_{seed}", self.options.seconds, "--seed", seed,
+                                       tool=self.options.before) for seed in seeds], **made}
+
     def row(self, scene):
         """A row of the table."""
-        reference = self.render(scene, "reference", self.options.reference, "--seed", 99,
-                                "--fireflies", "keep", "--neighbours", FEW)[0]
-        seconds, kinds = self.options.seconds, {}
-        if self.options.before:
-            kinds["before"] = self.render(scene, "before", seconds, tool=self.options.before)
-        for kind in ("by-power", "guided"):
-            kinds[kind] = self.render(scene, kind, seconds, "--emission", kind)
-        errors = {kind: float(re.search(r"relMSE of A against B\s+([\d.e+-]+)",
-                                        run([BIN / "compare_images", made[0], reference]))[1])
-                  for kind, made in kinds.items()}
-        first = "before" if self.options.before else "by-power"
+        halves, kinds = self.halves(scene), self.kinds(scene)
+        errors = {kind: statistics.mean(arithmetic.relative_mse(arithmetic.read_pfm(each[0]), halves)
+                                        for each in made) for kind, made in kinds.items()}
+        first = next(iter(kinds))
         if scene in HARD:
             PICTURES.mkdir(parents=True, exist_ok=True)
-            run([BIN / "compare_images", kinds[first][0], kinds["guided"][0], "--side-by-side",
+            run([BIN / "compare_images", kinds[first][0][0], kinds["guided"][0][0], "--side-by-side",
                  PICTURES / f"{scene}.png"])
-        cells = [f"{errors[kind]:.3g} ({made[1]} passes; {made[2]} stated)"
+        cells = [f"{errors[kind]:.3g} ({made[0][1]} passes; {made[0][2]} stated)"
                  for kind, made in kinds.items()]
-        return [scene, *cells, f"{errors[first] / errors['guided']:.2f}"]
+        noise = arithmetic.noise_of(halves)
+        return [scene, *cells, f"{errors[first] / errors['guided']:.2f}", f"{noise:.2g}"]
 
 
 def page(options, rows):
@@ -79,14 +96,16 @@ def page(options, rows):
         "Written by `bench/guided_emission.py`; do not edit. Run on "
         f"{datetime.date.today().isoformat()}.", "",
         f"relMSE ([error.md](error.md) (3)) of images {options.size} pixels wide after "
-        f"{options.seconds:g} s on all cores, against {options.reference:g} s of another seed and "
-        f"`--neighbours {FEW}`, which has noise of its own and less bias. "
+        f"{options.seconds:g} s on all cores, the mean of {options.seeds} seed{'s'[:options.seeds > 1]}; passes "
+        f"and stated error of the first. References are two of {options.reference / 2:g} s, of other seeds and "
+        f"`--neighbours {FEW}`, so of less bias. One factor of each square is against each of them: "
+        "their noise, in the last column, is not in the figures. "
         "[light_transport.md](light_transport.md) (41) says how paths are guided.",
         *(["`before` is the version without guides, and with the weights of (21) before (42). In the other "
             "columns gather rays are guided, (43)."]
           if options.before else []),
-        "", "| scene | " + " | ".join(kinds) + f" | {kinds[0]} over guided |",
-        "| --- |" + " --- |" * (len(kinds) + 1)]
+        "", "| scene | " + " | ".join(kinds) + f" | {kinds[0]} over guided | noise |",
+        "| --- |" + " --- |" * (len(kinds) + 2)]
     lines += ["| " + " | ".join(row) + " |" for row in rows]
     lines += ["", f"Each picture: {kinds[0]}, and guided, after the same time.", ""]
     for row in rows:
@@ -101,6 +120,7 @@ def main():
     parser.add_argument("--before", type=pathlib.Path, help="folder of another build's programs")
     parser.add_argument("--seconds", type=float, default=30)
     parser.add_argument("--reference", type=float, default=150, help="seconds of references")
+    parser.add_argument("--seeds", type=int, default=1, help="images of each kind")
     parser.add_argument("--size", type=int, default=192, help="pixels across")
     options = parser.parse_args()
     rows = []
