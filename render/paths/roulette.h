@@ -7,10 +7,16 @@
 
 namespace hipmap {
 
-/// Up to this depth (surfaces and scatterings) a path survives surely while it carries at least
-/// kFullWeight of what it began with; from this depth on, with the probability that it carries.
+/// Up to this depth (surfaces and scatterings) a path that a gathered lobe has sent survives surely
+/// while it carries at least kFullWeight of what it began with; from this depth on, with the
+/// probability that it carries.
 inline constexpr int kRouletteDepth = 6;
 inline constexpr float kFullWeight = 0.1f;
+
+/// The weight with which a path survives surely, at any depth, while only specular surfaces and
+/// followed lobes lie behind it.  The lights that it may run into are hundreds of times as bright
+/// as what other paths find, so few survivors of large weight would be fireflies.
+inline constexpr float kSeenWeight = 0.05f;
 
 /// The depth from which on also paths that have lost nothing are ended, with probability 0.001:
 /// between perfect mirrors nothing else would end them.  It is large because light caught in glass
@@ -31,12 +37,7 @@ inline float survival_probability(int depth, float carried)
     return std::min(depth < kEndlessDepth ? 1.0f : kEndlessProbability, carried);
 }
 
-/// The same for a path of which only specular surfaces and followed lobes lie behind: at any depth
-/// it survives surely while it carries kSeenWeight.  The lights it may run into are hundreds of
-/// times as bright as what the other paths find, so few survivors of large weight would be
-/// fireflies.
-inline constexpr float kSeenWeight = 0.05f;
-
+/// The same for a path of which only specular surfaces and followed lobes lie behind.
 inline float survival_probability_of_seen(int depth, float carried)
 {
     return std::min(depth < kEndlessDepth ? 1.0f : kEndlessProbability, carried / kSeenWeight);
