@@ -64,13 +64,11 @@ class Lab:
     def kinds(self, scene):
         """What render made of each kind and seed."""
         seeds = range(1, self.options.seeds + 1)
-        made = {kind: [self.render(scene, f"{kind}_{seed}", self.options.seconds, "--seed", seed,
-                                   "--emission", kind) for seed in seeds]
-                for kind in ("by-power", "guided")}
-        if not self.options.before:
-            return made
-        return {"before": [self.render(scene, f"before_{seed}", self.options.seconds, "--seed", seed,
-                                       tool=self.options.before) for seed in seeds], **made}
+        before = [("before", self.options.before, ())] if self.options.before else []
+        now = [(kind, BIN, ("--emission", kind)) for kind in ("by-power", "guided")]
+        return {kind: [self.render(scene, f"{kind}_{seed}", self.options.seconds, "--seed", seed,
+                                   *more, tool=tool) for seed in seeds]
+                for kind, tool, more in before + now}
 
     def row(self, scene):
         """A row of the table."""

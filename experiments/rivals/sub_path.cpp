@@ -60,7 +60,9 @@ LightReceiver receiver(const Interaction& at)
 bool survives(SubPath& path, RandomSequence& random)
 {
     const float carried = path.index2 * max_channel(path.carried) / path.begun;
-    return survives(survival_probability(path.depth, carried), random, path.carried);
+    // By one rule for all, as the vertices of both sub-paths are joined, whatever they lie behind.
+    const float probability = survival_probability(EyePathClass::indirect, path.depth, carried);
+    return survives(probability, random, path.carried);
 }
 
 std::optional<Vertex> reach_vertex(const RenderScene& scene, RandomSequence& random, SubPath& path)

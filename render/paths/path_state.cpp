@@ -54,11 +54,8 @@ PathState path_from_eye(const RenderScene& scene, const Ray& ray)
 
 bool survives(PathState& path, RandomSequence& random)
 {
-    const float carried = importance(path);
-    const float probability = is_gathered(path.behind)
-                                  ? survival_probability(path.depth, carried)
-                                  : survival_probability_of_seen(path.depth, carried);
-    return survives(probability, random, path.throughput);
+    return survives(survival_probability(path.behind, path.depth, importance(path)), random,
+                    path.throughput);
 }
 
 void cross_air(const RenderScene& scene, const std::optional<RayHit>& hit, bool sees_lights,

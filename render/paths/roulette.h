@@ -2,6 +2,7 @@
 
 #include "common/math/random.h"
 #include "common/math/rgb.h"
+#include "render/paths/path_class.h"
 
 #include <algorithm>
 
@@ -27,20 +28,14 @@ inline constexpr int kEndlessDepth = 512;
 inline constexpr float kEndlessProbability = 0.999f;
 
 /// Returns the probability that Russian roulette lets a path continue, docs/light_transport.md
-/// (14).  depth: surfaces and scatterings behind it.  carried: the largest channel of its
-/// throughput relative to the start, times the square of the index of refraction around it, as
-/// radiance scales with that.
-inline float survival_probability(int depth, float carried)
+/// (14).  behind: what lies between the eye and its ray.  depth: surfaces and scatterings behind
+/// it.  carried: the largest channel of its throughput relative to the start, times the square of
+/// the index of refraction around it, as radiance scales with that.
+inline float survival_probability(EyePathClass behind, int depth, float carried)
 {
-    if (depth < kRouletteDepth)
-        return std::min(1.0f, carried / kFullWeight);
-    return std::min(depth < kEndlessDepth ? 1.0f : kEndlessProbability, carried);
-}
-
-/// The same for a path of which only specular surfaces and followed lobes lie behind.
-inline float survival_probability_of_seen(int depth, float carried)
-{
-    return std::min(depth < kEndlessDepth ? 1.0f : kEndlessProbability, carried / kSeenWeight);
+    const float gathered = depth < kRouletteDepth ? kFullWeight : 1.0f;
+    const float full = is_gathered(behind) ? gathered : kSeenWeight;
+    return std::min(depth < kEndlessDepth ? 1.0f : kEndlessProbability, carried / full);
 }
 
 /// Plays Russian roulette: returns false if it has ended the path, else divides the throughput by
