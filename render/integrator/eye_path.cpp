@@ -108,10 +108,10 @@ void send_on(const RenderScene& scene, const Interaction& at, const GatherBranch
     send(out, from.depth >= kSplitDepth, random, stack);
 }
 
-/// Calls visit(branch, at, distance) at all surfaces that an eye path meets behind specular ones
-/// alone, behind followed lobes after these, and up to class `last`, and visit(branch), if it can
-/// be called so, where it leaves the scene.  Adds the lights on the way to `radiance`.
-template <EyePathClass last = EyePathClass::highlight, typename Visit>
+/// Calls visit(branch, at, distance) at all surfaces that an eye path meets behind specular
+/// surfaces and followed lobes alone, and visit(branch), if it can be called so, where it leaves
+/// the scene. Adds the lights on the way to `radiance`.
+template <typename Visit>
 void over_surfaces(const RenderScene& scene, const Ray& ray, RandomSequence& random, Rgb& radiance,
                    Visit&& visit)
 {
@@ -119,8 +119,6 @@ void over_surfaces(const RenderScene& scene, const Ray& ray, RandomSequence& ran
     stack.push({path_from_eye(scene, ray)});
     while (!stack.empty()) {
         GatherBranch branch = stack.pop();
-        if (branch.behind > last)
-            continue;
         const MediaFlight reached = reach_by_beams(scene, nullptr, true, branch, radiance);
         if (!reached.hit) {
             if constexpr (std::is_invocable_v<Visit, const GatherBranch&>)
@@ -164,10 +162,12 @@ struct LongPathVisitor {
         if (!is_long(branch))
             return;
         const double passed = max_channel(branch.throughput);
-        glm::vec2& of_class = sees_lights(branch.behind) ? found.seen : found.others;
         for (const FarLight& sun : suns)
-            if (glm::dot(sun.towards, branch.ray.direction) > kNearCosine)
-                of_class += moments(sun, branch.source.pdf) * glm::dvec2(passed, passed * passed);
+            if (glm::dot(sun.towards, branch.ray.direction) > kNearCosine) {
+                const glm::dvec2 met = moments(sun, branch.source.pdf);
+                found.mean += passed * met.x;
+                found.variance += passed * passed * met.y;
+            }
     }
 };
 
@@ -196,31 +196,36 @@ Rgb trace_eye_path(const PassMaps& maps, const Ray& ray, SeenLights seen, Random
     return radiance;
 }
 
-Rgb trace_seen_lights(const RenderScene& scene, const Ray& ray, RandomSequence& random)
+Rgb trace_seen_lights(const RenderScene& scene, const Ray& ray, RandomSequence& random,
+                      const GlossyRivals& rivals)
 {
     Rgb radiance(0.0f);
     over_surfaces(scene, ray, random, radiance,
-                  [&](const GatherBranch& branch, const Interaction& at, float distance) {
+                  [&](GatherBranch& branch, const Interaction& at, float distance) {
                       radiance += met_emission(scene, at, distance, branch);
-                      if (at.follows())
-                          radiance += branch.throughput *
-                                      light_sampled_light(scene, at, {.followed = 1}, random);
+                      branch.photons = 0;
+                      if (!at.follows())
+                          return;
+                      radiance += branch.throughput *
+                                  light_sampled_light(scene, at, {.followed = 1}, random);
+                      if (branch.behind == EyePathClass::specular)
+                          branch.photons = photons_against_rays(rivals, at);
                   });
     return radiance;
 }
 
 LongPaths& LongPaths::operator+=(const LongPaths& more)
 {
-    seen += more.seen;
-    others += more.others;
+    mean += more.mean;
+    variance += more.variance;
     surfaces += more.surfaces;
     return *this;
 }
 
 LongPaths& LongPaths::operator/=(float samples)
 {
-    seen /= samples;
-    others /= samples;
+    mean /= samples;
+    variance /= samples;
     surfaces /= samples;
     return *this;
 }
@@ -230,7 +235,7 @@ LongPaths trace_long_paths(const RenderScene& scene, std::span<const FarLight> s
 {
     LongPathVisitor visitor{suns};
     Rgb lights_on_way(0.0f);
-    over_surfaces<EyePathClass::glossy>(scene, ray, random, lights_on_way, visitor);
+    over_surfaces(scene, ray, random, lights_on_way, visitor);
     return visitor.found;
 }
 

@@ -2,6 +2,7 @@
 
 #include "common/math/random.h"
 #include "render/dissertation/dissertation.h"
+#include "render/integrator/gather_radius.h"
 #include "render/maps/volume_map.h"
 #include "render/paths/path_class.h"
 #include "render/shading/interaction.h"
@@ -38,7 +39,7 @@ struct EyeScratch {
 };
 
 /// Whether an eye path adds the lights that are seen (straight, over specular surfaces, and as
-/// highlights, also of highlights): they may have samples of their own, docs/error.md (16).
+/// highlights of any order): they may have samples of their own, docs/error.md (16).
 enum class SeenLights : std::uint8_t { added, left_out };
 
 /// Returns whether an eye path adds the light that a ray meets behind surfaces of the class, and
@@ -56,17 +57,17 @@ Rgb trace_eye_path(const PassMaps& maps, const Ray& ray, SeenLights seen, Random
                    EyeScratch& scratch);
 
 /// Returns only the radiance that SeenLights::left_out leaves out.  It casts rays to surfaces and
-/// nothing more, so it costs a small part of an eye path.  Thread-safe.
-Rgb trace_seen_lights(const RenderScene& scene, const Ray& ray, RandomSequence& random);
+/// nothing more, so it costs a small part of an eye path.  rivals: of the pass.  Thread-safe.
+Rgb trace_seen_lights(const RenderScene& scene, const Ray& ray, RandomSequence& random,
+                      const GlossyRivals& rivals = {});
 
 /// What long paths that leave the scene within 60 degrees of a sun would find of it if they did so
 /// in all these directions alike: means over samples.  A path is long behind six specular surfaces,
 /// or behind two surfaces of which a followed lobe sent it on: the paths beside it say little of
 /// its direction. docs/error.md (27).
 struct LongPaths {
-    glm::vec2 seen{0.0f};   ///< the light of a sample of trace_seen_lights, and its variance
-    glm::vec2 others{0.0f}; ///< the same for paths of class glossy, which that function leaves out
-    float surfaces = 0;     ///< that a sample meets
+    float mean = 0, variance = 0; ///< of the light of a sample of trace_seen_lights
+    float surfaces = 0;           ///< that a sample meets
 
     LongPaths& operator+=(const LongPaths& more);
     LongPaths& operator/=(float samples);

@@ -1,6 +1,8 @@
 #include "render/integrator/gather_radius.h"
 
+#include "render/integrator/gather_branch.h"
 #include "render/maps/gather.h"
+#include "render/shading/scatter.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -40,6 +42,14 @@ float glossy_density(const FirstRadii& first, float radius, const GatherScale& s
         return 0;
     return static_cast<float>(disc_area(scale.shrink * radius)) /
            (first.glossy_power * scale.samples);
+}
+
+float photons_against_rays(const GlossyRivals& rivals, const Interaction& at)
+{
+    if (rivals.first == nullptr)
+        return 0;
+    const float radius = radius_at(rivals.first->glossy, *rivals.surfaces, query_at(at));
+    return glossy_density(*rivals.first, radius, rivals.scale) / followed_peak(at);
 }
 
 std::vector<Photon> weigh_glossy(const TracedPhotons& traced, const FirstRadii& first,

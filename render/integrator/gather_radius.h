@@ -2,6 +2,7 @@
 
 #include "render/maps/radius_field.h"
 #include "render/photons/trace_photons.h"
+#include "render/shading/interaction.h"
 
 #include <cstdint>
 
@@ -48,6 +49,17 @@ float gather_weight(const Bounce& bounce, const GatherScale& scale);
 /// its pixel, by GlossyPhoton::radiance in W/m2, docs/light_transport.md (44).  radius: the first
 /// one there; infinite: none do.
 float glossy_density(const FirstRadii& first, float radius, const GatherScale& scale);
+
+/// The photons with which the rays of followed lobes share light in a pass.  Borrows everything.
+struct GlossyRivals {
+    const FirstRadii* first = nullptr; ///< null: there are no such photons
+    const MapSurfaces* surfaces = nullptr;
+    GatherScale scale = {};
+};
+
+/// Returns how many photons the rays that followed lobes send from a surface compete with, by the
+/// cosine of the ray and the radiance of what it meets; 0: none.  docs/light_transport.md (44).
+float photons_against_rays(const GlossyRivals& rivals, const Interaction& at);
 
 /// Returns the glossy photons with their powers multiplied by what rays leave to them.  In
 /// parallel.

@@ -31,7 +31,7 @@ Moments moments_of(const PictureJob& job, int x, int y)
         RandomSequence random =
             sample_sequence(job, RandomStream::seen_lights, pixel, kPilotSamples, s);
         const Ray ray = pixel_ray(job, x, y, random).ray;
-        const Rgb seen = trace_seen_lights(job.scene, ray, random);
+        const Rgb seen = trace_seen_lights(job.scene, ray, random, job.rivals);
         const double light = is_finite(seen) ? double{max_channel(seen)} : 0.0;
         sum += light;
         squares += light * light;
@@ -63,10 +63,11 @@ double mean_of(const LightNoise& noise)
 }
 
 LightNoise measure_light_noise(const RenderScene& scene, const RenderOptions& options,
-                               const PilotTeam& team)
+                               const PilotTeam& team, const GlossyRivals& rivals)
 {
     const int width = options.width;
-    const PictureJob job{scene, options, kPilotPass, {}};
+    const PictureJob job{
+        .scene = scene, .options = options, .pass = kPilotPass, .allocation = {}, .rivals = rivals};
     const Part rows = team.part(static_cast<std::size_t>(options.height));
     std::vector<Moments> own(rows.size() * static_cast<std::size_t>(width));
     tbb::parallel_for(rows.begin, rows.end, [&](std::size_t y) {

@@ -21,9 +21,10 @@ struct LightNoise {
 double mean_of(const LightNoise& noise);
 
 /// Measures the lights that are seen (docs/error.md (16)).  Depends on scene, seed and size alone.
-/// On all threads, each process of a team some rows; cost: 8 of these samples a pixel.
+/// rivals: of a pass.  On all threads, each process of a team some rows; cost: 8 of these samples a
+/// pixel.
 LightNoise measure_light_noise(const RenderScene& scene, const RenderOptions& options,
-                               const PilotTeam& team = {});
+                               const PilotTeam& team = {}, const GlossyRivals& rivals = {});
 
 /// Measures the light of emissive faces: trace_emissive_difference of one ray of each pixel. Empty:
 /// nothing emits.  Depends on scene, seed and size alone.  As parallel as measure_light_noise.

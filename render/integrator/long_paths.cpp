@@ -24,7 +24,7 @@ std::vector<FarLight> suns_of(const RenderScene& scene)
 
 bool has_any(const LongPaths& paths)
 {
-    return paths.seen.y + paths.others.y > 0;
+    return paths.variance > 0;
 }
 
 LongPaths sum_of(const PictureJob& job, std::span<const FarLight> suns, std::size_t pixel,
@@ -39,7 +39,7 @@ LongPaths sum_of(const PictureJob& job, std::span<const FarLight> suns, std::siz
                                                 static_cast<std::uint32_t>(s));
         const Ray ray = pixel_ray(job, x, y, random).ray;
         const LongPaths sample = trace_long_paths(job.scene, suns, ray, random);
-        if (std::isfinite(sample.seen.y + sample.others.y))
+        if (std::isfinite(sample.variance))
             sum += sample;
     }
     return sum;

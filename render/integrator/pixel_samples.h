@@ -23,7 +23,8 @@ struct PictureJob {
     const RenderOptions& options;
     std::uint64_t pass = 0;
     const SampleAllocation& allocation;
-    PixelGroups groups = {}; ///< whose samples are finished together
+    PixelGroups groups = {};  ///< whose samples are finished together
+    GlossyRivals rivals = {}; ///< of the samples of seen lights
 
     /// Returns the index of a pixel of the whole image.
     std::uint64_t index_of(int x, int y) const
@@ -146,7 +147,7 @@ inline FilteredSamples<1> sample_seen_lights(const PictureJob& job, int x, int y
     for (std::uint32_t s = 0; s < samples; ++s) {
         RandomSequence random = sample_sequence(job, RandomStream::seen_lights, pixel, samples, s);
         const PixelRay from = pixel_ray(job, x, y, random);
-        const Rgb seen = trace_seen_lights(job.scene, from.ray, random);
+        const Rgb seen = trace_seen_lights(job.scene, from.ray, random, job.rivals);
         if (is_finite(seen))
             sums.add(job.options.filter, from.at, {seen});
     }

@@ -196,6 +196,11 @@ ProgressiveMaps make_maps(const ProgressivePass& pass, const ProgressiveRadii& f
     return maps;
 }
 
+GlossyRivals rivals_of(const ProgressivePass& pass, const ProgressiveRadii& first)
+{
+    return {&first.surfaces, &pass.mapped.surfaces, scale_of(pass)};
+}
+
 GatherMaps gathered_maps(const ProgressivePass& pass, const ProgressiveRadii& first,
                          const ProgressiveMaps& photons, int emissive_points = 1)
 {
@@ -321,9 +326,10 @@ RenderedPass gather_pass(const ProgressivePass& pass, const Progressive& shared,
             scratch.sample = 0;
         },
         [&](const GatherScratch& scratch) { scratch.count(statistics); }};
-    return render_clamped_tiles<3, GatherScratch>(
-        {scene, pass.options, pass.number, shared.allocation, groups}, after(control, kPhotonShare),
-        statistics, tracer);
+    return render_clamped_tiles<3, GatherScratch>({scene, pass.options, pass.number,
+                                                   shared.allocation, groups,
+                                                   rivals_of(pass, *shared.first)},
+                                                  after(control, kPhotonShare), statistics, tracer);
 }
 
 RenderedPass render_pass(const ProgressivePass& pass, const Progressive& shared,
@@ -379,7 +385,8 @@ double render_pilot(const MappedScene& mapped, const PilotControl& pilots, Progr
         return out;
     };
     const Image first = image_of(kPilotPass), second = image_of(kPilotPass - 1);
-    const LightNoise lights = measure_light_noise(scene, options, pilots.team);
+    const LightNoise lights = measure_light_noise(
+        scene, options, pilots.team, rivals_of(numbered_pass(mapped, 0, shared), *shared.first));
     const Image emissive = measure_emissive_noise(scene, small, pilots.team);
     shared.allocation = allocate_samples({first, second, lights, &emissive}, options.width,
                                          options.height, options.samples);

@@ -169,26 +169,25 @@ struct Deviations {
 
 /// Returns the variance of the light of long paths; zero if it is so rare that hardly any image
 /// would have a sample of it.
-double expected(const glm::vec2& paths, double rarest)
+double expected(const LongPaths& paths)
 {
-    return double{paths.x} * paths.x > rarest * paths.y ? kReached * paths.y : 0;
+    return double{paths.mean} * paths.mean > kRarest * paths.variance ? kReached * paths.variance
+                                                                      : 0;
 }
 
 /// docs/error.md (16), (27).  rest: variance of the other samples; scale2: brightness, squared.
 Deviations deviations_at(const LightNoise& noise, std::size_t pixel, double rest, double scale2)
 {
-    double lights = noise.variance.empty() ? 0 : noise.variance[pixel], others = 0;
+    double lights = noise.variance.empty() ? 0 : noise.variance[pixel];
     Deviations out;
     if (!noise.long_paths.empty()) {
         const LongPaths& paths = noise.long_paths[pixel];
-        lights = std::max(lights, expected(paths.seen, kRarest));
-        others = expected(paths.others, kRarest * kMostLightSamplesShare / kMostSamplesShare);
+        lights = std::max(lights, expected(paths));
         out.light_cost = std::max(kLeastLightCost, kLightCostBySurface * paths.surfaces);
     }
     lights = scale2 > 0 ? lights / scale2 : 0;
-    others = scale2 > 0 ? others / scale2 : 0;
     const bool apart = lights > rest;
-    out.rest = std::sqrt(rest + others + (apart ? 0 : lights));
+    out.rest = std::sqrt(rest + (apart ? 0 : lights));
     out.lights = apart ? std::sqrt(lights) : 0;
     return out;
 }

@@ -7,8 +7,7 @@ namespace hipmap {
 /// What lies between the eye and the ray of a path that starts there.
 enum class EyePathClass : std::uint8_t {
     specular,  ///< nothing, or mirrors and clear glass alone
-    highlight, ///< mirrors and clear glass, then followed lobes alone
-    glossy,    ///< specular surfaces also behind followed lobes, but no gathered lobe
+    highlight, ///< mirrors, clear glass and followed lobes
     indirect,  ///< a gathered lobe sent the ray: a final-gather ray
     caustic,   ///< a gathered lobe, and specular or followed ones since
 };
@@ -19,32 +18,23 @@ inline bool is_gathered(EyePathClass path)
     return path >= EyePathClass::indirect;
 }
 
-/// Returns whether light met by the ray is seen: straight, over specular surfaces, or by followed
-/// lobes behind these.  It may have samples of its own, docs/error.md (16).
+/// Returns whether light met by the ray is seen: straight, or over mirrors, clear glass and
+/// followed lobes alone.  It may have samples of its own, docs/error.md (16).
 inline bool sees_lights(EyePathClass path)
 {
-    return path <= EyePathClass::highlight;
+    return !is_gathered(path);
 }
 
 /// Returns the class after a specular lobe.
 inline EyePathClass after_specular(EyePathClass path)
 {
-    switch (path) {
-    case EyePathClass::highlight:
-        return EyePathClass::glossy;
-    case EyePathClass::indirect:
-        return EyePathClass::caustic;
-    default:
-        return path;
-    }
+    return path == EyePathClass::indirect ? EyePathClass::caustic : path;
 }
 
 /// Returns the class after a followed lobe.
 inline EyePathClass after_followed(EyePathClass path)
 {
-    if (is_gathered(path))
-        return EyePathClass::caustic;
-    return path <= EyePathClass::highlight ? EyePathClass::highlight : EyePathClass::glossy;
+    return is_gathered(path) ? EyePathClass::caustic : EyePathClass::highlight;
 }
 
 /// What lies between a light and the ray of a path that starts there: the class of its photons.

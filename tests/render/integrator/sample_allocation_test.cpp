@@ -103,21 +103,17 @@ TEST_CASE("sample allocation: noisy lights have samples of their own, out of the
 TEST_CASE("sample allocation: long paths count unless hardly any image would find their light",
           "[integrator]")
 {
-    constexpr std::size_t kCount = 64 * 64, kSeen = 20 * 64 + 20, kOthers = 40 * 64 + 20;
+    constexpr std::size_t kCount = 64 * 64, kSeen = 20 * 64 + 20;
     LightNoise lights{std::vector<float>(kCount, 0), std::vector<float>(kCount, 0),
                       std::vector<LongPaths>(kCount)};
     const auto allocated = [&](float chance) {
-        const glm::vec2 light = glm::vec2(1, 1 / chance);
-        lights.long_paths[kSeen].seen = light;
-        lights.long_paths[kOthers].others = light;
+        lights.long_paths[kSeen] = {.mean = 1, .variance = 1 / chance};
         return allocate_samples({noisy_image(0), noisy_image(1), lights}, 64, 64, 16);
     };
     const SampleAllocation common = allocated(1e-4f);
     REQUIRE(common.lights.size() == kCount);
     CHECK(common.lights[kSeen] == 64 * 16);
-    CHECK(common.samples[kOthers] == 8 * 16);
-    CHECK(common.lights[kOthers] == 0);
-    // What these two cannot take goes to the others.
+    // What it cannot take goes to the others.
     CHECK(mean_samples(common, 64, 0, 64) > 14);
     CHECK(allocated(3e-6f) == allocate_samples({noisy_image(0), noisy_image(1), {}}, 64, 64, 16));
 }
