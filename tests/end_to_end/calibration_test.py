@@ -56,6 +56,13 @@ class Calibration(unittest.TestCase):
                          runs.LONG_PROGRESSIVE)
         self.assertEqual(runs.reference_method("cornell", "direct"), runs.INTEGRATORS["direct"])
 
+    def test_what_has_no_reference_is_left_out(self):
+        self.assertEqual(runs.integrators_for("cornell", runs.INTEGRATORS), list(runs.INTEGRATORS))
+        self.assertEqual(runs.integrators_for("glass_globe", runs.INTEGRATORS),
+                         ["progressive", "direct"])
+        self.assertEqual(runs.integrators_for("carafe", ["path", "direct"]), ["direct"])
+        self.assertEqual(runs.integrators_for("kitchen", ["path", "direct"]), ["direct"])
+
 
 def calibrate(folder, seeds):
     """The steps that were done, and the cases."""
