@@ -18,9 +18,10 @@ SCENES = furnished.Scenes({path.stem: path for folder in ("assets", "experiments
                            for path in sorted((ROOT / folder).glob("*.glb"))})
 # Where all light comes through glass, so that paths hardly ever find it.
 LIT_THROUGH_GLASS = {"glass_globe"}
-# Rare samples are so bright that a reference good enough takes more than a quarter of an hour.
-WITHOUT_REFERENCE = {"carafe": {"progressive", "path"}, "museum": {"direct", "path"},
-                     **dict.fromkeys(("kitchen", "living_room", "workshop"), {"path"})}
+# By scene, besides those lit through glass: rare samples are so bright that a reference good enough takes more than a
+# quarter of an hour.
+LEFT_OUT = {**dict.fromkeys(LIT_THROUGH_GLASS | set(furnished.NAMES), {"path"}),
+            "carafe": {"progressive", "path"}, "museum": {"direct", "path"}}
 REFERENCE_SEED = 1_000_000
 # A reference is as much better than the images.
 BETTER = 5
@@ -63,8 +64,7 @@ def has_lamps_without_size(scene):
 
 
 def integrators_for(scene, wanted):
-    left_out = {"path"} if scene in LIT_THROUGH_GLASS else WITHOUT_REFERENCE.get(scene, set())
-    return [name for name in wanted if name not in left_out]
+    return [name for name in wanted if name not in LEFT_OUT.get(scene, ())]
 
 
 def reference_method(scene, integrator):

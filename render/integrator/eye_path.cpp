@@ -177,11 +177,11 @@ Rgb trace_eye_path(const PassMaps& maps, const Ray& ray, SeenLights seen, Random
                    EyeScratch& scratch)
 {
     Rgb radiance(0.0f);
+    const bool sees = seen == SeenLights::added;
     GatherBranchStack stack;
     stack.push({path_from_eye(maps.scene, ray)});
     while (!stack.empty()) {
         GatherBranch branch = stack.pop();
-        const bool sees = adds_met_light(seen, branch.behind);
         const MediaFlight reached = reach_by_beams(maps.scene, maps.volume, sees, branch, radiance);
         if (!reached.hit)
             continue;

@@ -46,7 +46,7 @@ enum class SeenLights : std::uint8_t { added, left_out };
 /// the light samples for the followed lobes of the surface that such a ray hits.
 inline bool adds_met_light(SeenLights seen, EyePathClass behind)
 {
-    return seen == SeenLights::added || !sees_lights(behind);
+    return seen == SeenLights::added || is_gathered(behind);
 }
 
 /// Returns the radiance that arrives along an eye ray, W/(m2 sr): emission, and at every diffuse
@@ -63,8 +63,8 @@ Rgb trace_seen_lights(const RenderScene& scene, const Ray& ray, RandomSequence& 
 
 /// What long paths that leave the scene within 60 degrees of a sun would find of it if they did so
 /// in all these directions alike: means over samples.  A path is long behind six specular surfaces,
-/// or behind two surfaces of which a followed lobe sent it on: the paths beside it say little of
-/// its direction. docs/error.md (27).
+/// or behind two surfaces with a followed lobe among them: the paths beside it say little of its
+/// direction. docs/error.md (27).
 struct LongPaths {
     float mean = 0, variance = 0; ///< of the light of a sample of trace_seen_lights
     float surfaces = 0;           ///< that a sample meets

@@ -286,7 +286,7 @@ class GatherTracer {
     }
 
     /// Adds what followed lobes send back of light that came by specular surfaces alone.  Returns
-    /// how many photons rays of these lobes compete with, as glossy_density has it; 0: none.
+    /// how many photons rays of these lobes compete with, as photons_against_rays has it; 0: none.
     float add_glossy(const GatherBranch& branch, const Interaction& at)
     {
         if (maps_.glossy == nullptr || shared_maps(*maps_.glossy).maps.empty())
@@ -298,7 +298,7 @@ class GatherTracer {
             return 0;
         add_within(branch.throughput, *maps_.glossy, query, maps_.scale.shrink * first,
                    scratch_.glossy);
-        return glossy_density(maps_.first, first, maps_.scale) / followed_peak(at);
+        return photons_against_rays(maps_.first, first, maps_.scale, at);
     }
 
     /// first: becomes the first radius, infinite where gather rays alone find the light; stays if

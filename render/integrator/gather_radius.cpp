@@ -44,12 +44,18 @@ float glossy_density(const FirstRadii& first, float radius, const GatherScale& s
            (first.glossy_power * scale.samples);
 }
 
+float photons_against_rays(const FirstRadii& first, float radius, const GatherScale& scale,
+                           const Interaction& at)
+{
+    return glossy_density(first, radius, scale) / followed_peak(at);
+}
+
 float photons_against_rays(const GlossyRivals& rivals, const Interaction& at)
 {
     if (rivals.first == nullptr)
         return 0;
     const float radius = radius_at(rivals.first->glossy, *rivals.surfaces, query_at(at));
-    return glossy_density(*rivals.first, radius, rivals.scale) / followed_peak(at);
+    return photons_against_rays(*rivals.first, radius, rivals.scale, at);
 }
 
 std::vector<Photon> weigh_glossy(const TracedPhotons& traced, const FirstRadii& first,

@@ -50,6 +50,11 @@ float gather_weight(const Bounce& bounce, const GatherScale& scale);
 /// one there; infinite: none do.
 float glossy_density(const FirstRadii& first, float radius, const GatherScale& scale);
 
+/// Returns how many photons the rays that followed lobes send from a surface compete with, by the
+/// cosine of the ray and the radiance of what it meets; 0: none.  radius: as in glossy_density.
+float photons_against_rays(const FirstRadii& first, float radius, const GatherScale& scale,
+                           const Interaction& at);
+
 /// The photons with which the rays of followed lobes share light in a pass.  Borrows everything.
 struct GlossyRivals {
     const FirstRadii* first = nullptr; ///< null: there are no such photons
@@ -57,8 +62,7 @@ struct GlossyRivals {
     GatherScale scale = {};
 };
 
-/// Returns how many photons the rays that followed lobes send from a surface compete with, by the
-/// cosine of the ray and the radiance of what it meets; 0: none.  docs/light_transport.md (44).
+/// The same, with the first radius at the surface.
 float photons_against_rays(const GlossyRivals& rivals, const Interaction& at);
 
 /// Returns the glossy photons with their powers multiplied by what rays leave to them.  In

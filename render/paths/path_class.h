@@ -18,13 +18,6 @@ inline bool is_gathered(EyePathClass path)
     return path >= EyePathClass::indirect;
 }
 
-/// Returns whether light met by the ray is seen: straight, or over mirrors, clear glass and
-/// followed lobes alone.  It may have samples of its own, docs/error.md (16).
-inline bool sees_lights(EyePathClass path)
-{
-    return !is_gathered(path);
-}
-
 /// Returns the class after a specular lobe.
 inline EyePathClass after_specular(EyePathClass path)
 {
