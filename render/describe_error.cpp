@@ -1,5 +1,6 @@
 #include "render/describe_error.h"
 
+#include "common/math/square.h"
 #include "common/report.h"
 #include "common/scene/scene_names.h"
 
@@ -64,6 +65,9 @@ std::string describe_error(const ErrorCheck& check)
         text += "; bias of --clamp " + percent(std::sqrt(error.clamp2));
     if (error.removed2 > 0)
         text += "; bias of removed fireflies " + percent(std::sqrt(error.removed2));
+    if (error.missing2 > square_of(error.error))
+        text += "; light that few samples find may be missing, up to " +
+                percent(std::sqrt(error.missing2));
     return text;
 }
 

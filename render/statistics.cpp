@@ -171,6 +171,8 @@ Json check_json(const ErrorCheck& check)
         json["clamp"] = std::sqrt(error.clamp2);
     if (error.removed2 > 0)
         json["removed"] = std::sqrt(error.removed2);
+    if (error.missing2 > 0)
+        json["missing"] = std::sqrt(error.missing2);
     return json;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/film/expected_light.h"
 #include "render/film/film_parts.h"
 #include "render/film/pass_images.h"
 
@@ -37,6 +38,7 @@ struct Film {
     ImagePlace place; ///< of its pixels
     int scale = 0;    ///< values are counted in units of 2^-scale W/(m2 sr), docs/error.md (2)
     std::uint64_t allocation = 0; ///< checksum of its sample allocation, docs/error.md (14)
+    ExpectedLight expected;       ///< of the whole image
     BiasKnowledge bias = BiasKnowledge::unknown;
     PassSet passes; ///< that some pixel holds
     /// What the pixels hold, as joined_parts returns it; a pixel of no part holds nothing.  Empty:

@@ -87,9 +87,11 @@ std::optional<ImageError> estimate_error(const Film& film)
     const double above = std::sqrt(square_of(noise.interval.high - noise.value) +
                                    square_of(bias.interval.high - bias.value) + both2);
     out.low = std::sqrt(std::max(noise.least + known + clamped - below, 0.0) / products.channels);
-    out.high = std::sqrt((std::max(noise.most + bias.value + clamped + above, sum) +
+    const double high2 = (std::max(noise.most + bias.value + clamped + above, sum) +
                           saturated_square(film, products)) /
-                         products.channels);
+                         products.channels;
+    out.missing2 = missing_square(film.expected, count(film.passes));
+    out.high = std::sqrt(std::max(high2, out.error * out.error + out.missing2));
     return out;
 }
 

@@ -14,6 +14,7 @@ struct ImageError {
     double bias2 = 0;    ///< relMSE that bias makes, without bias itself: below zero now and then
     double clamp2 = 0;   ///< relMSE that clamping makes, not below zero; more passes keep it
     double removed2 = 0; ///< relMSE of the light of removed fireflies
+    double missing2 = 0; ///< 95 % limit of the relMSE of light that passes missed, of `expected`
     double order = 0;    ///< bias falls with this power of the radius, 1 to 4; 0: not known
     double error = 0;    ///< root of noise2, clamp2 and removed2, and of bias2 where above zero
     double low = 0;      ///< with `high`, 95 % interval for the error of this very image

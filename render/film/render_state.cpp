@@ -39,6 +39,9 @@ void put_film(StateWriter& out, const Film& film)
     out.put(film.place.whole_height);
     out.put(film.scale);
     out.put(film.allocation);
+    for (const RareLight& light : film.expected.light)
+        for (const double value : {light.variance, light.missing, light.finds})
+            out.put(value);
     out.put(static_cast<std::uint32_t>(film.bias));
     out.put_array(film.passes.ranges);
     put_parts(out, film.parts);
@@ -62,7 +65,7 @@ void put_check(StateWriter& out, const ErrorCheck& check)
     out.put(static_cast<std::uint32_t>(error.bias));
     for (const double value :
          {check.seconds, error.noise2, error.photon2, error.bias2, error.clamp2, error.removed2,
-          error.order, error.error, error.low, error.high})
+          error.missing2, error.order, error.error, error.low, error.high})
         out.put(value);
 }
 
@@ -171,6 +174,11 @@ Film get_film(StateReader& in)
     film.scale = in.get<int>();
     in.require(film.scale >= -kMostScale && film.scale <= kMostScale, "scale");
     film.allocation = in.get<std::uint64_t>();
+    for (RareLight& light : film.expected.light)
+        for (double* value : {&light.variance, &light.missing, &light.finds}) {
+            *value = in.get<double>();
+            in.require(*value >= 0 && std::isfinite(*value), "expected light");
+        }
     film.bias = get_bias(in);
     film.passes.ranges = in.get_array<PassRange>(kMostPasses);
     in.require(is_valid(film.passes) && count(film.passes) <= kMostPasses, "set of passes");
@@ -194,8 +202,9 @@ ErrorCheck get_check(StateReader& in)
     in.require(check.passes > 0 && check.passes <= kMostPasses, "check");
     check.error.bias = get_bias(in);
     ImageError& error = check.error;
-    for (double* value : {&check.seconds, &error.noise2, &error.photon2, &error.bias2,
-                          &error.clamp2, &error.removed2, &error.order, &error.error, &error.low}) {
+    for (double* value :
+         {&check.seconds, &error.noise2, &error.photon2, &error.bias2, &error.clamp2,
+          &error.removed2, &error.missing2, &error.order, &error.error, &error.low}) {
         *value = in.get<double>();
         in.require(std::isfinite(*value), "check");
     }
@@ -339,6 +348,7 @@ RenderState begin_merge(const RenderState& tile)
     out.film = make_film(image.width(), image.height(), 1, film.bias, !film.cut.empty());
     out.film.scale = film.scale;
     out.film.allocation = film.allocation;
+    out.film.expected = film.expected;
     const ImagePlace place = {image.x0, image.y0, film.place.whole_width, film.place.whole_height};
     if (image.width() != place.whole_width || image.height() != place.whole_height)
         out.film.place = place;
@@ -360,7 +370,8 @@ void merge_state(RenderState& into, const RenderState& from, const std::filesyst
     const PixelRect pixels = pixels_of(film), all = pixels_of(into.film);
     if (image_of(from) != image_of(into) || common_pixels(pixels, all) != pixels ||
         film.scale != into.film.scale || film.allocation != into.film.allocation ||
-        film.bias != into.film.bias || film.cut.empty() != into.film.cut.empty())
+        film.expected != into.film.expected || film.bias != into.film.bias ||
+        film.cut.empty() != into.film.cut.empty())
         throw other_film(path);
     const auto common = common_pass(moved(parts_of(film), pixels.x0, pixels.y0),
                                     moved(parts_of(into.film), all.x0, all.y0));

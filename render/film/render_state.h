@@ -11,7 +11,7 @@
 namespace hipmap {
 
 /// The version of the format of states.
-inline constexpr std::uint32_t kStateVersion = 8;
+inline constexpr std::uint32_t kStateVersion = 9;
 
 /// Everything needed to resume a render, or to merge it with others; docs/error.md.
 struct RenderState {

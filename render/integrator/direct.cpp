@@ -1,7 +1,6 @@
 #include "render/integrator/direct.h"
 
 #include "render/integrator/emission_seeds.h"
-#include "render/integrator/light_sample_allocation.h"
 #include "render/integrator/pass_photons.h"
 #include "render/integrator/photon_guides.h"
 #include "render/integrator/sampled_source.h"
@@ -46,6 +45,7 @@ PassMapSet make_maps(const MappedScene& mapped, const PhotonGuides* guides, cons
 struct DirectMethod {
     using Scratch = EyeScratch;
     static constexpr double kBegun = 0.2;
+    static constexpr bool kShowsLights = true;
     static constexpr BiasKnowledge kBias = BiasKnowledge::unknown;
 
     const RenderScene& scene;
@@ -55,6 +55,12 @@ struct DirectMethod {
     DirectMethod(const RenderScene& of, std::shared_ptr<const DirectGuides> by)
         : scene(of), surfaces(of.mesh(), of.partition), guides(std::move(by))
     {
+    }
+    static SampleAllocation allocate(const LightNoise& lights, const RenderOptions& options)
+    {
+        SampleAllocation out;
+        out.lights = allocate_light_samples(lights, options.samples);
+        return out;
     }
     DirectMethod at(const RenderScene& now) const { return {now, guides}; }
 
@@ -144,9 +150,6 @@ DirectGuides find_shared(const DirectMethod& by_power, const RenderOptions& opti
 PassSource make_direct_source(const RenderScene& scene, const RenderOptions& options,
                               RenderStatistics& statistics, const PilotControl& pilots)
 {
-    SampleAllocation allocation;
-    allocation.lights =
-        allocate_light_samples(measure_light_noise(scene, options), options.samples);
     const DirectMethod by_power(scene, std::make_shared<const DirectGuides>());
     if (pilots.coarse)
         pilots.coarse(render_coarse_sampled(by_power, options, pilots));
@@ -154,8 +157,7 @@ PassSource make_direct_source(const RenderScene& scene, const RenderOptions& opt
     rest.coarse = {};
     const auto shared = std::make_shared<const DirectGuides>(find_shared(by_power, options, rest));
     count_guides(shared->photons.get(), statistics);
-    PassSource source =
-        make_sampled_source(DirectMethod(scene, shared), options, statistics, rest, allocation);
+    PassSource source = make_sampled_source(DirectMethod(scene, shared), options, statistics, rest);
     source.allocation = mix_bits(source.allocation ^ checksum(shared->sky));
     if (shared->photons)
         source.allocation = mix_bits(source.allocation ^ checksum(*shared->photons));

@@ -17,7 +17,8 @@ float reach_in(const TriangleMesh& mesh)
     return bounds.empty() ? 0 : kOcclusionReach * glm::length(bounds.extent());
 }
 
-struct OcclusionMethod : WithoutScratch {
+struct OcclusionMethod : SampledEvenly {
+    static constexpr bool kShowsLights = false;
     static constexpr BiasKnowledge kBias = BiasKnowledge::unbiased;
 
     const RenderScene& scene;

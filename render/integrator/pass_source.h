@@ -30,6 +30,7 @@ struct PassSource {
     /// scene and settings alone, so that states of several runs can be merged.
     double pilot_mean = 0;
     std::uint64_t allocation = 0; ///< checksum of the samples of each pixel; 0: the same of all
+    ExpectedLight expected;
     BiasKnowledge bias = BiasKnowledge::unknown;
     bool clamped = false;      ///< passes say what clamping took
     double alpha = 2.0 / 3;    ///< decay of the radii, docs/error.md (1)

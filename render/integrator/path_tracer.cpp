@@ -155,7 +155,7 @@ class PathTracer {
     Rgb radiance_{0.0f};
 };
 
-struct PathMethod : WithoutScratch {
+struct PathMethod : SampledEvenly {
     static constexpr BiasKnowledge kBias = BiasKnowledge::unbiased;
 
     const RenderScene& scene;

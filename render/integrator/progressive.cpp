@@ -2,14 +2,15 @@
 
 #include "common/freed_memory.h"
 #include "render/integrator/emission_seeds.h"
+#include "render/integrator/expect_light.h"
 #include "render/integrator/find_seen_surfaces.h"
 #include "render/integrator/gather_path.h"
 #include "render/integrator/indirect_choice.h"
-#include "render/integrator/light_sample_allocation.h"
 #include "render/integrator/pass_photons.h"
 #include "render/integrator/photon_cache.h"
 #include "render/integrator/photon_guides.h"
 #include "render/integrator/picture_tiles.h"
+#include "render/integrator/pilot_images.h"
 #include "render/integrator/sky_guide.h"
 
 #include <tbb/parallel_invoke.h>
@@ -45,6 +46,7 @@ struct Progressive {
     std::shared_ptr<const PhotonGuides> guides = {}; ///< null: paths start by power
     std::shared_ptr<const SeenSurfaces> seen = {};   ///< where photons count; null: not known
     SampleAllocation allocation;
+    ExpectedLight expected;
     PhotonCache* cache = nullptr;
 };
 
@@ -342,55 +344,40 @@ RenderedPass render_pass(const ProgressivePass& pass, const Progressive& shared,
     return gather_pass(pass, shared, *photons, control, statistics);
 }
 
-RenderOptions half_size(const RenderOptions& options)
-{
-    RenderOptions out = pilot_options(options);
-    out.width = (options.width + 1) / 2;
-    out.height = (options.height + 1) / 2;
-    return out;
-}
-
 /// Allocates samples by two images from the same photons; returns the mean of their channels.
 double render_pilot(const MappedScene& mapped, const PilotControl& pilots, Progressive& shared)
 {
-    const RenderOptions& options = shared.options;
     if (stopped_together(pilots))
         return 0;
-    const RenderScene& scene = mapped.scene;
     RenderStatistics ignored;
-    RenderOptions small = half_size(options);
-    const Part rows = pilots.team.part(static_cast<std::size_t>(small.height));
-    small.crop = {0, static_cast<int>(rows.begin), small.width, static_cast<int>(rows.end)};
-    const auto pilot = [&](std::uint64_t number) {
+    const auto pilot = [&](const RenderOptions& rows, std::uint64_t number) {
         return ProgressivePass{.mapped = mapped,
-                               .options = small,
+                               .options = rows,
                                .number = number,
                                .guides = shared.guides.get(),
                                .seen = SeenLights::left_out};
     };
+    const RenderOptions whole = pilot_rows(shared.options, {});
     const auto photons = maps_of_pass(
         shared.cache, kPilotPass, ignored, [&](ProgressiveMaps* previous, RenderStatistics& made) {
-            return make_maps(pilot(kPilotPass), *shared.first, previous, made);
+            return make_maps(pilot(whole, kPilotPass), *shared.first, previous, made);
         });
     Progressive evenly;
     evenly.first = shared.first;
-    const auto image_of = [&](std::uint64_t number) {
-        Image out(small.width, small.height);
-        std::vector<Rgb> own;
-        if (rows.size() > 0)
-            own = gather_pass(pilot(number), evenly, *photons,
-                              {.progress = {}, .stop = pilots.stop}, ignored)
-                      .images.radiance.pixels;
-        out.pixels = joined(pilots.team, std::move(own));
-        return out;
-    };
-    const Image first = image_of(kPilotPass), second = image_of(kPilotPass - 1);
-    const LightNoise lights = measure_light_noise(
-        scene, options, pilots.team, rivals_of(numbered_pass(mapped, 0, shared), *shared.first));
-    const Image emissive = measure_emissive_noise(scene, small, pilots.team);
-    shared.allocation = allocate_samples({first, second, lights, &emissive}, options.width,
-                                         options.height, options.samples);
-    return (mean_of(first) + mean_of(second)) / 2 + mean_of(lights);
+    const PilotImages found =
+        render_pilots(mapped.scene, shared.options, pilots.team,
+                      {.rivals = rivals_of(numbered_pass(mapped, 0, shared), *shared.first),
+                       .emissive_points = true},
+                      [&](const RenderOptions& rows, std::uint64_t number) {
+                          return gather_pass(pilot(rows, number), evenly, *photons,
+                                             {.progress = {}, .stop = pilots.stop}, ignored)
+                              .images.radiance.pixels;
+                      });
+    const RenderOptions& options = shared.options;
+    shared.allocation =
+        allocate_samples(found.noise(), options.width, options.height, options.samples);
+    shared.expected = expect_light(found.noise(), options, shared.allocation);
+    return found.mean();
 }
 
 /// Finds what the passes share, from pilots.  Guides serve one camera: with them the passes keep no
@@ -453,6 +440,7 @@ PassSource make_progressive_source(const RenderScene& scene, const RenderOptions
     source.clamped = options.clamp > 0;
     source.photons = shared->options.indirect == IndirectLight::paths ? 0 : options.photons;
     source.allocation = checksum(*shared);
+    source.expected = shared->expected;
     if (shared->seen)
         statistics.seen_scale = scale_of(*shared->seen);
     count_guides(shared->guides.get(), statistics);

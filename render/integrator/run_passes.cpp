@@ -180,6 +180,7 @@ RenderState begin_state(const PassSource& source, std::vector<Setting> settings)
         make_film(source.width, source.height, source.pilot_mean, source.bias, source.clamped);
     state.film.place = source.place;
     state.film.allocation = source.allocation;
+    state.film.expected = source.expected;
     return state;
 }
 
@@ -189,7 +190,8 @@ RenderState resume_state(const PassSource& source, RenderState found,
     const Film& film = found.film;
     if (film.width != source.width || film.height != source.height || film.place != source.place ||
         film.scale != film_scale(source.pilot_mean) || film.allocation != source.allocation ||
-        film.bias != source.bias || film.cut.empty() == source.clamped)
+        film.expected != source.expected || film.bias != source.bias ||
+        film.cut.empty() == source.clamped)
         throw other_film(path);
     return found;
 }

@@ -20,13 +20,6 @@ constexpr double kMostLightSamplesShare = 64;
 /// The cost of a sample of the seen lights over that of another: at least, and by surface it meets.
 constexpr double kLeastLightCost = 1.0 / 9, kLightCostBySurface = 0.1;
 
-/// Light of long paths that a smaller share of samples finds is left to chance, docs/error.md (27):
-/// even the pixels with the most samples have hardly more than 100,000 of them in a long render.
-constexpr double kRarest = 1e-5;
-
-/// The share of it that is counted: some directions end on surfaces, or are not taken.
-constexpr double kReached = 0.25;
-
 /// A pixel's deviation is taken from those up to so many pixels away: two samples alone say little.
 constexpr int kReach = 2;
 
@@ -35,40 +28,8 @@ constexpr int kReach = 2;
 constexpr int kWideReach = 12;
 constexpr double kWideShare = 0.1;
 
-Rgb finite_or_black(const Rgb& value)
-{
-    return is_finite(value) ? value : Rgb(0);
-}
-
-/// The radiance of the pilot's images, with the seen lights.
-struct Brightness {
-    std::vector<glm::dvec3> mean; ///< by pixel
-    double least2 = 0;            ///< the constant of docs/error.md (3)
-};
-
-Brightness brightness_of(const PilotNoise& pilot, int width, int height)
-{
-    Brightness out;
-    double sum = 0;
-    for (int y = 0; y < pilot.first.height; ++y)
-        for (int x = 0; x < pilot.first.width; ++x) {
-            const std::size_t lights =
-                static_cast<std::size_t>(y * height / pilot.first.height) * width +
-                x * width / pilot.first.width;
-            const glm::dvec3 mean = (glm::dvec3(finite_or_black(pilot.first.at(x, y))) +
-                                     glm::dvec3(finite_or_black(pilot.second.at(x, y)))) /
-                                        2.0 +
-                                    (pilot.lights.mean.empty() ? 0.0 : pilot.lights.mean[lights]);
-            out.mean.push_back(mean);
-            sum += mean.x + mean.y + mean.z;
-        }
-    const double mean = sum / 3 / std::max<double>(1.0, static_cast<double>(out.mean.size()));
-    out.least2 = 0.01 * mean * mean;
-    return out;
-}
-
 /// Squares of differences of two samples of each pixel, weighed as in docs/error.md (3).
-std::vector<double> square_deviations(const Brightness& brightness, const Image& differences)
+std::vector<double> square_deviations(const PilotBrightness& brightness, const Image& differences)
 {
     std::vector<double> out(brightness.mean.size());
     for (std::size_t i = 0; i < out.size(); ++i)
@@ -81,49 +42,16 @@ std::vector<double> square_deviations(const Brightness& brightness, const Image&
     return out;
 }
 
-/// Pixels of a row or a column: the first one, how far apart they are, and how many they are.
-struct Line {
-    std::size_t first, step;
-    int length;
-};
-
-/// Takes means over the pixels of a line up to `reach` away.
-void blur(std::vector<double>& values, const Line& line, int reach)
-{
-    const auto [first, step, length] = line;
-    std::vector<double> sums(static_cast<std::size_t>(length) + 1, 0.0);
-    for (int i = 0; i < length; ++i)
-        sums[static_cast<std::size_t>(i) + 1] =
-            sums[static_cast<std::size_t>(i)] + values[first + static_cast<std::size_t>(i) * step];
-    for (int i = 0; i < length; ++i) {
-        const int begin = std::max(0, i - reach), end = std::min(length, i + reach + 1);
-        values[first + static_cast<std::size_t>(i) * step] =
-            (sums[static_cast<std::size_t>(end)] - sums[static_cast<std::size_t>(begin)]) /
-            (end - begin);
-    }
-}
-
-/// Returns means over the pixels of an image up to `reach` away along each axis.
-std::vector<double> blurred(std::vector<double> values, const Image& image, int reach)
-{
-    const auto width = static_cast<std::size_t>(image.width);
-    for (int y = 0; y < image.height; ++y)
-        blur(values, {static_cast<std::size_t>(y) * width, 1, image.width}, reach);
-    for (int x = 0; x < image.width; ++x)
-        blur(values, {static_cast<std::size_t>(x), width, image.height}, reach);
-    return values;
-}
-
 /// A difference of two samples has twice the variance of one, and there are three channels.
 constexpr double kShareOfSquare = 1.0 / 6;
 
 /// docs/error.md (14), by pixel of the pilot's images: the variance of a sample, over the square of
 /// brightness.  differences: of two samples.
-std::vector<double> variances_around(const Brightness& brightness, const Image& differences)
+std::vector<double> variances_around(const PilotBrightness& brightness, const Image& differences)
 {
     std::vector<double> out = square_deviations(brightness, differences);
-    const std::vector<double> wide = blurred(out, differences, kWideReach);
-    out = blurred(std::move(out), differences, kReach);
+    const std::vector<double> wide = blurred(out, differences.width, kWideReach);
+    out = blurred(std::move(out), differences.width, kReach);
     for (std::size_t i = 0; i < out.size(); ++i)
         out[i] = kShareOfSquare * std::max((1 - kWideShare) * out[i] + kWideShare * wide[i], 0.0);
     return out;
@@ -138,7 +66,7 @@ Image difference_of(const Image& first, const Image& second)
 }
 
 /// docs/error.md (26).  variances: by pixel of the pilot's images.
-int choose_emissive_points(const PilotNoise& pilot, const Brightness& brightness,
+int choose_emissive_points(const PilotNoise& pilot, const PilotBrightness& brightness,
                            const std::vector<double>& variances)
 {
     constexpr double kCost = 0.05; // of a further point, over that of a sample with one
@@ -167,14 +95,6 @@ struct Deviations {
     double light_cost = kLeastLightCost; ///< of a sample of these, over that of another
 };
 
-/// Returns the variance of the light of long paths; zero if it is so rare that hardly any image
-/// would have a sample of it.
-double expected(const LongPaths& paths)
-{
-    return double{paths.mean} * paths.mean > kRarest * paths.variance ? kReached * paths.variance
-                                                                      : 0;
-}
-
 /// docs/error.md (16), (27).  rest: variance of the other samples; scale2: brightness, squared.
 Deviations deviations_at(const LightNoise& noise, std::size_t pixel, double rest, double scale2)
 {
@@ -182,7 +102,7 @@ Deviations deviations_at(const LightNoise& noise, std::size_t pixel, double rest
     Deviations out;
     if (!noise.long_paths.empty()) {
         const LongPaths& paths = noise.long_paths[pixel];
-        lights = std::max(lights, expected(paths));
+        lights = std::max(lights, expected_variance(paths));
         out.light_cost = std::max(kLeastLightCost, kLightCostBySurface * paths.surfaces);
     }
     lights = scale2 > 0 ? lights / scale2 : 0;
@@ -193,15 +113,13 @@ Deviations deviations_at(const LightNoise& noise, std::size_t pixel, double rest
 }
 
 /// Returns deviations_at for each pixel of the image.  variances: by pixel of the pilot's images.
-std::vector<Deviations> deviations_of(const PilotNoise& pilot, const Brightness& brightness,
+std::vector<Deviations> deviations_of(const PilotNoise& pilot, const PilotBrightness& brightness,
                                       const std::vector<double>& variances, int width, int height)
 {
     std::vector<Deviations> out;
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
-            const std::size_t from =
-                static_cast<std::size_t>(y * pilot.first.height / height) * pilot.first.width +
-                x * pilot.first.width / width;
+            const std::size_t from = pilot_pixel(pilot, x, y, width, height);
             const glm::dvec3& mean = brightness.mean[from];
             const double value = std::max({mean.x, mean.y, mean.z});
             out.push_back(deviations_at(pilot.lights, out.size(), variances[from],
@@ -255,7 +173,7 @@ SampleAllocation allocate_samples(const PilotNoise& pilot, int width, int height
                                   std::uint32_t mean)
 {
     SampleAllocation out;
-    const Brightness brightness = brightness_of(pilot, width, height);
+    const PilotBrightness brightness = brightness_of(pilot, width, height);
     const std::vector<double> variances =
         variances_around(brightness, difference_of(pilot.first, pilot.second));
     out.emissive_points = choose_emissive_points(pilot, brightness, variances);
@@ -280,15 +198,9 @@ SampleAllocation allocate_samples(const PilotNoise& pilot, int width, int height
 
 double relative_variance(const Image& first, const Image& second, const Image& differences)
 {
-    Brightness brightness = brightness_of({first, second, {}, nullptr}, first.width, first.height);
-    for (int channel = 0; channel < 3; ++channel) {
-        std::vector<double> values;
-        for (const glm::dvec3& mean : brightness.mean)
-            values.push_back(mean[channel]);
-        values = blurred(std::move(values), first, kReach);
-        for (std::size_t i = 0; i < values.size(); ++i)
-            brightness.mean[i][channel] = values[i];
-    }
+    PilotBrightness brightness =
+        brightness_of({first, second, {}, nullptr}, first.width, first.height);
+    blur(brightness, first.width, kReach);
     const std::vector<double> squares = square_deviations(brightness, differences);
     return kShareOfSquare * std::reduce(squares.begin(), squares.end(), 0.0) /
            static_cast<double>(std::max<std::size_t>(1, squares.size()));

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "common/image/image.h"
-#include "render/integrator/light_sample_allocation.h"
+#include "render/integrator/pilot_noise.h"
 
 #include <cstdint>
 #include <vector>
@@ -20,16 +19,15 @@ struct SampleAllocation {
     bool operator==(const SampleAllocation&) const = default;
 };
 
-/// What pilots show of the noise of an image of width x height pixels.
-struct PilotNoise {
-    /// Images of the view without the seen lights, of the same size, not necessarily that of the
-    /// image, by one sample a pixel each; pixels that are not finite count as black.
-    const Image& first;
-    const Image& second;
-    const LightNoise& lights; ///< [height][width], or empty
-    /// By measure_emissive_noise, of the size of `first`; null or empty: nothing is known.
-    const Image* emissive = nullptr;
-};
+/// Returns how many samples of a pass find the seen lights in a pixel.  evenly: those of each pixel
+/// where nothing is allocated.
+inline std::uint32_t samples_of_lights(const SampleAllocation& allocation, std::size_t pixel,
+                                       std::uint32_t evenly)
+{
+    if (!allocation.lights.empty() && allocation.lights[pixel] > 0)
+        return allocation.lights[pixel];
+    return allocation.samples.empty() ? evenly : allocation.samples[pixel];
+}
 
 /// Distributes the work of `mean` samples a pixel over the image by docs/error.md (14), (16) and
 /// (26).

@@ -1,32 +1,71 @@
 #pragma once
 
+#include "render/integrator/expect_light.h"
 #include "render/integrator/pass_source.h"
 #include "render/integrator/picture_tiles.h"
+#include "render/integrator/pilot_images.h"
 
 #include <memory>
+#include <optional>
 
 namespace hipmap {
 
-/// What a Method inherits whose threads need no memory of their own (make_sampled_source).
-struct WithoutScratch {
+/// What a Method inherits whose threads need no memory of their own and whose pixels all have as
+/// many samples (make_sampled_source).
+struct SampledEvenly {
     struct Scratch {};
+    static constexpr bool kShowsLights = true;
     static constexpr double kBegun = 0;
+    static SampleAllocation allocate(const LightNoise& /*lights*/, const RenderOptions& /*options*/)
+    {
+        return {};
+    }
     static void count(const Scratch& /*scratch*/, RenderStatistics& /*statistics*/) {}
 };
+
+/// Renders the image of a job from what serves its pass.  of_all: what its samples do with the seen
+/// lights, if not as each pixel has it.
+template <typename Method>
+RenderedPass render_by(const typename Method::Pass& pass, const PictureJob& job,
+                       const PassControl& control, RenderStatistics& statistics,
+                       std::optional<SeenLights> of_all = {})
+{
+    using Scratch = typename Method::Scratch;
+    return render_clamped_tiles<1, Scratch>(
+        job, control, statistics,
+        TileTracer{[&](const Ray& ray, SeenLights seen, RandomSequence& random,
+                       Scratch& scratch) -> Samples<1> {
+                       return {pass.trace(ray, of_all.value_or(seen), random, scratch)};
+                   },
+                   [](const auto& /*rows*/, const Scratch& /*scratch*/) {},
+                   [&](const Scratch& scratch) { Method::count(scratch, statistics); }});
+}
 
 /// Renders one pass by a method (make_sampled_source).
 template <typename Method>
 RenderedPass render_sampled(const Method& method, const PictureJob& job, const PassControl& control,
                             RenderStatistics& statistics)
 {
-    using Scratch = typename Method::Scratch;
     const typename Method::Pass pass(method, job, statistics);
-    return render_clamped_tiles<1, Scratch>(
-        job, after(control, Method::kBegun), statistics,
-        TileTracer{[&](const Ray& ray, SeenLights seen, RandomSequence& random, Scratch& scratch)
-                       -> Samples<1> { return {pass.trace(ray, seen, random, scratch)}; },
-                   [](const auto& /*rows*/, const Scratch& /*scratch*/) {},
-                   [&](const Scratch& scratch) { Method::count(scratch, statistics); }});
+    return render_by<Method>(pass, job, after(control, Method::kBegun), statistics);
+}
+
+/// Renders the pilots of a method's passes: two images from the same photons, if it has some.
+template <typename Method>
+PilotImages render_sampled_pilots(const Method& method, const RenderOptions& options,
+                                  const PilotControl& pilots)
+{
+    RenderStatistics ignored;
+    const SampleAllocation evenly;
+    const RenderOptions whole = pilot_rows(options, {});
+    const typename Method::Pass pass(method, {method.scene, whole, kPilotPass, evenly}, ignored);
+    return render_pilots(method.scene, options, pilots.team, {.seen = Method::kShowsLights},
+                         [&](const RenderOptions& rows, std::uint64_t number) {
+                             return render_by<Method>(pass, {method.scene, rows, number, evenly},
+                                                      {.progress = {}, .stop = pilots.stop},
+                                                      ignored, SeenLights::left_out)
+                                 .images.radiance.pixels;
+                         });
 }
 
 /// Renders a coarse image by a method.
@@ -53,27 +92,28 @@ CoarseImage render_coarse_sampled(const Method& method, const RenderOptions& opt
 ///         trace(ray, seen, random, scratch), the radiance along an eye ray, thread-safe;
 ///     Method::Scratch: memory of one thread, and Method::count(scratch, statistics);
 ///     Method::kBegun: the share of a pass that is done when its Pass is there, for the progress;
+///     Method::kShowsLights: false if its images know of no light;
+///     Method::allocate(lights, options): the samples of each pixel in a pass;
 ///     Method::kBias: what is known of the bias of its images.
 template <typename Method>
 PassSource make_sampled_source(Method made, const RenderOptions& options,
-                               RenderStatistics& statistics, const PilotControl& pilots,
-                               SampleAllocation allocated = {})
+                               RenderStatistics& statistics, const PilotControl& pilots)
 {
     const RenderScene& scene = made.scene;
     const auto method = std::make_shared<const Method>(std::move(made));
-    const auto allocation = std::make_shared<const SampleAllocation>(std::move(allocated));
     PassSource source;
     set_window(source, options);
     source.photons = options.photons;
     source.bias = Method::kBias;
     source.clamped = options.clamp > 0;
-    source.allocation = checksum(*allocation);
-    RenderStatistics ignored;
-    const RenderOptions small = pilot_options(options);
     if (pilots.coarse)
         pilots.coarse(render_coarse_sampled(*method, options, pilots));
-    source.pilot_mean = mean_of(
-        render_sampled(*method, {scene, small, kPilotPass, {}}, {}, ignored).images.radiance);
+    const PilotImages found = render_sampled_pilots(*method, options, pilots);
+    source.pilot_mean = found.mean();
+    const auto allocation =
+        std::make_shared<const SampleAllocation>(Method::allocate(found.lights, options));
+    source.allocation = checksum(*allocation);
+    source.expected = expect_light(found.noise(), options, *allocation);
     source.render = [&scene, &options, &statistics, method,
                      allocation](std::uint64_t pass, const PassControl& control) {
         return render_sampled(*method, {scene, options, pass, *allocation}, control, statistics);

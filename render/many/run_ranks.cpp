@@ -24,6 +24,7 @@ Film empty_like(const Film& film)
     out.scale = film.scale;
     out.place = film.place;
     out.allocation = film.allocation;
+    out.expected = film.expected;
     return out;
 }
 

@@ -60,7 +60,8 @@ class Calibration(unittest.TestCase):
         self.assertEqual(runs.integrators_for("cornell", runs.INTEGRATORS), list(runs.INTEGRATORS))
         self.assertEqual(runs.integrators_for("glass_globe", runs.INTEGRATORS),
                          ["progressive", "direct"])
-        self.assertEqual(runs.integrators_for("carafe", ["path", "direct"]), ["direct"])
+        self.assertEqual(runs.integrators_for("carafe", list(runs.INTEGRATORS)), [])
+        self.assertEqual(runs.integrators_for("museum", list(runs.INTEGRATORS)), ["progressive"])
         self.assertEqual(runs.integrators_for("kitchen", ["path", "direct"]), ["direct"])
 
 

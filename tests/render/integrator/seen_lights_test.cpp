@@ -1,7 +1,10 @@
+#include "render/integrator/expect_light.h"
 #include "render/integrator/gather_path.h"
+#include "render/integrator/integrators.h"
 #include "render/integrator/light_sample_allocation.h"
 #include "render/integrator/path_tracer.h"
 #include "render/integrator/pixel_samples.h"
+#include "tests/render/integrator/all_integrators.h"
 #include "tests/support/statistics.h"
 #include "tests/support/tiny_rooms.h"
 
@@ -208,4 +211,57 @@ TEST_CASE("seen lights: pixels with long paths take samples though none has foun
     const SampleAllocation seen = allocate_samples({grey, grey, noise, nullptr}, kSide, kSide, 4);
     REQUIRE(seen.lights.size() == kSide * kSide);
     CHECK(samples_at(seen.lights, {0.5f, 0.5f}) > 0);
+}
+
+TEST_CASE("seen lights: what a sample in a thousand finds is expected", "[integrator]")
+{
+    const float mean = 0.5f, share = 1e-3f;
+    LightNoise noise;
+    noise.mean.assign(kSide * kSide, mean);
+    noise.variance.assign(kSide * kSide, mean * mean / share);
+    Image grey(kSide / 2, kSide / 2);
+    std::ranges::fill(grey.pixels, Rgb(0.1f));
+    const PilotNoise pilot{grey, grey, noise};
+    RenderOptions options = small_picture();
+    options.samples = 4;
+    options.filter = PixelFilter::box;
+    const auto sum_of = [&](const SampleAllocation& allocation) {
+        RareLight sum;
+        for (const RareLight& light : expect_light(pilot, options, allocation).light) {
+            sum.variance += light.variance;
+            sum.missing += light.missing;
+            sum.finds += light.finds;
+        }
+        return sum;
+    };
+    const double missing = mean * mean / (0.6 * 0.6 * 1.01); // brightness 0.6
+    const RareLight evenly = sum_of({});
+    CHECK(evenly.missing == Approx(missing));
+    CHECK(evenly.variance == Approx(missing / share / 4));
+    CHECK(evenly.finds == Approx(4 * share * kSide * kSide));
+    SampleAllocation more;
+    more.lights.assign(kSide * kSide, 64);
+    CHECK(sum_of(more).finds == Approx(16 * evenly.finds));
+    CHECK(sum_of(more).variance == Approx(evenly.variance / 16));
+    options.filter = PixelFilter::b_spline;
+    CHECK(sum_of({}).variance == Approx(0.3025 * evenly.variance));
+    noise.variance.assign(kSide * kSide, 0);
+    CHECK(expect_light(pilot, options, {}) == ExpectedLight());
+}
+
+TEST_CASE("seen lights: every integrator expects the light of long paths", "[integrator]")
+{
+    Material glowing = tiny::mirror(Rgb(1));
+    glowing.emission = Rgb(0.1f);
+    RenderOptions options = small_picture();
+    RenderStatistics ignored;
+    for (const float height : {-1.0f, 1.0f}) {
+        const auto walls = facing_walls(tiny::mirror(Rgb(1)), glowing, height);
+        for (const Integrator integrator : kAllIntegrators) {
+            options.integrator = integrator;
+            const PassSource source = make_pass_source(*walls->render, options, ignored);
+            INFO("integrator " << int(integrator) << ", height of the sun " << height);
+            CHECK((missing_square(source.expected, 4) > 0.01) == (height < 0));
+        }
+    }
 }
