@@ -370,8 +370,7 @@ void merge_state(RenderState& into, const RenderState& from, const std::filesyst
     const PixelRect pixels = pixels_of(film), all = pixels_of(into.film);
     if (image_of(from) != image_of(into) || common_pixels(pixels, all) != pixels ||
         film.scale != into.film.scale || film.allocation != into.film.allocation ||
-        film.expected != into.film.expected || film.bias != into.film.bias ||
-        film.cut.empty() != into.film.cut.empty())
+        film.bias != into.film.bias || film.cut.empty() != into.film.cut.empty())
         throw other_film(path);
     const auto common = common_pass(moved(parts_of(film), pixels.x0, pixels.y0),
                                     moved(parts_of(into.film), all.x0, all.y0));

@@ -16,7 +16,6 @@ constexpr double kSpread = 11.0 / 20 * 11 / 20;
 /// The moments of what one sample finds of the seen lights in a pixel.
 struct LightMoments {
     double mean = 0, variance = 0;
-    double unmet = 0; ///< mean of the light that the pilot's samples are not expected to have met
 };
 
 LightMoments moments_of(const LightNoise& noise, std::size_t pixel)
@@ -26,7 +25,7 @@ LightMoments moments_of(const LightNoise& noise, std::size_t pixel)
         return out;
     const LongPaths& paths = noise.long_paths[pixel];
     if (expected_variance(paths) > out.variance)
-        out = {paths.mean, paths.variance, paths.mean};
+        out = {paths.mean, paths.variance};
     return out;
 }
 
@@ -47,7 +46,8 @@ ExpectedLight expect_light(const PilotNoise& pilot, const RenderOptions& options
         const int x = static_cast<int>(i) % options.width, y = static_cast<int>(i) / options.width;
         const glm::dvec3& mean =
             brightness.mean[pilot_pixel(pilot, x, y, options.width, options.height)];
-        const double value = std::max({mean.x, mean.y, mean.z}) + light.unmet;
+        // With the light itself, which may be missing around.
+        const double value = std::max({mean.x, mean.y, mean.z, light.mean});
         const double scale2 = (value * value + brightness.least2) * static_cast<double>(pixels);
         const double samples = samples_of_lights(allocation, i, options.samples);
         const double mean2 = light.mean * light.mean;

@@ -190,8 +190,7 @@ RenderState resume_state(const PassSource& source, RenderState found,
     const Film& film = found.film;
     if (film.width != source.width || film.height != source.height || film.place != source.place ||
         film.scale != film_scale(source.pilot_mean) || film.allocation != source.allocation ||
-        film.expected != source.expected || film.bias != source.bias ||
-        film.cut.empty() == source.clamped)
+        film.bias != source.bias || film.cut.empty() == source.clamped)
         throw other_film(path);
     return found;
 }

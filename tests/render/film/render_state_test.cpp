@@ -26,6 +26,7 @@ RenderState state_of(std::uint64_t first, std::uint64_t end, bool radii = true)
     state.photons_per_pass = 1000;
     state.radius_decay = 0.5;
     state.film = make_film(6, 6, 1, radii ? BiasKnowledge::from_radii : BiasKnowledge::unbiased);
+    add_light({.variance = 0.5, .missing = 0.02, .finds = 0.01}, state.film.expected);
     for (std::uint64_t pass = first; pass < end; ++pass) {
         PassImages images = passes.pass(pass);
         images.kept[pass % 36] = 0;
@@ -134,6 +135,8 @@ TEST_CASE("render state: values no render writes are refused, though the checksu
         [](RenderState& state) {
             state.film.passes.ranges = {{0, kMostPasses + 1}};
         },
+        [](RenderState& state) { state.film.expected.light[2].missing = -1; },
+        [](RenderState& state) { state.film.expected.light.back().finds = std::nan(""); },
         [](RenderState& state) { state.film.radiance[5] = 3 * largest_value(); },
         [](RenderState& state) { state.film.radiance.back() = -3 * largest_value(); },
         [](RenderState& state) { state.film.narrow.pop_back(); },
