@@ -34,8 +34,8 @@ double missing_square(const ExpectedLight& expected, std::uint64_t passes)
     for (int octave = 0; octave < ExpectedLight::kOctaves; ++octave) {
         const RareLight& light = expected.light[static_cast<std::size_t>(octave)];
         const double finds = n * std::ldexp(std::sqrt(2.0), octave + kLeast); // amid the octave
-        // The share of the pixels that have found it once at most, of which batches know little.
-        const double missed = (1 + finds) * std::exp(-finds);
+        // The share of the pixels that may not have found it: their samples are stratified.
+        const double missed = std::exp(-finds * finds / 2);
         sum.variance += missed * light.variance / n;
         sum.missing += missed * light.missing;
         sum.finds += missed * light.finds * n;

@@ -26,8 +26,8 @@ struct ExpectedLight {
 /// it: nothing is added.
 void add_light(const RareLight& light, ExpectedLight& into);
 
-/// Returns the relMSE, with 95 % confidence, by light that so many passes have found once at
-/// most in pixels that show it.
+/// Returns the relMSE, with 95 % confidence, by light that so many passes may not have found in
+/// pixels that show it.
 double missing_square(const ExpectedLight& expected, std::uint64_t passes);
 
 } // namespace hipmap
