@@ -21,6 +21,23 @@ def read_pfm(path):
     return width, numbers
 
 
+def write_pfm(path, image):
+    """Writes what read_pfm reads."""
+    width, numbers = image
+    out = array.array("f", numbers)
+    if sys.byteorder == "big":
+        out.byteswap()
+    with open(path, "wb") as file:
+        file.write(b"PF\n%d %d\n-1\n" % (width, len(out) // (3 * width)))
+        file.write(out.tobytes())
+
+
+def mean_image(images):
+    """Of images of the same size."""
+    return images[0][0], [sum(values) / len(images)
+                          for values in zip(*(numbers for _, numbers in images))]
+
+
 def taps(size):
     """[[(index, weight)]] by index of the line half as long: a quadratic B-spline is made of four
     of half its width.  At an end, of those that there are."""

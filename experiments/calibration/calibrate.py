@@ -52,7 +52,7 @@ def about(options):
     """What results must agree in to be of one run."""
     methods = (*runs.INTEGRATORS.values(), runs.LONG_PATH, runs.LONG_PROGRESSIVE)
     return {"programs": programs.digest(options.tools, ("preprocess", "render", "compare_images")),
-            "size": options.size, "methods": {method.name: method.options for method in methods},
+            "size": options.size, "methods": {method.name: [*method.options, method.pilots] for method in methods},
             "aim": [runs.BETTER, runs.PART_OF_FIRST, runs.FIRST_CHECK, runs.MOST_ERROR,
                     runs.REFERENCE_SEED]}
 

@@ -81,7 +81,7 @@ reference's noise. The reference depends on the integrator:
 * `progressive` where path tracing cannot find some lights (those without size behind glass or in mirrors), or hardly
   finds the light (`glass_globe`, which is left out for `path`): `progressive` with 30 times the photons and 4
   neighbours. Its radii are less than a tenth as wide, because a bias that both share would not show.
-* `direct`: its own mean, because it states noise alone. Its images take 8 samples per pixel in each pass: `hexagonal`
+* `direct`: its own mean over 16 seeds, because it states noise alone, and the mean depends on what the pilots of a seed choose. Its images take 8 samples per pixel in each pass: `hexagonal`
   has a bright line narrower than a hundredth of two pixels, and an estimate includes light that no sample has found only where
   pilots know of it.
 
