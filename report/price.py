@@ -44,6 +44,8 @@ def sentences_of(error, last):
         yield "By noise alone: the bias of estimates from the k nearest photons is unknown."
     if last.get("clamp"):
         yield f"Of that, {percent(last['clamp'])} is bias of --clamp, which no pass reduces."
+    if last.get("missing", 0) > last["error"]:
+        yield f"Light that few samples find may be missing, up to {percent(last['missing'])}."
     half = [entry for entry in error.get("prices", [])
             if math.isclose(entry["error"], last["error"] / 2, rel_tol=1e-6)]
     if half and half[0]["seconds"] is not None:

@@ -164,6 +164,15 @@ class Report(ToolsTestCase):
         self.assertEqual(len(page.all("img")), 1)
         self.assertIn("Not known", page.text())
 
+    def test_light_that_may_be_missing_is_told_where_it_is_much(self):
+        self.make_results("--passes", 2)
+        for times, told in ((0.5, False), (2, True)):
+            def miss(stats, times=times):
+                last = stats["error"]["checks"][-1]
+                last["missing"] = times * last["error"]
+            self.change_statistics(miss)
+            self.assertEqual("Light that few samples find may be missing" in self.page().text(), told)
+
     def test_pictures_of_another_shape_are_shown_beside(self):
         self.make_results("--passes", 2)
         self.change_statistics(lambda stats: stats["pictures"][0].update(width=48, height=40))
