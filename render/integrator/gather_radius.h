@@ -62,7 +62,8 @@ struct GlossyRivals {
     GatherScale scale = {};
 };
 
-/// The same, with the first radius at the surface.
+/// Returns the same number by the photons of a pass, whose first radius at the surface it looks up;
+/// 0 without such photons.
 float photons_against_rays(const GlossyRivals& rivals, const Interaction& at);
 
 /// Returns the glossy photons with their powers multiplied by what rays leave to them.  In
