@@ -125,6 +125,16 @@ Film make_film(int width, int height, double mean, BiasKnowledge bias, bool clam
     return film;
 }
 
+Film empty_like(const Film& film, int width, int height)
+{
+    Film out = make_film(width, height, 1, film.bias, !film.cut.empty());
+    out.place = film.place;
+    out.scale = film.scale;
+    out.allocation = film.allocation;
+    out.expected = film.expected;
+    return out;
+}
+
 void add_pass(Film& film, std::uint64_t pass, const PassImages& images)
 {
     const std::size_t pixels = film.pixel_count();

@@ -66,6 +66,10 @@ int film_scale(double mean);
 /// counts as one.  clamped: passes say what clamping took.
 Film make_film(int width, int height, double mean, BiasKnowledge bias, bool clamped = false);
 
+/// Makes an empty film of another size for passes of the same whole image as those of `film`, whose
+/// place it has.
+Film empty_like(const Film& film, int width, int height);
+
 /// Adds a pass, which must not be in the film yet; images of the film's size.  The film has no
 /// parts.  Parallel.
 void add_pass(Film& film, std::uint64_t pass, const PassImages& images);

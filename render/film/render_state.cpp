@@ -345,15 +345,12 @@ RenderState begin_merge(const RenderState& tile)
     out.settings = tile.settings;
     out.photons_per_pass = tile.photons_per_pass;
     out.radius_decay = tile.radius_decay;
-    out.film = make_film(image.width(), image.height(), 1, film.bias, !film.cut.empty());
-    out.film.scale = film.scale;
-    out.film.allocation = film.allocation;
-    out.film.expected = film.expected;
-    const ImagePlace place = {image.x0, image.y0, film.place.whole_width, film.place.whole_height};
-    if (image.width() != place.whole_width || image.height() != place.whole_height)
-        out.film.place = place;
-    if (tile.image.empty())
-        out.film.place = film.place;
+    out.film = empty_like(film, image.width(), image.height());
+    if (!tile.image.empty()) {
+        const int width = film.place.whole_width, height = film.place.whole_height;
+        const bool whole = image.width() == width && image.height() == height;
+        out.film.place = whole ? ImagePlace{} : ImagePlace{image.x0, image.y0, width, height};
+    }
     return out;
 }
 

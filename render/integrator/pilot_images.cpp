@@ -32,8 +32,7 @@ PilotImages render_pilots(const RenderScene& scene, const RenderOptions& options
     PilotImages out;
     out.first = image_of(kPilotPass);
     out.second = image_of(kPilotPass - 1);
-    if (lights.seen)
-        out.lights = measure_light_noise(scene, options, team, lights.rivals);
+    out.lights = measure_light_noise(scene, options, team, lights.rivals);
     if (lights.emissive_points)
         out.emissive = measure_emissive_noise(scene, rows, team);
     return out;

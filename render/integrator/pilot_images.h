@@ -15,9 +15,8 @@ RenderOptions pilot_rows(const RenderOptions& options, const PilotTeam& team);
 /// two numbers, and not at all where a process has no row.
 using PilotImage = std::function<std::vector<Rgb>(const RenderOptions& rows, std::uint64_t number)>;
 
-/// What else is measured.
+/// What is measured of the lights.
 struct PilotLights {
-    bool seen = true; ///< the image shows lights
     GlossyRivals rivals = {};
     bool emissive_points = false; ///< samples may have several, docs/error.md (26)
 };

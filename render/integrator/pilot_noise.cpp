@@ -11,6 +11,22 @@ namespace {
 /// even the pixels with the most samples have hardly more than 100,000 of them in a long render.
 constexpr double kRarest = 1e-5;
 
+struct Size {
+    int width, height; ///< pixels
+};
+
+Size size_of(const Image& image)
+{
+    return {image.width, image.height};
+}
+
+/// Returns the pixel of an image of size `to` where pixel x, y of one of size `from` begins.
+std::size_t pixel_at(int x, int y, const Size& from, const Size& to)
+{
+    return static_cast<std::size_t>(y * to.height / from.height) * to.width +
+           x * to.width / from.width;
+}
+
 /// Pixels of a row or a column: the first one, how far apart they are, and how many they are.
 struct Line {
     std::size_t first, step;
@@ -38,12 +54,11 @@ void blur_line(std::vector<double>& values, const Line& line, int reach)
 PilotBrightness brightness_of(const PilotNoise& pilot, int width, int height)
 {
     PilotBrightness out;
+    const Size size = size_of(pilot.first);
     double sum = 0;
     for (int y = 0; y < pilot.first.height; ++y)
         for (int x = 0; x < pilot.first.width; ++x) {
-            const std::size_t lights =
-                static_cast<std::size_t>(y * height / pilot.first.height) * width +
-                x * width / pilot.first.width;
+            const std::size_t lights = pixel_at(x, y, size, {width, height});
             const glm::dvec3 mean = (glm::dvec3(finite_or_black(pilot.first.at(x, y))) +
                                      glm::dvec3(finite_or_black(pilot.second.at(x, y)))) /
                                         2.0 +
@@ -58,8 +73,7 @@ PilotBrightness brightness_of(const PilotNoise& pilot, int width, int height)
 
 std::size_t pilot_pixel(const PilotNoise& pilot, int x, int y, int width, int height)
 {
-    return static_cast<std::size_t>(y * pilot.first.height / height) * pilot.first.width +
-           x * pilot.first.width / width;
+    return pixel_at(x, y, {width, height}, size_of(pilot.first));
 }
 
 Rgb finite_or_black(const Rgb& value)

@@ -50,22 +50,40 @@ RenderedPass render_sampled(const Method& method, const PictureJob& job, const P
     return render_by<Method>(pass, job, after(control, Method::kBegun), statistics);
 }
 
-/// Renders the pilots of a method's passes: two images from the same photons, if it has some.
+/// What pilots find out about an image.
+struct Foreseen {
+    double mean = 0; ///< of its channels
+    SampleAllocation allocation = {};
+    ExpectedLight expected = {};
+};
+
+/// Renders the pilots of a method's passes: two images from the same photons, if it has some; a
+/// small one where the image shows no lights.
 template <typename Method>
-PilotImages render_sampled_pilots(const Method& method, const RenderOptions& options,
-                                  const PilotControl& pilots)
+Foreseen foresee(const Method& method, const RenderOptions& options, const PilotControl& pilots)
 {
     RenderStatistics ignored;
     const SampleAllocation evenly;
-    const RenderOptions whole = pilot_rows(options, {});
-    const typename Method::Pass pass(method, {method.scene, whole, kPilotPass, evenly}, ignored);
-    return render_pilots(method.scene, options, pilots.team, {.seen = Method::kShowsLights},
-                         [&](const RenderOptions& rows, std::uint64_t number) {
-                             return render_by<Method>(pass, {method.scene, rows, number, evenly},
-                                                      {.progress = {}, .stop = pilots.stop},
-                                                      ignored, SeenLights::left_out)
-                                 .images.radiance.pixels;
-                         });
+    if constexpr (!Method::kShowsLights) {
+        const RenderOptions few = pilot_options(options);
+        const PictureJob small{method.scene, few, kPilotPass, evenly};
+        return {mean_of(render_sampled(method, small, {}, ignored).images.radiance)};
+    } else {
+        const RenderOptions whole = pilot_rows(options, {});
+        const typename Method::Pass pass(method, {method.scene, whole, kPilotPass, evenly},
+                                         ignored);
+        const PilotImages found =
+            render_pilots(method.scene, options, pilots.team, {},
+                          [&](const RenderOptions& rows, std::uint64_t number) {
+                              return render_by<Method>(pass, {method.scene, rows, number, evenly},
+                                                       {.progress = {}, .stop = pilots.stop},
+                                                       ignored, SeenLights::left_out)
+                                  .images.radiance.pixels;
+                          });
+        Foreseen out{found.mean(), Method::allocate(found.lights, options)};
+        out.expected = expect_light(found.noise(), options, out.allocation);
+        return out;
+    }
 }
 
 /// Renders a coarse image by a method.
@@ -93,7 +111,7 @@ CoarseImage render_coarse_sampled(const Method& method, const RenderOptions& opt
 ///     Method::Scratch: memory of one thread, and Method::count(scratch, statistics);
 ///     Method::kBegun: the share of a pass that is done when its Pass is there, for the progress;
 ///     Method::kShowsLights: false if its images know of no light;
-///     Method::allocate(lights, options): the samples of each pixel in a pass;
+///     Method::allocate(lights, options): else the samples of each pixel in a pass;
 ///     Method::kBias: what is known of the bias of its images.
 template <typename Method>
 PassSource make_sampled_source(Method made, const RenderOptions& options,
@@ -108,12 +126,11 @@ PassSource make_sampled_source(Method made, const RenderOptions& options,
     source.clamped = options.clamp > 0;
     if (pilots.coarse)
         pilots.coarse(render_coarse_sampled(*method, options, pilots));
-    const PilotImages found = render_sampled_pilots(*method, options, pilots);
-    source.pilot_mean = found.mean();
-    const auto allocation =
-        std::make_shared<const SampleAllocation>(Method::allocate(found.lights, options));
+    Foreseen found = foresee(*method, options, pilots);
+    source.pilot_mean = found.mean;
+    source.expected = found.expected;
+    const auto allocation = std::make_shared<const SampleAllocation>(std::move(found.allocation));
     source.allocation = checksum(*allocation);
-    source.expected = expect_light(found.noise(), options, *allocation);
     source.render = [&scene, &options, &statistics, method,
                      allocation](std::uint64_t pass, const PassControl& control) {
         return render_sampled(*method, {scene, options, pass, *allocation}, control, statistics);

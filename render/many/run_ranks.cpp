@@ -18,16 +18,6 @@ struct Round {
     RunCosts costs; ///< of all rounds
 };
 
-Film empty_like(const Film& film)
-{
-    Film out = make_film(film.width, film.height, 1, film.bias, !film.cut.empty());
-    out.scale = film.scale;
-    out.place = film.place;
-    out.allocation = film.allocation;
-    out.expected = film.expected;
-    return out;
-}
-
 /// All of a film but its sums, as words: saturated, number of ranges, ranges, lost.
 std::vector<std::uint64_t> words_of(const Film& film)
 {
@@ -73,7 +63,7 @@ void collect(Round& of, Film* into, Ranks& ranks)
         round.passes = united({}, round.passes);
         merge_film(*into, round);
     }
-    round = empty_like(round);
+    round = empty_like(round, round.width, round.height);
     of.costs.add.add(adding);
     ++of.costs.rounds;
 }
@@ -190,7 +180,8 @@ class Lead {
 RunResult lead(Lead& run, FireflyChoice fireflies, RenderState& state, Ranks& ranks)
 {
     look_again(fireflies, state);
-    Round round{empty_like(state.film), {}};
+    const Film& film = state.film;
+    Round round{empty_like(film, film.width, film.height), {}};
     std::optional<StopReason> reason;
     while (!(reason = run.reason_to_stop())) {
         ranks.from_lead(kAnotherRound);
@@ -211,7 +202,7 @@ RunResult lead(Lead& run, FireflyChoice fireflies, RenderState& state, Ranks& ra
 
 RunResult work(const PassSource& source, const RunControl& control, const Film& film, Ranks& ranks)
 {
-    Round round{empty_like(film), {}};
+    Round round{empty_like(film, film.width, film.height), {}};
     PassControl pass;
     pass.stop = control.stop;
     std::uint64_t word = 0;
