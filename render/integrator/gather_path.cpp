@@ -74,10 +74,8 @@ class GatherTracer {
         if (scratch_.records == nullptr || at.phase != nullptr)
             return;
         sent.record = scratch_.records->size();
-        scratch_.records->push_back({.position = at.point.position,
+        scratch_.records->push_back({.at = {at.point.position, at.point.face, at.side},
                                      .direction = sent.ray.direction,
-                                     .face = at.point.face,
-                                     .side = at.side,
                                      .pdf = sent.source.pdf});
     }
 

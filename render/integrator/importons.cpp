@@ -7,6 +7,7 @@
 #include <tbb/parallel_for.h>
 
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace hipmap {
@@ -15,6 +16,8 @@ namespace {
 
 constexpr int kSide = 128; ///< pixels of the image that importons come from, at most
 constexpr int kBlock = 8;  ///< pixels across that share a weight
+
+constexpr std::size_t kPhotonsOfTask = 256;
 
 /// Importons that give the density at a photon.
 constexpr std::uint32_t kNeighbours = 16;
@@ -83,13 +86,6 @@ void append(std::vector<Photon>& to, const std::vector<Photon>& from, float weig
     }
 }
 
-/// The photons of one kind that a path left, and the importons that they are worth something to.
-struct LeftPhotons {
-    const std::vector<Photon>& photons;
-    const PhotonMaps& importons;
-    std::uint64_t begin = 0, end = 0;
-};
-
 /// The density of importons over the whole disc: what boundaries hide of it would cost more to find
 /// than a guide gains by it.
 Rgb density_around(const PhotonMaps& importons, const MapSurfaces& surfaces,
@@ -104,17 +100,57 @@ Rgb density_around(const PhotonMaps& importons, const MapSurfaces& surfaces,
     return per_area(importons.power_scale, glm::dvec3(found.power), area);
 }
 
-double worth_of(const MapSurfaces& surfaces, const LeftPhotons& left, SearchScratch& scratch)
+/// What each photon of a kind is worth.
+std::vector<double> worth_of(const MapSurfaces& surfaces, const std::vector<Photon>& photons,
+                             const PhotonMaps& importons)
 {
-    double out = 0;
-    for (std::uint64_t i = left.begin; i < left.end; ++i) {
-        const Photon& photon = left.photons[i];
-        const Rgb each = photon.power * density_around(left.importons, surfaces,
-                                                       query_at(photon, surfaces), scratch);
-        out += double{each.x} + double{each.y} + double{each.z};
-    }
-    return std::isfinite(out) ? out : 0;
+    std::vector<double> out(photons.size());
+    using Range = tbb::blocked_range<std::size_t>;
+    tbb::parallel_for(Range(0, photons.size(), kPhotonsOfTask), [&](const Range& range) {
+        SearchScratch scratch;
+        for (std::size_t i = range.begin(); i < range.end(); ++i) {
+            const Photon& photon = photons[i];
+            const Rgb each = photon.power * density_around(importons, surfaces,
+                                                           query_at(photon, surfaces), scratch);
+            out[i] = is_finite(each) ? double{each.x} + double{each.y} + double{each.z} : 0;
+        }
+    });
+    return out;
 }
+
+/// The worth of the photons of paths.  Sums are of one path alone, so that they are the same
+/// whichever other paths are traced.
+class SumsOfWorth {
+  public:
+    /// worth: of each photon.  kind: its place among those of paths.
+    SumsOfWorth(std::vector<double> worth, std::uint64_t PhotonCounts::*kind,
+                const std::vector<PhotonCounts>& after_path)
+        : up_to_(std::move(worth)), kind_(kind)
+    {
+        std::uint64_t begin = 0;
+        for (const PhotonCounts& after : after_path) {
+            const auto first = up_to_.begin() + static_cast<std::ptrdiff_t>(begin);
+            const auto end = up_to_.begin() + static_cast<std::ptrdiff_t>(after.*kind);
+            std::partial_sum(first, end, first);
+            begin = after.*kind;
+        }
+    }
+
+    /// Returns that of the photons from one place on to another, of a path that begins at `path`.
+    double between(const PhotonCounts& path, const PhotonCounts& from, const PhotonCounts& to) const
+    {
+        return before(path, to) - before(path, from);
+    }
+
+  private:
+    double before(const PhotonCounts& path, const PhotonCounts& place) const
+    {
+        return place.*kind_ == path.*kind_ ? 0 : up_to_[place.*kind_ - 1];
+    }
+
+    std::vector<double> up_to_; ///< with each photon
+    std::uint64_t PhotonCounts::*kind_;
+};
 
 } // namespace
 
@@ -182,24 +218,37 @@ PhotonWorth make_worth(const Importons& importons, const MapSurfaces& surfaces,
             std::move(weigh)};
 }
 
-std::vector<double> worth_of_paths(const MappedScene& mapped, const PhotonWorth& worth,
-                                   const TracedPhotons& traced)
+WorthOfPaths worth_of_paths(const MappedScene& mapped, const PhotonWorth& worth,
+                            const TracedPhotons& traced)
 {
-    const std::vector<Photon> indirect = worth.weigh(traced);
-    std::vector<double> out(traced.after_path.size());
-    using Range = tbb::blocked_range<std::size_t>;
-    tbb::parallel_for(Range(0, out.size()), [&](const Range& paths) {
-        SearchScratch scratch;
-        for (std::size_t i = paths.begin(); i < paths.end(); ++i) {
-            const PhotonCounts before = i == 0 ? PhotonCounts{} : traced.after_path[i - 1];
-            const PhotonCounts& after = traced.after_path[i];
-            for (const LeftPhotons& left :
-                 {LeftPhotons{traced.caustic, worth.caustic, before.caustic, after.caustic},
-                  LeftPhotons{traced.global, worth.global, before.global, after.global},
-                  LeftPhotons{indirect, worth.indirect, before.bounces, after.bounces}})
-                out[i] += worth_of(mapped.surfaces, left, scratch);
-        }
-    });
+    const MapSurfaces& surfaces = mapped.surfaces;
+    const auto sums = [&](const std::vector<Photon>& photons, const PhotonMaps& importons,
+                          std::uint64_t PhotonCounts::*kind) {
+        return SumsOfWorth(worth_of(surfaces, photons, importons), kind, traced.after_path);
+    };
+    const SumsOfWorth of_kinds[] = {
+        sums(traced.caustic, worth.caustic, &PhotonCounts::caustic),
+        sums(traced.global, worth.global, &PhotonCounts::global),
+        sums(worth.weigh(traced), worth.indirect, &PhotonCounts::bounces)};
+    const auto between = [&](const PhotonCounts& path, const PhotonCounts& from,
+                             const PhotonCounts& to) {
+        double out = 0;
+        for (const SumsOfWorth& kind : of_kinds)
+            out += kind.between(path, from, to);
+        return out;
+    };
+    const std::vector<PhotonCounts>& ends = traced.after_path;
+    const auto start_of = [&](std::uint64_t path) {
+        return path == 0 ? PhotonCounts{} : ends[path - 1];
+    };
+    WorthOfPaths out;
+    for (std::size_t path = 0; path < ends.size(); ++path)
+        out.paths.push_back(between(start_of(path), start_of(path), ends[path]));
+    for (const PathArrival& arrival : traced.arrivals) {
+        const double found = between(start_of(arrival.path), arrival.before, arrival.after);
+        if (arrival.power > 0)
+            out.arrivals.push_back({arrival.at, static_cast<float>(found / double{arrival.power})});
+    }
     return out;
 }
 

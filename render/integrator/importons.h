@@ -70,10 +70,15 @@ struct PhotonWorth {
 PhotonWorth make_worth(const Importons& importons, const MapSurfaces& surfaces,
                        std::function<std::vector<Photon>(const TracedPhotons&)> weigh);
 
-/// Returns the worth of each path, in the order of trace_photons: the power of its photons times
-/// the density of importons there, docs/light_transport.md (41).  traced: with after_path.  In
-/// parallel.
-std::vector<double> worth_of_paths(const MappedScene& mapped, const PhotonWorth& worth,
-                                   const TracedPhotons& traced);
+/// What paths are worth: the power of their photons times the density of importons there.
+struct WorthOfPaths {
+    std::vector<double> paths;         ///< in the order of trace_photons
+    std::vector<SplitRecord> arrivals; ///< where they arrived with some power
+};
+
+/// Returns it, docs/light_transport.md (41).  traced: with after_path, and with arrivals if those
+/// are asked for.  In parallel; the same at any thread count.
+WorthOfPaths worth_of_paths(const MappedScene& mapped, const PhotonWorth& worth,
+                            const TracedPhotons& traced);
 
 } // namespace hipmap

@@ -20,7 +20,7 @@ constexpr std::uint64_t kMostPaths = 1 << 17;
 
 std::uint64_t paths_of_round(std::uint64_t paths, std::uint64_t part, std::uint64_t fewest)
 {
-    return std::min({paths, std::max(paths / part, fewest), kMostPaths});
+    return paths == 0 ? 0 : std::min(std::max(paths / part, fewest), kMostPaths);
 }
 
 /// Returns the options of the photons of a round.
@@ -31,12 +31,14 @@ PhotonOptions round_options(PhotonOptions photons, int round)
     photons.caustic_paths = paths_of_round(photons.caustic_paths, part, kFewestAimed);
     photons.pass -= static_cast<std::uint64_t>(round);
     photons.count_paths = true;
+    photons.keep_arrivals = true;
     return photons;
 }
 
 /// The worth of each light path of a round.
 struct RoundWorth {
     std::vector<double> without_aim, aimed;
+    std::vector<SplitRecord> arrivals;
 };
 
 RoundWorth worth_of_round(const MappedScene& mapped, const PhotonWorth& worth,
@@ -45,10 +47,11 @@ RoundWorth worth_of_round(const MappedScene& mapped, const PhotonWorth& worth,
     photons.part = team.rank;
     photons.parts = team.count;
     const TracedPhotons traced = trace_photons(mapped.scene, photons);
-    const std::vector<double> own = worth_of_paths(mapped, worth, traced);
-    const auto first_aimed = own.begin() + static_cast<std::ptrdiff_t>(traced.emitted);
-    return {joined(team, std::vector(own.begin(), first_aimed)),
-            joined(team, std::vector(first_aimed, own.end()))};
+    WorthOfPaths own = worth_of_paths(mapped, worth, traced);
+    const auto first_aimed = own.paths.begin() + static_cast<std::ptrdiff_t>(traced.emitted);
+    return {joined(team, std::vector(own.paths.begin(), first_aimed)),
+            joined(team, std::vector(first_aimed, own.paths.end())),
+            joined(team, std::move(own.arrivals))};
 }
 
 /// Returns how many aimed paths there should be for each other one, so that the noise of both
@@ -69,6 +72,60 @@ bool has_volume_photons(const RenderScene& scene)
     return scene.has_media() && (scene.media->scatters || scene.media->emits);
 }
 
+/// Learns the guides of both kinds of light path, and where those without aim split.
+class Learners {
+  public:
+    Learners(const RenderScene& scene, std::span<const EmissionSeed> seeds)
+        : scene_(scene), by_power_(even_guide(scene.lights, Emitters::all_but_media)),
+          without_aim_(by_power_, RandomStream::photons, seeds),
+          aimed_(by_power_, RandomStream::caustics)
+    {
+    }
+
+    bool needs_paths_without_aim() const { return rounds_ == 0 || without_aim_.is_worth_it(); }
+    bool settled() const { return without_aim_.settled() && aimed_.settled(); }
+
+    /// Returns what the next round is guided by.
+    PhotonGuides next()
+    {
+        return {without_aim_.guide(), aimed_.guide(), 0, splitting_by(without_aim_.guide())};
+    }
+
+    void add(const PhotonGuides& by, const RoundWorth& found, const PhotonOptions& options)
+    {
+        if (!found.without_aim.empty())
+            without_aim_.add(plan_emission(by.without_aim, options.paths), found.without_aim,
+                             options);
+        if (!found.aimed.empty())
+            aimed_.add(plan_emission(by.aimed, options.caustic_paths), found.aimed, options);
+        arrivals_.insert(arrivals_.end(), found.arrivals.begin(), found.arrivals.end());
+        ++rounds_;
+    }
+
+    /// Returns the best of what was learnt.
+    PhotonGuides best()
+    {
+        PhotonGuides out{without_aim_.best(), aimed_.best()};
+        out.aimed_share =
+            aimed_share(without_aim_.mean_square(out.without_aim), aimed_.mean_square(out.aimed));
+        out.splitting = splitting_by(out.without_aim);
+        return out;
+    }
+
+  private:
+    PathSplitting splitting_by(const EmissionGuide& guide)
+    {
+        return learn_splitting(scene_.partition, arrivals_,
+                               std::sqrt(without_aim_.mean_square(guide)));
+    }
+
+    const RenderScene& scene_;
+    const EmissionGuide by_power_;
+    GuideLearner without_aim_, aimed_;
+    std::vector<SplitRecord> arrivals_;
+    int rounds_ = 0;
+};
+
 } // namespace
 
 std::shared_ptr<const PhotonGuides>
@@ -77,28 +134,19 @@ learn_guides(const MappedScene& mapped, const PhotonOptions& photons, const Phot
 {
     if (has_volume_photons(mapped.scene))
         return nullptr;
-    const EmissionGuide by_power = even_guide(mapped.scene.lights, Emitters::all_but_media);
-    GuideLearner without_aim(by_power, RandomStream::photons, seeds);
-    GuideLearner aimed(by_power, RandomStream::caustics);
+    Learners learners(mapped.scene, seeds);
     for (int round = 0; round < kRounds && !stopped_together(pilots); ++round) {
         PhotonOptions pilot = round_options(photons, round);
-        if (round > 0 && !without_aim.is_worth_it())
+        if (!learners.needs_paths_without_aim())
             pilot.paths = 0; // a guide of the aimed ones alone is learnt
-        const PhotonGuides guides{without_aim.guide(), aimed.guide()};
+        const PhotonGuides guides = learners.next();
         pilot.guides = &guides;
-        const RoundWorth found = worth_of_round(mapped, worth, pilot, pilots.team);
-        if (!found.without_aim.empty())
-            without_aim.add(plan_emission(guides.without_aim, pilot.paths), found.without_aim,
-                            pilot);
-        if (!found.aimed.empty())
-            aimed.add(plan_emission(guides.aimed, pilot.caustic_paths), found.aimed, pilot);
-        if (without_aim.settled() && aimed.settled())
+        learners.add(guides, worth_of_round(mapped, worth, pilot, pilots.team), pilot);
+        if (learners.settled())
             break;
     }
-    PhotonGuides out{without_aim.best(), aimed.best()};
+    PhotonGuides out = learners.best();
     const bool found = out.without_aim.variance < 1 || out.aimed.variance < 1;
-    out.aimed_share =
-        aimed_share(without_aim.mean_square(out.without_aim), aimed.mean_square(out.aimed));
     return found ? std::make_shared<const PhotonGuides>(std::move(out)) : nullptr;
 }
 
@@ -115,6 +163,9 @@ std::uint64_t checksum(const PhotonGuides& guides)
             for (const PrimaryDensity::Node& node : light.density.nodes)
                 add(node.lower_share);
         }
+    add(guides.splitting.usual);
+    for (const float deviation : guides.splitting.deviation.values)
+        add(double{deviation});
     return sum;
 }
 

@@ -11,20 +11,7 @@ namespace hipmap {
 
 /// The directions from which light comes, by place on each side of the shared maps: what
 /// final-gather rays find, docs/light_transport.md (43), or the sky (49).
-struct PlacedGuides {
-    static constexpr std::uint32_t kLeaf = 3; ///< as an axis
-
-    /// A node of the tree over the points of one side of a map; its lower child comes next.
-    struct Node {
-        float split = 0;
-        std::uint32_t axis = kLeaf; ///< coordinate that is split; kLeaf: none
-        std::uint32_t next = 0;     ///< upper child; of a leaf its place in `directions`
-    };
-    std::vector<std::uint64_t> sides; ///< ascending; 2 * shared map + side of those with a guide
-    std::vector<std::uint32_t> roots; ///< [sides] in `nodes`
-    std::vector<Node> nodes;
-    std::vector<DirectionGuide> directions;
-};
+struct PlacedGuides : Placed<DirectionGuide> {};
 
 /// Returns the directions at a place.  Null: the lobes alone are as good.  Thread-safe.
 const DirectionGuide* directions_at(const PlacedGuides& guide, const Partition& partition,

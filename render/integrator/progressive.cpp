@@ -298,7 +298,7 @@ PlacedGuides find_directions(const ProgressivePass& pilot, const ProgressiveRadi
                 team);
             records.insert(records.end(), found.begin(), found.end());
             out = learn_directions(scene.partition, records);
-            if (out.directions.empty())
+            if (out.values.empty())
                 break;
         }
         return out;

@@ -29,10 +29,8 @@ void add_record(const RenderScene& scene, const Ray& ray, const Photon& importon
     const float cosine = glm::dot(importon.direction, ray.direction);
     if (!(cosine > 0))
         return;
-    GatherRecord record{.position = importon.position,
+    GatherRecord record{.at = {importon.position, importon.face, importon.side},
                         .direction = ray.direction,
-                        .face = importon.face,
-                        .side = importon.side,
                         .pdf = cosine / kPi};
     Rgb sky(0.0f);
     for (const std::uint32_t environment : scene.lights.environments)
@@ -68,10 +66,10 @@ PlacedGuides learn_sky(const RenderScene& scene, std::span<const Photon> from, s
         for (const std::vector<GatherRecord>& rays : found)
             records.insert(records.end(), rays.begin(), rays.end());
         out = learn_directions(scene.partition, records, round.rule);
-        if (out.directions.empty())
+        if (out.values.empty())
             break;
     }
-    for (DirectionGuide& directions : out.directions)
+    for (DirectionGuide& directions : out.values)
         if (directions.by_lobes < 1)
             directions.by_lobes = 0; // lobes draw samples of their own
     return out;

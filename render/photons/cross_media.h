@@ -22,6 +22,7 @@ struct LightPath : PathRay {
     LightPathClass behind = LightPathClass::direct;
     int scatterings = 0;
     int diffuse = 0; ///< bounces off gathered lobes
+    int of = 1;      ///< paths like it go on from the start of one, docs/light_transport.md (52)
     LeftGathered last;
     FaceId first_specular = kNone; ///< the face where it first left a specular lobe, before any
                                    ///<   gathered lobe

@@ -235,10 +235,96 @@ void pass_face(const RenderScene& scene, const Interaction& at, const Wanted& wa
     path.ray.origin = offset_origin(at.point, path.ray.direction);
 }
 
-/// Follows the path to its end.
-void trace(const RenderScene& scene, const Wanted& wanted, RandomSequence& random, LightPath& path,
-           TracedPhotons& out)
+/// Marks the end of an arrival that is not known yet.
+constexpr PhotonCounts kOpen{kNoPhoton, kNoPhoton, kNoPhoton};
+
+/// Ends the arrivals from `first` on that have no end: the path that they are of is at its own.
+void close_arrivals(std::size_t first, TracedPhotons& out)
 {
+    for (std::size_t i = first; i < out.arrivals.size(); ++i)
+        if (out.arrivals[i].after.global == kOpen.global)
+            out.arrivals[i].after = counts_of(out);
+}
+
+/// What a light path goes through the scene with.
+struct Traced {
+    const RenderScene& scene;
+    const Wanted& wanted;
+    RandomSequence& random;
+    TracedPhotons& out;
+};
+
+/// A surface that a path has met.
+struct Met {
+    const Interaction& at;
+    bool gathers;      ///< photons are kept there
+    LeftGathered last; ///< of the path when it came
+};
+
+/// Sends the path on.  False: it is at its end.
+bool send_on(const Traced& in, const Met& met, LightPath& path)
+{
+    const Interaction& at = met.at;
+    if (in.wanted.arrivals && met.gathers)
+        in.out.arrivals.push_back({{at.point.position, at.point.face, at.side},
+                                   in.out.after_path.size(),
+                                   path.power.x + path.power.y + path.power.z,
+                                   counts_of(in.out),
+                                   kOpen});
+    const int diffuse = path.diffuse;
+    if (!scatter(in.scene, at, path, in.random, in.out.power))
+        return false;
+    if (path.diffuse == diffuse) // a gather ray that comes the other way goes on here too
+        path.last = met.last;
+    if (is_done(path, in.wanted)) {
+        in.out.power.absorbed += glm::dvec3(path.power);
+        return false;
+    }
+    return true;
+}
+
+void trace(const Traced& in, LightPath& path);
+
+/// Splits the path, docs/light_transport.md (52): follows all but one of the paths to their ends.
+void split(const Traced& in, const Met& met, LightPath& path)
+{
+    if (in.wanted.splitting == nullptr || !met.gathers)
+        return;
+    const Place place{met.at.point.position, met.at.point.face, met.at.side};
+    const double power = double{path.power.x + path.power.y + path.power.z} * in.wanted.paths;
+    const int paths = splits_at(*in.wanted.splitting, in.scene.partition, place, power, path.of);
+    path.of *= paths;
+    path.power /= static_cast<float>(paths);
+    for (int i = 1; i < paths; ++i) {
+        const std::size_t first = in.out.arrivals.size();
+        LightPath other = path;
+        if (send_on(in, met, other))
+            trace(in, other);
+        close_arrivals(first, in.out);
+    }
+}
+
+/// Stores the photons of a path where it meets a surface.
+Met meet(const Traced& in, const Interaction& at, LightPath& path)
+{
+    const auto& [scene, wanted, random, out] = in;
+    const LeftGathered last = path.last;
+    const bool has_map = scene.partition.map_of(at.point.face) != kNone;
+    const bool gathers = at.bsdf().gathers && has_map;
+    if (gathers)
+        store(at, path, scene.directional, wanted, out);
+    else if (at.bsdf().gathers)
+        path.last = {};
+    if (wanted.glossy && at.follows() && path.behind == LightPathClass::caustic &&
+        !is_black(path.radiance) && has_map)
+        store_glossy(at, path, out);
+    return {at, gathers, last};
+}
+
+/// Follows the path to its end.
+void trace(const Traced& in, LightPath& path)
+{
+    const auto& [scene, wanted, random, out] = in;
     for (int bounce = 0; bounce < kMostBounces; ++bounce) {
         if (bounce >= kEndlessDepth && !survives(kEndlessProbability, random, path.power))
             return;
@@ -253,23 +339,10 @@ void trace(const RenderScene& scene, const Wanted& wanted, RandomSequence& rando
             continue;
         }
         find_index(scene, at, path.nanometres, path.power, random);
-        const LeftGathered before = path.last;
-        const int diffuse = path.diffuse;
-        if (at.bsdf().gathers && scene.partition.map_of(hit->face) != kNone)
-            store(at, path, scene.directional, wanted, out);
-        else if (at.bsdf().gathers)
-            path.last = {};
-        if (wanted.glossy && at.follows() && path.behind == LightPathClass::caustic &&
-            !is_black(path.radiance) && scene.partition.map_of(hit->face) != kNone)
-            store_glossy(at, path, out);
-        if (!scatter(scene, at, path, random, out.power))
+        const Met met = meet(in, at, path);
+        split(in, met, path);
+        if (!send_on(in, met, path))
             return;
-        if (path.diffuse == diffuse) // a gather ray that comes the other way goes on here too
-            path.last = before;
-        if (is_done(path, wanted)) {
-            out.power.absorbed += glm::dvec3(path.power);
-            return;
-        }
     }
     ++out.cut;
 }
@@ -288,7 +361,9 @@ void trace_light_path(const RenderScene& scene, const Wanted& wanted, const Emit
     out.power.emitted += glm::dvec3(path.power);
     if (scene.has_media())
         path.inside = medium_stack_at(*scene.media, path.ray.origin);
-    trace(scene, wanted, random, path, out);
+    const std::size_t first = out.arrivals.size();
+    trace({scene, wanted, random, out}, path);
+    close_arrivals(first, out);
 }
 
 } // namespace hipmap

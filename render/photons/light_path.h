@@ -10,11 +10,14 @@ struct Wanted {
     bool caustic = false;
     bool indirect = false;
     bool bounces = false;
-    bool after_specular = true;      ///< any, once a specular surface was the first
-    bool after_media = false;        ///< those that a medium scattered first, or sent out
-    bool volume = false;             ///< in media
-    bool glossy = false;             ///< TracedPhotons::glossy
-    ClassCounter* counter = nullptr; ///< of the photons kept at surfaces; null: none
+    bool after_specular = true;               ///< any, once a specular surface was the first
+    bool after_media = false;                 ///< those that a medium scattered first, or sent out
+    bool volume = false;                      ///< in media
+    bool glossy = false;                      ///< TracedPhotons::glossy
+    bool arrivals = false;                    ///< TracedPhotons::arrivals
+    double paths = 1;                         ///< that there are in all
+    const PathSplitting* splitting = nullptr; ///< null: paths do not split
+    ClassCounter* counter = nullptr;          ///< of the photons kept at surfaces; null: none
 };
 
 /// Traces a light path through the scene to its end, and adds the wanted photons, and where its

@@ -31,44 +31,49 @@ void add(const PowerBalance& power, PowerBalance& sum)
     sum.escaped += power.escaped;
 }
 
-PhotonCounts counts_of(const TracedPhotons& photons)
+/// Reserves as much as a vector of all chunks has together.
+template <typename T>
+void reserve_all(const std::vector<TracedPhotons>& chunks, std::vector<T> TracedPhotons::*kind,
+                 TracedPhotons& out)
 {
-    return {photons.caustic.size(), photons.global.size(), photons.bounces.size()};
+    std::size_t size = 0;
+    for (const TracedPhotons& chunk : chunks)
+        size += (chunk.*kind).size();
+    (out.*kind).reserve(size);
+}
+
+/// Makes the places of photons and paths of a chunk those of all, which come before them.
+void move_places(const TracedPhotons& all, TracedPhotons& chunk)
+{
+    const PhotonCounts before = counts_of(all);
+    for (BouncedPhoton& photon : chunk.bounces)
+        if (photon.from != kNoPhoton)
+            photon.from += photon.from_caustic ? before.caustic : before.global;
+    for (PhotonCounts& after : chunk.after_path)
+        after += before;
+    for (PathArrival& arrival : chunk.arrivals) {
+        arrival.path += all.after_path.size();
+        arrival.before += before;
+        arrival.after += before;
+    }
 }
 
 TracedPhotons join(std::vector<TracedPhotons>& chunks)
 {
     TracedPhotons out;
-    std::size_t caustic = 0, global = 0, bounces = 0, glossy = 0, volume = 0, paths = 0;
-    for (const TracedPhotons& chunk : chunks) {
-        caustic += chunk.caustic.size();
-        global += chunk.global.size();
-        bounces += chunk.bounces.size();
-        glossy += chunk.glossy.size();
-        volume += chunk.volume.size();
-        paths += chunk.after_path.size();
-    }
-    out.caustic.reserve(caustic);
-    out.global.reserve(global);
-    out.bounces.reserve(bounces);
-    out.glossy.reserve(glossy);
-    out.volume.reserve(volume);
-    out.after_path.reserve(paths);
+    const auto each = [](const auto& use) {
+        use(&TracedPhotons::caustic);
+        use(&TracedPhotons::global);
+        use(&TracedPhotons::bounces);
+        use(&TracedPhotons::glossy);
+        use(&TracedPhotons::volume);
+        use(&TracedPhotons::after_path);
+        use(&TracedPhotons::arrivals);
+    };
+    each([&](auto kind) { reserve_all(chunks, kind, out); });
     for (TracedPhotons& chunk : chunks) {
-        for (BouncedPhoton& photon : chunk.bounces)
-            if (photon.from != kNoPhoton)
-                photon.from += photon.from_caustic ? out.caustic.size() : out.global.size();
-        for (PhotonCounts& after : chunk.after_path) {
-            after.caustic += out.caustic.size();
-            after.global += out.global.size();
-            after.bounces += out.bounces.size();
-        }
-        append(out.after_path, chunk.after_path);
-        append(out.bounces, chunk.bounces);
-        append(out.caustic, chunk.caustic);
-        append(out.global, chunk.global);
-        append(out.glossy, chunk.glossy);
-        append(out.volume, chunk.volume);
+        move_places(out, chunk);
+        each([&](auto kind) { append(out.*kind, chunk.*kind); });
         out.dropped += chunk.dropped;
         out.cut += chunk.cut;
         add(chunk.power, out.power);
@@ -172,6 +177,10 @@ Wanted wanted_without_aim(const PhotonOptions& options)
     wanted.after_specular = options.light.caustic && (wanted.caustic || wanted.indirect);
     wanted.after_media = wanted.volume = options.media;
     wanted.glossy = options.store_glossy && wanted.caustic;
+    wanted.arrivals = options.keep_arrivals;
+    if (options.guides != nullptr && options.guides->splitting.usual > 0)
+        wanted.splitting = &options.guides->splitting;
+    wanted.paths = static_cast<double>(options.paths);
     return wanted;
 }
 

@@ -3,6 +3,7 @@
 #include "common/math/part.h"
 #include "render/effects/light_classes.h"
 #include "render/lights/emission.h"
+#include "render/photons/path_splitting.h"
 #include "render/photons/photon.h"
 #include "render/photons/seen_classes.h"
 #include "render/photons/volume_photon.h"
@@ -17,7 +18,8 @@ namespace hipmap {
 struct PhotonGuides {
     EmissionGuide without_aim;
     EmissionGuide aimed;
-    double aimed_share = 0; ///< aimed paths for each of the others
+    double aimed_share = 0;       ///< aimed paths for each of the others
+    PathSplitting splitting = {}; ///< of those that are not aimed
 };
 
 struct PhotonOptions {
@@ -35,6 +37,7 @@ struct PhotonOptions {
     const PhotonGuides* guides = nullptr; ///< borrowed; null: paths start by power alone
     std::size_t part = 0, parts = 1;      ///< of the paths of each kind, this one part is traced
     bool count_paths = false;             ///< fill TracedPhotons::after_path
+    bool keep_arrivals = false;           ///< fill TracedPhotons::arrivals; with count_paths
     const SeenSurfaces* seen = nullptr;   ///< to fill TracedPhotons::seen; borrowed
 };
 
@@ -60,6 +63,22 @@ struct GlossyPhoton {
 /// The numbers of photons that some paths left.
 struct PhotonCounts {
     std::uint64_t caustic = 0, global = 0, bounces = 0;
+
+    PhotonCounts& operator+=(const PhotonCounts& more)
+    {
+        caustic += more.caustic;
+        global += more.global;
+        bounces += more.bounces;
+        return *this;
+    }
+};
+
+/// Where a light path arrived at a surface that gathers, each of those apart into which it split.
+struct PathArrival {
+    Place at;
+    std::uint64_t path;         ///< its place in TracedPhotons::after_path
+    float power;                ///< sum of the channels
+    PhotonCounts before, after; ///< the photons that it left from there on
 };
 
 /// The power of the light paths that were not aimed, by where it went, W / metres_per_unit^2.
@@ -81,12 +100,19 @@ struct TracedPhotons {
     std::vector<GlossyPhoton> glossy;   ///< if asked for
     std::vector<VolumePhoton> volume;   ///< in media
     std::vector<PhotonCounts>
-        after_path;            ///< [emitted + aimed] up to and with each path, if asked for
-    std::uint64_t dropped = 0; ///< not finite; their power is lost
-    std::uint64_t cut = 0;     ///< paths that reached the largest number of bounces
+        after_path;                    ///< [emitted + aimed] up to and with each path, if asked for
+    std::vector<PathArrival> arrivals; ///< of paths that were not aimed, if asked for
+    std::uint64_t dropped = 0;         ///< not finite; their power is lost
+    std::uint64_t cut = 0;             ///< paths that reached the largest number of bounces
     PowerBalance power;
     SeenClasses seen; ///< the classes of light paths, if asked for
 };
+
+/// Returns the numbers of photons that there are.
+inline PhotonCounts counts_of(const TracedPhotons& photons)
+{
+    return {photons.caustic.size(), photons.global.size(), photons.bounces.size()};
+}
 
 /// Returns the random numbers of a path.
 RandomSequence path_sequence(const PhotonOptions& options, RandomStream stream,

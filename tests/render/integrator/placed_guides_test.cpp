@@ -84,7 +84,7 @@ std::vector<GatherRecord> records_below(const glm::vec3& window, float cosine, s
     std::vector<GatherRecord> out;
     RandomSequence random(1, RandomStream::pictures, 0, 0);
     for (std::size_t i = 0; i < count; ++i) {
-        GatherRecord record{.position = {random.next(), 0, random.next()}, .face = 0};
+        GatherRecord record{.at = {{random.next(), 0, random.next()}, 0}};
         record.direction =
             Frame(glm::vec3(0, 1, 0)).to_world(sample_cosine_hemisphere(random.next2()));
         record.pdf = record.direction.y / kPi;
@@ -133,10 +133,10 @@ TEST_CASE("gather guide: there is none where lobes are as good, or nothing is kn
 {
     const Partition partition = one_map();
     std::vector<GatherRecord> even = records_below({0, 1, 0}, -1, 4000), none;
-    CHECK(learn_directions(partition, even).directions.empty());
-    CHECK(learn_directions(partition, none).directions.empty());
+    CHECK(learn_directions(partition, even).values.empty());
+    CHECK(learn_directions(partition, none).values.empty());
     std::vector<GatherRecord> dark = records_below({0, 1, 0}, 2, 4000);
-    CHECK(learn_directions(partition, dark).directions.empty());
+    CHECK(learn_directions(partition, dark).values.empty());
 }
 
 TEST_CASE("gather guide: the image is that of rays by the lobes, with less noise", "[integrator]")
@@ -176,8 +176,8 @@ TEST_CASE("sky guide: where little of the sky is seen, its samples go there", "[
     open.environment = Rgb(3);
     for (Photon& importon : importons)
         importon.face = 0;
-    CHECK(learn_sky(*tiny::ready(open)->render, importons, 1).directions.empty());
-    CHECK(learn_sky(*room->render, {}, 1).directions.empty());
+    CHECK(learn_sky(*tiny::ready(open)->render, importons, 1).values.empty());
+    CHECK(learn_sky(*room->render, {}, 1).values.empty());
 }
 
 TEST_CASE("gather guide: a pass has the same bits by however many threads", "[integrator]")

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "render/paths/placed.h"
+
+namespace hipmap {
+
+/// What became of a light path that arrived at a surface that gathers.
+struct SplitRecord {
+    Place at;
+    float worth = 0; ///< of all that the path left from there on, by the power with which it came
+};
+
+/// Where light paths split, docs/light_transport.md (52).
+struct PathSplitting {
+    /// Standard deviation of what a path of power 1 is worth from a place on.
+    Placed<float> deviation;
+    float most = 0;   ///< of the deviations
+    double usual = 0; ///< root mean square of what a path is worth, times the number of paths
+};
+
+/// Learns it from records, which move within their vector.  usual: as PathSplitting has it; zero,
+/// or no record: paths do not split.  In parallel; the same at any thread count.
+PathSplitting learn_splitting(const Partition& partition, std::vector<SplitRecord>& records,
+                              double usual);
+
+/// The most paths that go on from the start of one.
+inline constexpr int kMostSplits = 64;
+
+/// Returns into how many paths one splits that arrives at a place, at least 1.  power: sum of the
+/// channels, times the number of paths; of: how many go on from its start as it does.  Thread-safe.
+int splits_at(const PathSplitting& splitting, const Partition& partition, const Place& at,
+              double power, int of);
+
+} // namespace hipmap
