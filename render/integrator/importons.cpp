@@ -247,7 +247,8 @@ WorthOfPaths worth_of_paths(const MappedScene& mapped, const PhotonWorth& worth,
     for (const PathArrival& arrival : traced.arrivals) {
         const double found = between(start_of(arrival.path), arrival.before, arrival.after);
         if (arrival.power > 0)
-            out.arrivals.push_back({arrival.at, static_cast<float>(found / double{arrival.power})});
+            out.arrivals.push_back({arrival.at, static_cast<float>(found / double{arrival.power}),
+                                    arrival.power, arrival.splits});
     }
     return out;
 }

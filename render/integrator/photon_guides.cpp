@@ -72,6 +72,9 @@ bool has_volume_photons(const RenderScene& scene)
     return scene.has_media() && (scene.media->scatters || scene.media->emits);
 }
 
+/// The least part by which splitting is to lower the mean square of what a path is worth.
+constexpr double kWorthSplitting = 0.4;
+
 /// Learns the guides of both kinds of light path, and where those without aim split.
 class Learners {
   public:
@@ -98,6 +101,7 @@ class Learners {
                              options);
         if (!found.aimed.empty())
             aimed_.add(plan_emission(by.aimed, options.caustic_paths), found.aimed, options);
+        saved_ = share_saved(by.splitting, found);
         arrivals_.insert(arrivals_.end(), found.arrivals.begin(), found.arrivals.end());
         ++rounds_;
     }
@@ -108,11 +112,22 @@ class Learners {
         PhotonGuides out{without_aim_.best(), aimed_.best()};
         out.aimed_share =
             aimed_share(without_aim_.mean_square(out.without_aim), aimed_.mean_square(out.aimed));
-        out.splitting = splitting_by(out.without_aim);
+        if (saved_ > kWorthSplitting)
+            out.splitting = splitting_by(out.without_aim);
         return out;
     }
 
   private:
+    /// Returns by which part splitting lowered the mean square of what a path of a round is worth.
+    double share_saved(const PathSplitting& splitting, const RoundWorth& found) const
+    {
+        const double saved = square_saved(splitting, scene_.partition, found.arrivals);
+        double squares = saved;
+        for (const double path : found.without_aim)
+            squares += path * path;
+        return squares > 0 ? saved / squares : 0;
+    }
+
     PathSplitting splitting_by(const EmissionGuide& guide)
     {
         return learn_splitting(scene_.partition, arrivals_,
@@ -124,6 +139,7 @@ class Learners {
     GuideLearner without_aim_, aimed_;
     std::vector<SplitRecord> arrivals_;
     int rounds_ = 0;
+    double saved_ = 0; ///< by splitting, in the last round
 };
 
 } // namespace

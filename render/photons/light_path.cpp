@@ -259,6 +259,7 @@ struct Met {
     const Interaction& at;
     bool gathers;      ///< photons are kept there
     LeftGathered last; ///< of the path when it came
+    int splits = 1;    ///< into so many it splits
 };
 
 /// Sends the path on.  False: it is at its end.
@@ -269,6 +270,7 @@ bool send_on(const Traced& in, const Met& met, LightPath& path)
         in.out.arrivals.push_back({{at.point.position, at.point.face, at.side},
                                    in.out.after_path.size(),
                                    path.power.x + path.power.y + path.power.z,
+                                   met.splits,
                                    counts_of(in.out),
                                    kOpen});
     const int diffuse = path.diffuse;
@@ -286,16 +288,16 @@ bool send_on(const Traced& in, const Met& met, LightPath& path)
 void trace(const Traced& in, LightPath& path);
 
 /// Splits the path, docs/light_transport.md (52): follows all but one of the paths to their ends.
-void split(const Traced& in, const Met& met, LightPath& path)
+void split(const Traced& in, Met& met, LightPath& path)
 {
     if (in.wanted.splitting == nullptr || !met.gathers)
         return;
     const Place place{met.at.point.position, met.at.point.face, met.at.side};
     const double power = double{path.power.x + path.power.y + path.power.z} * in.wanted.paths;
-    const int paths = splits_at(*in.wanted.splitting, in.scene.partition, place, power, path.of);
-    path.of *= paths;
-    path.power /= static_cast<float>(paths);
-    for (int i = 1; i < paths; ++i) {
+    met.splits = splits_at(*in.wanted.splitting, in.scene.partition, place, power, path.of);
+    path.of *= met.splits;
+    path.power /= static_cast<float>(met.splits);
+    for (int i = 1; i < met.splits; ++i) {
         const std::size_t first = in.out.arrivals.size();
         LightPath other = path;
         if (send_on(in, met, other))
@@ -339,7 +341,7 @@ void trace(const Traced& in, LightPath& path)
             continue;
         }
         find_index(scene, at, path.nanometres, path.power, random);
-        const Met met = meet(in, at, path);
+        Met met = meet(in, at, path);
         split(in, met, path);
         if (!send_on(in, met, path))
             return;

@@ -41,6 +41,19 @@ PathSplitting learn_splitting(const Partition& partition, std::vector<SplitRecor
     return out;
 }
 
+double square_saved(const PathSplitting& splitting, const Partition& partition,
+                    std::span<const SplitRecord> records)
+{
+    double out = 0;
+    for (const SplitRecord& record : records) {
+        const float* const deviation =
+            record.splits > 1 ? value_at(splitting.deviation, partition, record.at) : nullptr;
+        if (deviation != nullptr)
+            out += std::pow(double{record.power} * *deviation, 2) * (record.splits - 1);
+    }
+    return out;
+}
+
 int splits_at(const PathSplitting& splitting, const Partition& partition, const Place& at,
               double power, int of)
 {

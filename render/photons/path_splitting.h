@@ -8,6 +8,8 @@ namespace hipmap {
 struct SplitRecord {
     Place at;
     float worth = 0; ///< of all that the path left from there on, by the power with which it came
+    float power = 0; ///< sum of the channels
+    int splits = 1;  ///< it is one of so many that split there
 };
 
 /// Where light paths split, docs/light_transport.md (52).
@@ -22,6 +24,11 @@ struct PathSplitting {
 /// or no record: paths do not split.  In parallel; the same at any thread count.
 PathSplitting learn_splitting(const Partition& partition, std::vector<SplitRecord>& records,
                               double usual);
+
+/// Returns how much more the sum of the squares of what paths are worth would be in expectation,
+/// had they not split by `splitting`.  records: of those paths.
+double square_saved(const PathSplitting& splitting, const Partition& partition,
+                    std::span<const SplitRecord> records);
 
 /// The most paths that go on from the start of one.
 inline constexpr int kMostSplits = 64;

@@ -78,6 +78,7 @@ struct PathArrival {
     Place at;
     std::uint64_t path;         ///< its place in TracedPhotons::after_path
     float power;                ///< sum of the channels
+    int splits;                 ///< it is one of so many that split there
     PhotonCounts before, after; ///< the photons that it left from there on
 };
 

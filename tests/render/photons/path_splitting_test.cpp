@@ -88,6 +88,22 @@ TEST_CASE("path splitting: paths split where what they are worth varies", "[phot
     CHECK(splits_at(splitting, partition, rare, std::nan(""), 1) == 1);
 }
 
+TEST_CASE("path splitting: what it saves is what one path would vary by more", "[photons]")
+{
+    std::vector<SplitRecord> records = uneven_records();
+    const Partition partition = one_map();
+    const PathSplitting splitting = learn_splitting(partition, records, 1);
+    const Place rare{{-0.5f, 0, 0.5f}, 0, 0}, even{{0.5f, 0, 0.5f}, 0, 0};
+    const double variance = std::pow(double{*value_at(splitting.deviation, partition, rare)}, 2);
+    // Eight of power 2 stand for one of power 16: 256 V - 8 * 4 V.
+    const std::vector<SplitRecord> split(8, {rare, 0, 2, 8});
+    CHECK(square_saved(splitting, partition, split) == Approx(224 * variance));
+    CHECK(square_saved(splitting, partition, std::vector<SplitRecord>(8, {rare, 0, 2, 1})) == 0);
+    CHECK(square_saved(splitting, partition, std::vector<SplitRecord>(8, {even, 0, 2, 8})) ==
+          Approx(0).margin(1e-3));
+    CHECK(square_saved({}, partition, split) == 0);
+}
+
 TEST_CASE("path splitting: without records, or where nothing is worth anything, none", "[photons]")
 {
     const Partition partition = one_map();
