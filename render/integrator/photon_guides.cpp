@@ -18,17 +18,16 @@ constexpr std::uint64_t kFewestPaths = 1 << 14, kFewestAimed = 1 << 12;
 /// More teach a guide little, and the paths of all rounds are kept.
 constexpr std::uint64_t kMostPaths = 1 << 17;
 
-std::uint64_t paths_of_round(std::uint64_t paths, std::uint64_t part, std::uint64_t fewest)
-{
-    return paths == 0 ? 0 : std::min(std::max(paths / part, fewest), kMostPaths);
-}
-
 /// Returns the options of the photons of a round.
 PhotonOptions round_options(PhotonOptions photons, int round)
 {
-    const std::uint64_t part = round == 0 ? kFirstPart : kPart;
-    photons.paths = paths_of_round(photons.paths, part, kFewestPaths);
-    photons.caustic_paths = paths_of_round(photons.caustic_paths, part, kFewestAimed);
+    const auto of_round = [round](std::uint64_t paths, std::uint64_t fewest) {
+        if (round == 0) // where no guide may be needed, it costs less than a pass
+            return std::min({paths, std::max(paths / kFirstPart, fewest), kMostPaths});
+        return paths == 0 ? 0 : std::min(std::max(paths / kPart, fewest), kMostPaths);
+    };
+    photons.paths = of_round(photons.paths, kFewestPaths);
+    photons.caustic_paths = of_round(photons.caustic_paths, kFewestAimed);
     photons.pass -= static_cast<std::uint64_t>(round);
     photons.count_paths = true;
     photons.keep_arrivals = true;
