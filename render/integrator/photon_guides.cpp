@@ -18,13 +18,14 @@ constexpr std::uint64_t kFewestPaths = 1 << 14, kFewestAimed = 1 << 12;
 /// More teach a guide little, and the paths of all rounds are kept.
 constexpr std::uint64_t kMostPaths = 1 << 17;
 
-/// Returns the options of the photons of a round.
-PhotonOptions round_options(PhotonOptions photons, int round)
+/// Returns the options of the photons of a round.  can_tell: a guide is worth some paths, also if
+/// passes have fewer.
+PhotonOptions round_options(PhotonOptions photons, int round, bool can_tell)
 {
-    const auto of_round = [round](std::uint64_t paths, std::uint64_t fewest) {
-        if (round == 0) // where no guide may be needed, it costs less than a pass
-            return std::min({paths, std::max(paths / kFirstPart, fewest), kMostPaths});
-        return paths == 0 ? 0 : std::min(std::max(paths / kPart, fewest), kMostPaths);
+    const std::uint64_t part = round == 0 ? kFirstPart : kPart;
+    const auto of_round = [part, can_tell](std::uint64_t paths, std::uint64_t fewest) {
+        const std::uint64_t wanted = std::min(std::max(paths / part, fewest), kMostPaths);
+        return can_tell && paths > 0 ? wanted : std::min(wanted, paths);
     };
     photons.paths = of_round(photons.paths, kFewestPaths);
     photons.caustic_paths = of_round(photons.caustic_paths, kFewestAimed);
@@ -100,7 +101,7 @@ class Learners {
                              options);
         if (!found.aimed.empty())
             aimed_.add(plan_emission(by.aimed, options.caustic_paths), found.aimed, options);
-        saved_ = share_saved(by.splitting, found);
+        saved_ = std::max(saved_, share_saved(by.splitting, found));
         arrivals_.insert(arrivals_.end(), found.arrivals.begin(), found.arrivals.end());
         ++rounds_;
     }
@@ -138,7 +139,7 @@ class Learners {
     GuideLearner without_aim_, aimed_;
     std::vector<SplitRecord> arrivals_;
     int rounds_ = 0;
-    double saved_ = 0; ///< by splitting, in the last round
+    double saved_ = 0; ///< by splitting, in the round where it was most
 };
 
 } // namespace
@@ -151,7 +152,7 @@ learn_guides(const MappedScene& mapped, const PhotonOptions& photons, const Phot
         return nullptr;
     Learners learners(mapped.scene, seeds);
     for (int round = 0; round < kRounds && !stopped_together(pilots); ++round) {
-        PhotonOptions pilot = round_options(photons, round);
+        PhotonOptions pilot = round_options(photons, round, round > 0 || !seeds.empty());
         if (!learners.needs_paths_without_aim())
             pilot.paths = 0; // a guide of the aimed ones alone is learnt
         const PhotonGuides guides = learners.next();
