@@ -17,6 +17,7 @@ namespace {
 constexpr int kSide = 128; ///< pixels of the image that importons come from, at most
 constexpr int kBlock = 8;  ///< pixels across that share a weight
 
+/// Photons that a thread weighs at a time, at least.
 constexpr std::size_t kPhotonsOfTask = 256;
 
 /// Importons that give the density at a photon.

@@ -18,14 +18,14 @@ constexpr std::uint64_t kFewestPaths = 1 << 14, kFewestAimed = 1 << 12;
 /// More teach a guide little, and the paths of all rounds are kept.
 constexpr std::uint64_t kMostPaths = 1 << 17;
 
-/// Returns the options of the photons of a round.  can_tell: a guide is worth some paths, also if
-/// passes have fewer.
-PhotonOptions round_options(PhotonOptions photons, int round, bool can_tell)
+/// Returns the options of the photons of a round.  beyond_passes: it may have more paths than a
+/// pass.
+PhotonOptions round_options(PhotonOptions photons, int round, bool beyond_passes)
 {
     const std::uint64_t part = round == 0 ? kFirstPart : kPart;
-    const auto of_round = [part, can_tell](std::uint64_t paths, std::uint64_t fewest) {
+    const auto of_round = [part, beyond_passes](std::uint64_t paths, std::uint64_t fewest) {
         const std::uint64_t wanted = std::min(std::max(paths / part, fewest), kMostPaths);
-        return can_tell && paths > 0 ? wanted : std::min(wanted, paths);
+        return beyond_passes && paths > 0 ? wanted : std::min(wanted, paths);
     };
     photons.paths = of_round(photons.paths, kFewestPaths);
     photons.caustic_paths = of_round(photons.caustic_paths, kFewestAimed);
@@ -78,20 +78,25 @@ constexpr double kWorthSplitting = 0.4;
 /// Learns the guides of both kinds of light path, and where those without aim split.
 class Learners {
   public:
-    Learners(const RenderScene& scene, std::span<const EmissionSeed> seeds)
-        : scene_(scene), by_power_(even_guide(scene.lights, Emitters::all_but_media)),
-          without_aim_(by_power_, RandomStream::photons, seeds),
-          aimed_(by_power_, RandomStream::caustics)
+    Learners(const RenderScene& scene, const EmissionGuide& by_power,
+             std::span<const EmissionSeed> seeds)
+        : scene_(scene), without_aim_(by_power, RandomStream::photons, seeds),
+          aimed_(by_power, RandomStream::caustics)
     {
     }
 
-    bool needs_paths_without_aim() const { return rounds_ == 0 || without_aim_.is_worth_it(); }
+    /// Returns whether paths without aim are worth a guide.
+    bool is_worth_it() const { return without_aim_.is_worth_it(); }
     bool settled() const { return without_aim_.settled() && aimed_.settled(); }
 
-    /// Returns what the next round is guided by.
-    PhotonGuides next()
+    /// Returns the guides of the next round, without splitting.
+    PhotonGuides guides() const { return {without_aim_.guide(), aimed_.guide()}; }
+
+    /// Returns where paths that start by a guide split.
+    PathSplitting splitting_by(const EmissionGuide& guide)
     {
-        return {without_aim_.guide(), aimed_.guide(), 0, splitting_by(without_aim_.guide())};
+        return learn_splitting(scene_.partition, arrivals_,
+                               std::sqrt(without_aim_.mean_square(guide)));
     }
 
     void add(const PhotonGuides& by, const RoundWorth& found, const PhotonOptions& options)
@@ -103,7 +108,6 @@ class Learners {
             aimed_.add(plan_emission(by.aimed, options.caustic_paths), found.aimed, options);
         saved_ = std::max(saved_, share_saved(by.splitting, found));
         arrivals_.insert(arrivals_.end(), found.arrivals.begin(), found.arrivals.end());
-        ++rounds_;
     }
 
     /// Returns the best of what was learnt.
@@ -128,17 +132,9 @@ class Learners {
         return squares > 0 ? saved / squares : 0;
     }
 
-    PathSplitting splitting_by(const EmissionGuide& guide)
-    {
-        return learn_splitting(scene_.partition, arrivals_,
-                               std::sqrt(without_aim_.mean_square(guide)));
-    }
-
     const RenderScene& scene_;
-    const EmissionGuide by_power_;
     GuideLearner without_aim_, aimed_;
     std::vector<SplitRecord> arrivals_;
-    int rounds_ = 0;
     double saved_ = 0; ///< by splitting, in the round where it was most
 };
 
@@ -150,12 +146,15 @@ learn_guides(const MappedScene& mapped, const PhotonOptions& photons, const Phot
 {
     if (has_volume_photons(mapped.scene))
         return nullptr;
-    Learners learners(mapped.scene, seeds);
+    Learners learners(mapped.scene, even_guide(mapped.scene.lights, Emitters::all_but_media),
+                      seeds);
     for (int round = 0; round < kRounds && !stopped_together(pilots); ++round) {
         PhotonOptions pilot = round_options(photons, round, round > 0 || !seeds.empty());
-        if (!learners.needs_paths_without_aim())
+        PhotonGuides guides = learners.guides();
+        if (round > 0 && learners.is_worth_it())
+            guides.splitting = learners.splitting_by(guides.without_aim);
+        else if (round > 0)
             pilot.paths = 0; // a guide of the aimed ones alone is learnt
-        const PhotonGuides guides = learners.next();
         pilot.guides = &guides;
         learners.add(guides, worth_of_round(mapped, worth, pilot, pilots.team), pilot);
         if (learners.settled())

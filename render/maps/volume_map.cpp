@@ -62,10 +62,7 @@ struct Builder {
         Bounds<glm::vec3> box;
         for (std::uint32_t i = first; i < first + count; ++i)
             box.add(photons[order[i]].position);
-        const glm::vec3 side = box.extent();
-        if (side.x >= side.y && side.x >= side.z)
-            return 0;
-        return side.y >= side.z ? 1 : 2;
+        return hipmap::longest_axis(box.extent());
     }
 
     void build(std::uint32_t at, std::uint32_t first, std::uint32_t count) const

@@ -75,7 +75,10 @@ class TreeBuilder {
             out_.values.push_back(make_(std::span<const Record>(records)));
             return;
         }
-        const int axis = longest_axis(records);
+        Bounds<glm::vec3> box;
+        for (const Record& record : records)
+            box.add(record.at.position);
+        const int axis = longest_axis(box.extent());
         const auto middle = records.begin() + static_cast<std::ptrdiff_t>(records.size() / 2);
         std::nth_element(records.begin(), middle, records.end(),
                          [&](const Record& a, const Record& b) {
@@ -91,15 +94,6 @@ class TreeBuilder {
     Placed<Value> take() { return std::move(out_); }
 
   private:
-    static int longest_axis(std::span<const Record> records)
-    {
-        Bounds<glm::vec3> box;
-        for (const Record& record : records)
-            box.add(record.at.position);
-        const glm::vec3 extent = box.extent();
-        return extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
-    }
-
     const std::size_t fewest_;
     const MakeValue& make_;
     Placed<Value> out_;
@@ -152,8 +146,9 @@ RecordedSides sort_by_side(const Partition& partition, std::vector<Record>& reco
 } // namespace placed_detail
 
 /// Learns values from records, which move within their vector and have a Place `at`.  The records
-/// of each side of a map are halved along the longest axis of their box while each half has as many
-/// as `fewest`; a side with less has no values, and neither has one whose values `helps` denies.
+/// of each side of a map are halved along the longest axis of their box, and the halves likewise,
+/// unless a half would have less than `fewest`.  A side that has less has no values, and neither
+/// has one for which helps(its values) is false.
 /// make(records of a leaf): its value.  In parallel; the result is the same at any thread count.
 template <typename Value, typename Record, typename MakeValue, typename Helps>
 Placed<Value> learn_placed(const Partition& partition, std::vector<Record>& records,

@@ -4,7 +4,7 @@
 
 namespace hipmap {
 
-/// The classes of photon that are kept of a path.
+/// What is asked of a path: the classes of photon that are kept of it, and where it splits.
 struct Wanted {
     bool direct = false;
     bool caustic = false;

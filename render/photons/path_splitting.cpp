@@ -58,8 +58,8 @@ int splits_at(const PathSplitting& splitting, const Partition& partition, const 
               double power, int of)
 {
     const double by_deviation = power / splitting.usual;
-    if (!(by_deviation * double{splitting.most} >
-          kFewestSplits)) // also true of what is not a number
+    // Also true of what is not a number.
+    if (!(by_deviation * double{splitting.most} > kFewestSplits))
         return 1;
     const float* const deviation = value_at(splitting.deviation, partition, at);
     const double wanted = deviation == nullptr ? 1 : by_deviation * double{*deviation};

@@ -2,6 +2,7 @@
 #include "render/integrator/integrators.h"
 #include "render/integrator/placed_guides.h"
 #include "render/integrator/sky_guide.h"
+#include "tests/support/one_map.h"
 #include "tests/support/statistics.h"
 #include "tests/support/tiny_rooms.h"
 
@@ -103,20 +104,13 @@ PhotonQuery query_on_side(std::uint8_t side)
     return out;
 }
 
-Partition one_map()
-{
-    Partition out;
-    out.map_of_face = {0};
-    return out;
-}
-
 } // namespace
 
 TEST_CASE("gather guide: rays go where records found light", "[integrator]")
 {
     const glm::vec3 window = glm::normalize(glm::vec3(1, 0.7f, 0));
     std::vector<GatherRecord> records = records_below(window, 0.95f, 4000);
-    const Partition partition = one_map();
+    const Partition partition = tiny::one_map();
     const PlacedGuides guide = learn_directions(partition, records);
     const DirectionGuide* const found = directions_at(guide, partition, query_on_side(0));
     REQUIRE(found != nullptr);
@@ -131,7 +125,7 @@ TEST_CASE("gather guide: rays go where records found light", "[integrator]")
 TEST_CASE("gather guide: there is none where lobes are as good, or nothing is known",
           "[integrator]")
 {
-    const Partition partition = one_map();
+    const Partition partition = tiny::one_map();
     std::vector<GatherRecord> even = records_below({0, 1, 0}, -1, 4000), none;
     CHECK(learn_directions(partition, even).values.empty());
     CHECK(learn_directions(partition, none).values.empty());

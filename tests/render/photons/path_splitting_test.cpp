@@ -1,20 +1,14 @@
 #include "render/photons/path_splitting.h"
 #include "render/photons/trace_photons.h"
+#include "tests/support/one_map.h"
 #include "tests/support/statistics.h"
-#include "tests/support/tiny_scenes.h"
+#include "tests/support/tiny_rooms.h"
 
 #include <catch2/catch.hpp>
 
 using namespace hipmap;
 
 namespace {
-
-Partition one_map()
-{
-    Partition out;
-    out.map_of_face = {0};
-    return out;
-}
 
 /// Records on one face: for x below zero one of ten is worth ten, beyond it all are worth one.
 std::vector<SplitRecord> uneven_records()
@@ -27,21 +21,6 @@ std::vector<SplitRecord> uneven_records()
         out.push_back({{{x, 0, random.next()}, 0, 0}, x < 0 ? rare : 1.0f});
     }
     return out;
-}
-
-/// Walls of two colours, a glass ball and a light.
-Scene room_with_ball()
-{
-    TriangleMesh room = tiny::open_box();
-    tiny::turn_inside_out(room);
-    Scene scene = tiny::make_scene(room);
-    scene.materials[0] = tiny::diffuse({0.7f, 0.5f, 0.3f});
-    TriangleMesh ball = tiny::uv_sphere(16, 8);
-    tiny::scale(ball, 0.2f);
-    tiny::add(scene, ball, tiny::glass(1.5f));
-    TriangleMesh light = tiny::floor_at(0.4f, -0.3f);
-    tiny::add(scene, light, tiny::emissive({3, 4, 5}));
-    return scene;
 }
 
 /// Splits wherever a path arrives with this share of the mean power or more.
@@ -72,7 +51,7 @@ double power_of(const std::vector<Photon>& photons)
 TEST_CASE("path splitting: paths split where what they are worth varies", "[photons]")
 {
     std::vector<SplitRecord> records = uneven_records();
-    const Partition partition = one_map();
+    const Partition partition = tiny::one_map();
     const PathSplitting splitting = learn_splitting(partition, records, 1);
     const Place rare{{-0.5f, 0, 0.5f}, 0, 0}, even{{0.5f, 0, 0.5f}, 0, 0};
     const float* const deviation = value_at(splitting.deviation, partition, rare);
@@ -91,7 +70,7 @@ TEST_CASE("path splitting: paths split where what they are worth varies", "[phot
 TEST_CASE("path splitting: what it saves is what one path would vary by more", "[photons]")
 {
     std::vector<SplitRecord> records = uneven_records();
-    const Partition partition = one_map();
+    const Partition partition = tiny::one_map();
     const PathSplitting splitting = learn_splitting(partition, records, 1);
     const Place rare{{-0.5f, 0, 0.5f}, 0, 0}, even{{0.5f, 0, 0.5f}, 0, 0};
     const double variance = std::pow(double{*value_at(splitting.deviation, partition, rare)}, 2);
@@ -106,7 +85,7 @@ TEST_CASE("path splitting: what it saves is what one path would vary by more", "
 
 TEST_CASE("path splitting: without records, or where nothing is worth anything, none", "[photons]")
 {
-    const Partition partition = one_map();
+    const Partition partition = tiny::one_map();
     const Place place{{0.5f, 0, 0.5f}, 0, 0};
     std::vector<SplitRecord> none, some = uneven_records();
     CHECK(splits_at(learn_splitting(partition, none, 1), partition, place, 1e6, 1) == 1);
@@ -117,7 +96,7 @@ TEST_CASE("path splitting: without records, or where nothing is worth anything, 
 
 TEST_CASE("path splitting: photons carry the same light, and no power is lost", "[photons]")
 {
-    const auto ready = tiny::ready(room_with_ball());
+    const auto ready = tiny::ready(tiny::room());
     PhotonOptions options{.paths = 4096, .seed = 1};
     const TracedPhotons first = trace_photons(*ready->render, options);
     const double emitted = first.power.emitted.x + first.power.emitted.y + first.power.emitted.z;
@@ -148,7 +127,7 @@ TEST_CASE("path splitting: photons carry the same light, and no power is lost", 
 
 TEST_CASE("path splitting: arrivals tell what each path left from there on", "[photons]")
 {
-    const auto ready = tiny::ready(room_with_ball());
+    const auto ready = tiny::ready(tiny::room());
     PhotonOptions options{.paths = 4096, .seed = 1, .count_paths = true, .keep_arrivals = true};
     PhotonGuides guides{even_guide(ready->render->lights, Emitters::all),
                         even_guide(ready->render->lights, Emitters::all)};
