@@ -15,8 +15,8 @@ namespace {
 /// Sum of squares of the noise over the channels.
 struct NoiseSquare {
     double value = 0;
-    double least = 0, most = 0; ///< by weights that lean one way and the other
-    Interval interval;          ///< for what is in this image, besides
+    double most = 0;   ///< by the weights w' of (5)
+    Interval interval; ///< for what is in this image, besides
 };
 
 /// docs/error.md (4) to (7).  At least two batches.
@@ -25,7 +25,6 @@ NoiseSquare noise_square(const BatchProducts& products, const Spread& spread)
     const double others = static_cast<double>(products.wide.batch.size()) - 1;
     NoiseSquare out;
     out.value = products.noise / (others * products.wide.all);
-    out.least = std::min(spread.energy / products.wide.all, out.value);
     out.most = std::max(products.most_noise / (others * products.wide.all), out.value);
     if (out.value > 0) {
         const double energy = products.noise / others;
@@ -86,7 +85,7 @@ std::optional<ImageError> estimate_error(const Film& film)
                                    square_of(known - bias.interval.low) + both2);
     const double above = std::sqrt(square_of(noise.interval.high - noise.value) +
                                    square_of(bias.interval.high - bias.value) + both2);
-    out.low = std::sqrt(std::max(noise.least + known + clamped - below, 0.0) / products.channels);
+    out.low = std::sqrt(std::max(sum - below, 0.0) / products.channels);
     const double high2 = (std::max(noise.most + bias.value + clamped + above, sum) +
                           saturated_square(film, products)) /
                          products.channels;
