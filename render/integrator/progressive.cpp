@@ -92,7 +92,9 @@ MapOptions radius_options(const ProgressivePass& pilot, EmissionGuide PhotonGuid
                           double part = 1)
 {
     MapOptions out = pilot.options.maps;
-    const double neighbours = part * out.neighbours * neighbours_by(pilot.guides, kind);
+    // Gather rays average over many estimates: more of the gain is to go into less bias.
+    const double more = std::sqrt(neighbours_by(pilot.guides, kind));
+    const double neighbours = part * out.neighbours * more;
     out.neighbours = std::max(2u, static_cast<std::uint32_t>(std::lround(neighbours)));
     return out;
 }
