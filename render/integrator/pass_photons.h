@@ -26,8 +26,9 @@ PhotonOptions photon_options(const RenderScene& scene, const RenderOptions& opti
 /// Makes the light paths of a pass guided.  guides: borrowed; null: they start by power.
 void guide(const PhotonGuides* guides, PhotonOptions& photons);
 
-/// Returns for how many times as many neighbours guided photons of a kind are looked.  They are
-/// denser: that is shared out between less noise and less bias, docs/light_transport.md (41).
+/// Returns for how many times as many neighbours guided photons of a kind are looked where no
+/// gather rays average over the estimates.  They are denser: that is shared out between less noise
+/// and less bias, docs/light_transport.md (41).
 double neighbours_by(const PhotonGuides* guides, EmissionGuide PhotonGuides::*kind);
 
 /// Keeps what guides promise.  guides: null: there are none.
