@@ -145,10 +145,10 @@ RecordedSides sort_by_side(const Partition& partition, std::vector<Record>& reco
 
 } // namespace placed_detail
 
-/// Learns values from records, which move within their vector and have a Place `at`.  The records
-/// of each side of a map are halved along the longest axis of their box, and the halves likewise,
-/// unless a half would have less than `fewest`.  A side that has less has no values, and neither
-/// has one for which helps(its values) is false.
+/// Learns values from records, which move within their vector and have a Place `at`.  A tree for
+/// each side of a map divides its records at the median, along the longest axis of their box, down
+/// to leaves of at least `fewest`.  A side that has fewer has no values, and neither has one for
+/// which helps(its values) is false.
 /// make(records of a leaf): its value.  In parallel; the result is the same at any thread count.
 template <typename Value, typename Record, typename MakeValue, typename Helps>
 Placed<Value> learn_placed(const Partition& partition, std::vector<Record>& records,
