@@ -43,8 +43,8 @@ void leave_by_specular(const RenderScene& scene, const Vertex& from, bool mirror
             path.index2 *= lobes.eta * lobes.eta;
         }
     }
-    if (path.from_light)
-        path.carried *= particle_correction(from.at, path.ray.direction);
+    path.carried *= path.from_light ? specular_correction(from.at, path.ray.direction)
+                                    : specular_share(from.at, path.ray.direction);
     path.weights.here = 0;
     path.weights.before *= cosine_to(from.at, path.ray.direction);
 }

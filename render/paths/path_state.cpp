@@ -75,7 +75,7 @@ void go_by_mirror(const RenderScene& scene, const Interaction& at, const Specula
                   float probability, PathState& path)
 {
     leave_by_mirror(scene, at, path);
-    path.throughput *= lobes.mirror / probability;
+    path.throughput *= specular_share(at, path.ray.direction) * lobes.mirror / probability;
     depart(lobes.mirror, path);
 }
 
@@ -83,7 +83,7 @@ void go_through(const RenderScene& scene, const Interaction& at, const SpecularL
                 float probability, PathState& path)
 {
     leave_through(scene, at, lobes.eta, path);
-    path.throughput *= lobes.transmit / probability;
+    path.throughput *= specular_share(at, path.ray.direction) * lobes.transmit / probability;
     enter(lobes.eta, path);
     depart(lobes.transmit, path);
 }

@@ -201,7 +201,8 @@ bool scatter(const RenderScene& scene, const Interaction& at, LightPath& path,
         path.behind = LightPathClass::caustic;
         path.first_specular = at.point.face;
     }
-    path.power *= particle_correction(at, path.ray.direction);
+    path.power *= onward.by == Onward::By::lobe ? particle_correction(at, path.ray.direction)
+                                                : specular_correction(at, path.ray.direction);
     return true;
 }
 

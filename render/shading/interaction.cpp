@@ -4,11 +4,15 @@
 #include "render/shading/normal_map.h"
 #include "render/shading/texture_axes.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace hipmap {
 
 namespace {
+
+/// c_max of docs/light_transport.md (9).
+constexpr float kMostCorrection = 16;
 
 /// The normal stays as it is where the tilted one would turn away from the ray.
 void tilt(const RenderScene& scene, const RayHit& hit, float sign, Interaction& at)
@@ -165,6 +169,21 @@ float particle_correction(const Interaction& at, const glm::vec3& towards)
     if (!(below > 0))
         return 0;
     return at.cosine * std::abs(glm::dot(towards, at.normal)) / below;
+}
+
+float specular_correction(const Interaction& at, const glm::vec3& towards)
+{
+    return std::min(particle_correction(at, towards), kMostCorrection);
+}
+
+float specular_share(const Interaction& at, const glm::vec3& from)
+{
+    if (at.shading_normal == at.normal)
+        return 1;
+    const float carried =
+        std::abs(glm::dot(from, at.shading_normal)) * glm::dot(at.back, at.normal);
+    const float most = kMostCorrection * std::abs(glm::dot(from, at.normal)) * at.cosine;
+    return carried > most ? most / carried : 1.0f;
 }
 
 } // namespace hipmap

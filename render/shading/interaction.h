@@ -127,4 +127,12 @@ inline void absorb(const Rgb& absorption, float distance, Rgb& throughput)
 /// docs/light_transport.md (9). towards: the direction in which the particle continues, unit.
 float particle_correction(const Interaction& at, const glm::vec3& towards);
 
+/// Returns the same for a mirror or glass, where it has a limit, docs/light_transport.md (9).
+float specular_correction(const Interaction& at, const glm::vec3& towards);
+
+/// Returns the share that a mirror or glass leaves to an eye path of what comes from a direction,
+/// by that limit: 1 but where light meets a face with a shading normal at a grazing angle.  from:
+/// unit.
+float specular_share(const Interaction& at, const glm::vec3& from);
+
 } // namespace hipmap

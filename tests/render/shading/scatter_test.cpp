@@ -260,3 +260,33 @@ TEST_CASE("scatter: a diffuse surface scatters the same bits as by the formulas 
         }
     }
 }
+
+TEST_CASE("scatter: light finds the same way through tilted glass and mirrors as the eye does",
+          "[shading]")
+{
+    RandomSequence random(1, RandomStream::pictures, 0, 0);
+    const auto direction = [&](float side) {
+        glm::vec3 out = sample_sphere(random.next2());
+        out.z = side * std::abs(out.z);
+        return out;
+    };
+    const auto met_from = [](const glm::vec3& back, const glm::vec3& tilted) {
+        Interaction at = tiny::lit_surface(tiny::glass(1.5f), back);
+        at.shading_normal = glm::dot(back, tilted) < 0 ? -tilted : tilted;
+        at.cosine = glm::dot(back, at.shading_normal);
+        return at;
+    };
+    float largest = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const glm::vec3 tilted = glm::normalize(direction(1) + glm::vec3(0, 0, 1));
+        const glm::vec3 from = direction(1),
+                        towards = direction(random.next() < 0.5f ? 1.0f : -1.0f);
+        const Interaction lit = met_from(from, tilted), seen = met_from(towards, tilted);
+        const float sent = specular_correction(lit, towards);
+        const float wanted = specular_share(seen, from) * particle_correction(lit, towards);
+        REQUIRE(sent == Approx(wanted).epsilon(1e-3));
+        REQUIRE(sent <= 16);
+        largest = std::max(largest, particle_correction(lit, towards));
+    }
+    CHECK(largest > 100);
+}
