@@ -1,6 +1,5 @@
 #include "render/integrator/importons.h"
 
-#include "render/integrator/gather_radius.h"
 #include "render/integrator/pixel_samples.h"
 #include "render/maps/gather.h"
 
@@ -87,46 +86,79 @@ void append(std::vector<Photon>& to, const std::vector<Photon>& from, float weig
     }
 }
 
+/// Importons around a point, by area.
+struct ImportonDensity {
+    Rgb weight{0.0f};
+    double count = 0;
+};
+
 /// The density of importons over the whole disc: what boundaries hide of it would cost more to find
 /// than a guide gains by it.
-Rgb density_around(const PhotonMaps& importons, const MapSurfaces& surfaces,
-                   const PhotonQuery& query, SearchScratch& scratch)
+ImportonDensity density_around(const PhotonMaps& importons, const MapSurfaces& surfaces,
+                               const PhotonQuery& query, SearchScratch& scratch)
 {
     const NearestSum found = sum_photons(importons, surfaces.partition, query, scratch).nearest;
     if (found.photons == 0)
-        return Rgb(0);
+        return {};
     double area = surfaces.area_at(query.face);
     if (found.photons == importons.options.neighbours)
         area = std::min(area, disc_area(std::sqrt(found.farthest2)));
-    return per_area(importons.power_scale, glm::dvec3(found.power), area);
+    return {per_area(importons.power_scale, glm::dvec3(found.power), area), found.photons / area};
 }
 
-/// What each photon of a kind is worth.
-std::vector<double> worth_of(const MapSurfaces& surfaces, const std::vector<Photon>& photons,
-                             const PhotonMaps& importons)
+/// By photon or by path.
+struct PhotonValues {
+    std::vector<double> worth, noise;
+};
+
+/// What the photons of a kind are read with.
+struct KindOfPhotons {
+    const PhotonMaps& importons;
+    const RadiusField* radii; ///< null: not known
+    float rays = 1;           ///< that share what one of them finds
+};
+
+/// The area over which the image reads a photon, in units of that of an importon, at least one.
+double importons_in_disc(const KindOfPhotons& kind, const MapSurfaces& surfaces,
+                         const PhotonQuery& query, double density)
 {
-    std::vector<double> out(photons.size());
+    if (kind.radii == nullptr)
+        return 1;
+    const double area = std::min(double{surfaces.area_at(query.face)},
+                                 disc_area(double{radius_at(*kind.radii, surfaces, query)}));
+    return std::max(1.0, area * density);
+}
+
+/// What each photon of a kind is worth, and the noise that it brings.
+PhotonValues values_of(const MapSurfaces& surfaces, const std::vector<Photon>& photons,
+                       const KindOfPhotons& kind)
+{
+    PhotonValues out{std::vector<double>(photons.size()), std::vector<double>(photons.size())};
     using Range = tbb::blocked_range<std::size_t>;
     tbb::parallel_for(Range(0, photons.size(), kPhotonsOfTask), [&](const Range& range) {
         SearchScratch scratch;
         for (std::size_t i = range.begin(); i < range.end(); ++i) {
-            const Photon& photon = photons[i];
-            const Rgb each = photon.power * density_around(importons, surfaces,
-                                                           query_at(photon, surfaces), scratch);
-            out[i] = is_finite(each) ? double{each.x} + double{each.y} + double{each.z} : 0;
+            const PhotonQuery query = query_at(photons[i], surfaces);
+            const ImportonDensity found = density_around(kind.importons, surfaces, query, scratch);
+            const Rgb each = photons[i].power * found.weight;
+            if (!is_finite(each) || is_black(each))
+                continue;
+            out.worth[i] = double{each.x} + double{each.y} + double{each.z};
+            out.noise[i] = out.worth[i] * out.worth[i] /
+                           (kind.rays * importons_in_disc(kind, surfaces, query, found.count));
         }
     });
     return out;
 }
 
-/// The worth of the photons of paths.  Sums are of one path alone, so that they are the same
+/// The values of the photons of paths.  Sums are of one path alone, so that they are the same
 /// whichever other paths are traced.
-class SumsOfWorth {
+class SumsOfValues {
   public:
-    /// worth: of each photon.  kind: its place among those of paths.
-    SumsOfWorth(std::vector<double> worth, std::uint64_t PhotonCounts::*kind,
-                const std::vector<PhotonCounts>& after_path)
-        : up_to_(std::move(worth)), kind_(kind)
+    /// values: of each photon.  kind: its place among those of paths.
+    SumsOfValues(std::vector<double> values, std::uint64_t PhotonCounts::*kind,
+                 const std::vector<PhotonCounts>& after_path)
+        : up_to_(std::move(values)), kind_(kind)
     {
         std::uint64_t begin = 0;
         for (const PhotonCounts& after : after_path) {
@@ -152,6 +184,16 @@ class SumsOfWorth {
     std::vector<double> up_to_; ///< with each photon
     std::uint64_t PhotonCounts::*kind_;
 };
+
+/// The sum over all kinds, as that of SumsOfValues.
+double between(const std::vector<SumsOfValues>& kinds, const PhotonCounts& path,
+               const PhotonCounts& from, const PhotonCounts& to)
+{
+    double out = 0;
+    for (const SumsOfValues& kind : kinds)
+        out += kind.between(path, from, to);
+    return out;
+}
 
 } // namespace
 
@@ -222,31 +264,32 @@ PhotonWorth make_worth(const Importons& importons, const MapSurfaces& surfaces,
 WorthOfPaths worth_of_paths(const MappedScene& mapped, const PhotonWorth& worth,
                             const TracedPhotons& traced)
 {
-    const MapSurfaces& surfaces = mapped.surfaces;
-    const auto sums = [&](const std::vector<Photon>& photons, const PhotonMaps& importons,
-                          std::uint64_t PhotonCounts::*kind) {
-        return SumsOfWorth(worth_of(surfaces, photons, importons), kind, traced.after_path);
+    const bool known = worth.radii != nullptr;
+    std::vector<SumsOfValues> worths, noises;
+    const auto add = [&](const std::vector<Photon>& photons, const PhotonMaps& importons,
+                         std::uint64_t PhotonCounts::*kind, RadiusField FirstRadii::*radii,
+                         float rays) {
+        PhotonValues values = values_of(
+            mapped.surfaces, photons, {importons, known ? &(worth.radii->*radii) : nullptr, rays});
+        worths.emplace_back(std::move(values.worth), kind, traced.after_path);
+        noises.emplace_back(std::move(values.noise), kind, traced.after_path);
     };
-    const SumsOfWorth of_kinds[] = {
-        sums(traced.caustic, worth.caustic, &PhotonCounts::caustic),
-        sums(traced.global, worth.global, &PhotonCounts::global),
-        sums(worth.weigh(traced), worth.indirect, &PhotonCounts::bounces)};
-    const auto between = [&](const PhotonCounts& path, const PhotonCounts& from,
-                             const PhotonCounts& to) {
-        double out = 0;
-        for (const SumsOfWorth& kind : of_kinds)
-            out += kind.between(path, from, to);
-        return out;
-    };
+    add(traced.caustic, worth.caustic, &PhotonCounts::caustic, &FirstRadii::caustic, 1);
+    add(traced.global, worth.global, &PhotonCounts::global, &FirstRadii::global, worth.rays);
+    add(worth.weigh(traced), worth.indirect, &PhotonCounts::bounces, &FirstRadii::indirect, 1);
     const std::vector<PhotonCounts>& ends = traced.after_path;
     const auto start_of = [&](std::uint64_t path) {
         return path == 0 ? PhotonCounts{} : ends[path - 1];
     };
     WorthOfPaths out;
-    for (std::size_t path = 0; path < ends.size(); ++path)
-        out.paths.push_back(between(start_of(path), start_of(path), ends[path]));
+    for (std::size_t path = 0; path < ends.size(); ++path) {
+        const PhotonCounts start = start_of(path);
+        const double found = between(worths, start, start, ends[path]);
+        out.paths.push_back(found);
+        out.noise.push_back(known ? between(noises, start, start, ends[path]) : found * found);
+    }
     for (const PathArrival& arrival : traced.arrivals) {
-        const double found = between(start_of(arrival.path), arrival.before, arrival.after);
+        const double found = between(worths, start_of(arrival.path), arrival.before, arrival.after);
         if (arrival.power > 0)
             out.arrivals.push_back({arrival.at, static_cast<float>(found / double{arrival.power}),
                                     arrival.power, arrival.splits});

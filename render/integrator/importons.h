@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/integrator/gather_radius.h"
 #include "render/integrator/gather_record.h"
 #include "render/integrator/pass_photons.h"
 #include "render/integrator/pilot_team.h"
@@ -64,15 +65,20 @@ struct PhotonWorth {
     PhotonMaps caustic, global, indirect;
     /// Returns the photons of the indirect map, one for each bounce.
     std::function<std::vector<Photon>(const TracedPhotons&)> weigh;
+    const FirstRadii* radii = nullptr; ///< of the estimates; null: not known
+    float rays = 1;                    ///< gather rays that share what each of them finds
 };
 
 /// Builds the maps of importons.  No importon: no worth.
 PhotonWorth make_worth(const Importons& importons, const MapSurfaces& surfaces,
                        std::function<std::vector<Photon>(const TracedPhotons&)> weigh);
 
-/// What paths are worth: the power of their photons times the density of importons there.
+/// What paths are worth: the power of their photons times the density of importons there.  The
+/// noise that a path brings is the sum over its photons of their squares, each over the importons
+/// that read the photon; without radii, the square of its worth.
 struct WorthOfPaths {
     std::vector<double> paths;         ///< in the order of trace_photons
+    std::vector<double> noise;         ///< that each brings
     std::vector<SplitRecord> arrivals; ///< where they arrived with some power
 };
 

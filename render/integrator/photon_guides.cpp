@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <numeric>
 #include <span>
+#include <utility>
 
 namespace hipmap {
 
@@ -35,9 +37,10 @@ PhotonOptions round_options(PhotonOptions photons, int round, bool beyond_passes
     return photons;
 }
 
-/// The worth of each light path of a round.
+/// The worth of each light path of a round, and the noise that it brings.
 struct RoundWorth {
-    std::vector<double> without_aim, aimed;
+    std::vector<double> without_aim, noise_without_aim;
+    std::vector<double> aimed, noise_aimed;
     std::vector<SplitRecord> arrivals;
 };
 
@@ -48,23 +51,43 @@ RoundWorth worth_of_round(const MappedScene& mapped, const PhotonWorth& worth,
     photons.parts = team.count;
     const TracedPhotons traced = trace_photons(mapped.scene, photons);
     WorthOfPaths own = worth_of_paths(mapped, worth, traced);
-    const auto first_aimed = own.paths.begin() + static_cast<std::ptrdiff_t>(traced.emitted);
-    return {joined(team, std::vector(own.paths.begin(), first_aimed)),
-            joined(team, std::vector(first_aimed, own.paths.end())),
-            joined(team, std::move(own.arrivals))};
+    const auto parted = [&](const std::vector<double>& all) {
+        const auto first_aimed = all.begin() + static_cast<std::ptrdiff_t>(traced.emitted);
+        return std::pair(joined(team, std::vector(all.begin(), first_aimed)),
+                         joined(team, std::vector(first_aimed, all.end())));
+    };
+    auto [without_aim, aimed] = parted(own.paths);
+    auto [noise_without_aim, noise_aimed] = parted(own.noise);
+    return {std::move(without_aim), std::move(noise_without_aim), std::move(aimed),
+            std::move(noise_aimed), joined(team, std::move(own.arrivals))};
 }
 
 /// Returns how many aimed paths there should be for each other one, so that the noise of both
-/// together is least in the same time (Neyman 1934), docs/light_transport.md (41).  Arguments: mean
-/// squares of what a path is worth.
-double aimed_share(double square_without_aim, double square_aimed)
+/// together is least in the same time (Neyman 1934), docs/light_transport.md (41).  Arguments: the
+/// noise that a path brings.
+double aimed_share(double noise_without_aim, double noise_aimed)
 {
     constexpr double kCost = 4; // of an aimed path over that of another
-    constexpr double kLeast = 1.0 / 32, kMost = 1;
-    return square_without_aim > 0
-               ? std::clamp(std::sqrt(square_aimed / (kCost * square_without_aim)), kLeast, kMost)
+    constexpr double kLeast = 1.0 / 32, kMost = 0.5;
+    return noise_without_aim > 0
+               ? std::clamp(std::sqrt(noise_aimed / (kCost * noise_without_aim)), kLeast, kMost)
                : kMost;
 }
+
+/// The noise that paths of one kind bring, and the square of what they are worth, over all rounds.
+struct NoiseOfWorth {
+    double noise = 0, square = 0;
+
+    void add(const std::vector<double>& worth_of_paths, const std::vector<double>& noise_of_paths)
+    {
+        for (const double path : worth_of_paths)
+            square += path * path;
+        noise = std::reduce(noise_of_paths.begin(), noise_of_paths.end(), noise);
+    }
+
+    /// One path's noise over the square of its worth: the part that the guides do not change.
+    double by_square() const { return square > 0 ? noise / square : 1; }
+};
 
 /// Importons do not see photons in media.
 bool has_volume_photons(const RenderScene& scene)
@@ -106,6 +129,8 @@ class Learners {
                              options);
         if (!found.aimed.empty())
             aimed_.add(plan_emission(by.aimed, options.caustic_paths), found.aimed, options);
+        noise_without_aim_.add(found.without_aim, found.noise_without_aim);
+        noise_aimed_.add(found.aimed, found.noise_aimed);
         saved_ = std::max(saved_, share_saved(by.splitting, found));
         arrivals_.insert(arrivals_.end(), found.arrivals.begin(), found.arrivals.end());
     }
@@ -115,7 +140,8 @@ class Learners {
     {
         PhotonGuides out{without_aim_.best(), aimed_.best()};
         out.aimed_share =
-            aimed_share(without_aim_.mean_square(out.without_aim), aimed_.mean_square(out.aimed));
+            aimed_share(without_aim_.mean_square(out.without_aim) * noise_without_aim_.by_square(),
+                        aimed_.mean_square(out.aimed) * noise_aimed_.by_square());
         if (saved_ > kWorthSplitting)
             out.splitting = splitting_by(out.without_aim);
         return out;
@@ -134,6 +160,7 @@ class Learners {
 
     const RenderScene& scene_;
     GuideLearner without_aim_, aimed_;
+    NoiseOfWorth noise_without_aim_, noise_aimed_;
     std::vector<SplitRecord> arrivals_;
     double saved_ = 0; ///< by splitting, in the round where it was most
 };

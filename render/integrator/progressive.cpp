@@ -108,6 +108,13 @@ GatherScale scale_of(const ProgressivePass& pass)
                                : radius_options(pass, &PhotonGuides::without_aim).neighbours);
 }
 
+/// Gather rays of a pixel, and of those that share what theirs find.
+float gather_rays_of_pixel(const ProgressivePass& pass)
+{
+    const int pixels = shares_gathers(pass.mapped.scene, pass.options) ? kSharing : 1;
+    return static_cast<float>(pixels * static_cast<int>(pass.options.samples));
+}
+
 /// By photons of their own, as many as a pass has.
 ProgressiveRadii find_first_radii(const ProgressivePass& pilot, const PilotTeam& team)
 {
@@ -271,9 +278,11 @@ std::shared_ptr<const PhotonGuides> find_guides(const ProgressivePass& pilot,
     const MapSurfaces& surfaces = pilot.mapped.surfaces;
     GatherScale scale = scale_of(pilot);
     scale.rays *= kGuidedRays;
-    const PhotonWorth worth = make_worth(importons, surfaces, [&](const TracedPhotons& traced) {
+    PhotonWorth worth = make_worth(importons, surfaces, [&](const TracedPhotons& traced) {
         return weigh_bounces(traced, first.surfaces, surfaces, scale);
     });
+    worth.radii = &first.surfaces;
+    worth.rays = gather_rays_of_pixel(pilot);
     PhotonOptions learning = linked_options(pilot);
     learning.pass = kPilotPass - 1;
     return learn_guides(pilot.mapped, learning, worth,

@@ -147,8 +147,8 @@ TEST_CASE("photon guides: paths are aimed as far as caustics are seen", "[integr
     };
     const double seen = aimed_for_each({0, -0.2f, 0}), unseen = aimed_for_each({15, -0.4f, 0});
     CHECK(unseen == Approx(1.0 / 32).epsilon(0.01)); // the fewest
-    CHECK(seen > 4 * unseen);
-    CHECK(seen <= 1);
+    CHECK(seen > 8 * unseen);
+    CHECK(seen <= 0.5);
 }
 
 TEST_CASE("photon guides: seeds are starts of paths that reach the importons", "[integrator]")
@@ -357,4 +357,48 @@ TEST_CASE("photon guides: paths split where they find what is seen", "[integrato
     CHECK(std::abs(split.mean() - whole.mean()) < kMostZ * noise);
     CHECK(kMostZ * noise < 0.25 * whole.mean());
     CHECK(split.standard_error() < 0.75 * whole.standard_error());
+}
+
+TEST_CASE("photon guides: photons bring less noise the more of the image reads each",
+          "[integrator]")
+{
+    const auto ready = tiny::ready(box_open_to_the_sun());
+    const RenderScene& scene = *ready->render;
+    const MapSurfaces surfaces(scene.mesh(), ready->partition);
+    Importons importons;
+    RandomSequence random(1, RandomStream::pictures, 0, 0);
+    const FaceId ceiling = scene.rays.nearest({.direction = {0, 1, 0}})->face;
+    for (int i = 0; i < 4000; ++i) {
+        const glm::vec3 place{random.next() - 0.5f, 0.5f, random.next() - 0.5f};
+        importons.global.push_back({place, Rgb(1), {0, -1, 0}, ceiling, 0});
+    }
+    PhotonWorth worth =
+        make_worth(importons, surfaces, [](const TracedPhotons&) { return std::vector<Photon>(); });
+    const TracedPhotons traced =
+        trace_photons(scene, {.paths = 400000, .seed = 1, .count_paths = true});
+    const auto noise_over_squares = [&] {
+        const WorthOfPaths found = worth_of_paths({scene, surfaces}, worth, traced);
+        double noise = 0, squares = 0;
+        for (std::size_t path = 0; path < found.paths.size(); ++path) {
+            noise += found.noise[path];
+            squares += found.paths[path] * found.paths[path];
+        }
+        REQUIRE(squares > 0);
+        return noise / squares;
+    };
+    CHECK(noise_over_squares() == 1);
+    const auto even = [&](std::uint32_t neighbours) {
+        FirstRadii radii;
+        radii.global = build_radius_field(
+            build_chosen_maps(traced.global, surfaces, {.neighbours = neighbours}, {}), surfaces,
+            {});
+        worth.radii = &radii;
+        return noise_over_squares();
+    };
+    const double narrow = even(4), wide = even(16);
+    INFO(narrow << " and " << wide);
+    CHECK(wide < 0.5 * narrow);
+    CHECK(narrow < 0.05);
+    worth.rays = 4;
+    CHECK(even(16) == Approx(wide / 4));
 }
