@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 """Measures what guided emission gains where light is hard to find, and writes docs/guided_emission.md.
 
-    bench/guided_emission.py [--before BIN] [--seconds 30] [--reference 150] [--seeds 1] [--size 192] [SCENE...]
+    bench/guided_emission.py [--before BIN] [--seconds 30] [--reference 150] [--seeds 1] [--size 192] [--keep] [SCENE...]
 
 Each scene is rendered by integrator progressive for the same wall time with --emission by-power and guided, and
 by the render of another build if one is given.  relMSE (docs/error.md (3)) is against two renders of narrower
 radii and other seeds, each as long as half of the reference: the noise of one does not agree with that of the
 other, and so averages out.  Takes (reference + 2 or 3 times seeds times seconds) for each scene, on all cores.
+With --keep the rows of other scenes stay as they are on the page.
 """
 
 import argparse
@@ -24,6 +25,7 @@ sys.path.append(str(ROOT / "experiments/accuracy"))
 import arithmetic  # noqa: E402
 
 BIN = ROOT / "build/release/bin"
+PAGE = ROOT / "docs/guided_emission.md"
 PICTURES = ROOT / "docs/images/guided"
 HARD = ("window_room", "sixty_rooms", "wide_plane")
 PRESENT = ("cornell", "cornell_diffuse", "cornell_spheres", "glass_globe", "hall_of_lamps")
@@ -83,7 +85,15 @@ class Lab:
         cells = [f"{errors[kind]:.3g} ({made[0][1]} passes; {made[0][2]} stated)"
                  for kind, made in kinds.items()]
         noise = arithmetic.noise_of(halves)
-        return [scene, *cells, f"{errors[first] / errors['guided']:.2f}", f"{noise:.2g}"]
+        return [scene, *cells, f"{errors[first] / errors['guided']:.2f}", f"{noise:.2g}",
+                datetime.date.today().isoformat()]
+
+
+def kept_rows(scenes):
+    """The rows of the page that are of other scenes."""
+    rows = [[cell.strip() for cell in line.strip("|").split("|")]
+            for line in PAGE.read_text(encoding="utf-8").splitlines() if line.startswith("| ")]
+    return [row for row in rows if row[0] in HARD + PRESENT and row[0] not in scenes]
 
 
 def page(options, rows):
@@ -91,8 +101,7 @@ def page(options, rows):
     kinds = (["before"] if options.before else []) + ["by power", "guided"]
     lines = [
         "# What does guided emission gain?", "",
-        "Written by `bench/guided_emission.py`; do not edit. Run on "
-        f"{datetime.date.today().isoformat()}.", "",
+        "Written by `bench/guided_emission.py`; do not edit.", "",
         f"relMSE ([error.md](error.md) (3)) of images {options.size} pixels wide after "
         f"{options.seconds:g} s on all cores, the mean of {options.seeds} seed{'s'[:options.seeds > 1]}; passes "
         f"and stated error of the first. References are two of {options.reference / 2:g} s, of other seeds and "
@@ -102,8 +111,8 @@ def page(options, rows):
         *(["`before` is the version without guides, and with the weights of (21) before (42). In the other "
             "columns gather rays are guided, (43)."]
           if options.before else []),
-        "", "| scene | " + " | ".join(kinds) + f" | {kinds[0]} over guided | noise |",
-        "| --- |" + " --- |" * (len(kinds) + 2)]
+        "", "| scene | " + " | ".join(kinds) + f" | {kinds[0]} over guided | noise | run on |",
+        "| --- |" + " --- |" * (len(kinds) + 3)]
     lines += ["| " + " | ".join(row) + " |" for row in rows]
     lines += ["", f"Each picture: {kinds[0]}, and guided, after the same time.", ""]
     for row in rows:
@@ -120,14 +129,17 @@ def main():
     parser.add_argument("--reference", type=float, default=150, help="seconds of references")
     parser.add_argument("--seeds", type=int, default=1, help="images of each kind")
     parser.add_argument("--size", type=int, default=192, help="pixels across")
+    parser.add_argument("--keep", action="store_true", help="keep the rows of other scenes")
     options = parser.parse_args()
-    rows = []
+    rows = kept_rows(options.scenes) if options.keep else []
     with tempfile.TemporaryDirectory() as folder:
         lab = Lab(options, folder)
         for scene in options.scenes:
             rows.append(lab.row(scene))
             print("| " + " | ".join(rows[-1]) + " |", flush=True)
-    (ROOT / "docs/guided_emission.md").write_text(page(options, rows), encoding="utf-8")
+    order = [*HARD, *PRESENT, *options.scenes]
+    rows.sort(key=lambda row: order.index(row[0]))
+    PAGE.write_text(page(options, rows), encoding="utf-8")
     return 0
 
 
