@@ -74,6 +74,20 @@ RenderOptions small_options(Emission emission, Integrator integrator = Integrato
     return options;
 }
 
+/// What photons are worth where importons lie evenly on the ceiling of a box.
+PhotonWorth worth_on_ceiling(const RenderScene& scene, const MapSurfaces& surfaces, int count)
+{
+    Importons importons;
+    RandomSequence random(1, RandomStream::pictures, 0, 0);
+    const FaceId ceiling = scene.rays.nearest({.direction = {0, 1, 0}})->face;
+    for (int i = 0; i < count; ++i) {
+        const glm::vec3 place{random.next() - 0.5f, 0.5f, random.next() - 0.5f};
+        importons.global.push_back({place, Rgb(1), {0, -1, 0}, ceiling, 0});
+    }
+    return make_worth(importons, surfaces,
+                      [](const TracedPhotons&) { return std::vector<Photon>(); });
+}
+
 struct EmittedMeans {
     RunningMean radiance, narrower;
     RunningMean noise; ///< mean square of the difference of a pixel between two passes
@@ -317,15 +331,7 @@ TEST_CASE("photon guides: paths split where they find what is seen", "[integrato
     const auto ready = tiny::ready(box_open_to_the_sun());
     const RenderScene& scene = *ready->render;
     const MapSurfaces surfaces(scene.mesh(), ready->partition);
-    Importons importons;
-    RandomSequence random(1, RandomStream::pictures, 0, 0);
-    const FaceId ceiling = scene.rays.nearest({.direction = {0, 1, 0}})->face;
-    for (int i = 0; i < 2000; ++i) {
-        const glm::vec3 place{random.next() - 0.5f, 0.5f, random.next() - 0.5f};
-        importons.global.push_back({place, Rgb(1), {0, -1, 0}, ceiling, 0});
-    }
-    const auto nothing = [](const TracedPhotons&) { return std::vector<Photon>(); };
-    const PhotonWorth worth = make_worth(importons, surfaces, nothing);
+    const PhotonWorth worth = worth_on_ceiling(scene, surfaces, 2000);
     const EmissionGuide by_power = even_guide(scene.lights, Emitters::all);
     PhotonGuides guides{by_power, by_power};
     PhotonOptions photons{.paths = 400000, .seed = 1, .pass = 1000};
@@ -365,15 +371,7 @@ TEST_CASE("photon guides: photons bring less noise the more of the image reads e
     const auto ready = tiny::ready(box_open_to_the_sun());
     const RenderScene& scene = *ready->render;
     const MapSurfaces surfaces(scene.mesh(), ready->partition);
-    Importons importons;
-    RandomSequence random(1, RandomStream::pictures, 0, 0);
-    const FaceId ceiling = scene.rays.nearest({.direction = {0, 1, 0}})->face;
-    for (int i = 0; i < 4000; ++i) {
-        const glm::vec3 place{random.next() - 0.5f, 0.5f, random.next() - 0.5f};
-        importons.global.push_back({place, Rgb(1), {0, -1, 0}, ceiling, 0});
-    }
-    PhotonWorth worth =
-        make_worth(importons, surfaces, [](const TracedPhotons&) { return std::vector<Photon>(); });
+    PhotonWorth worth = worth_on_ceiling(scene, surfaces, 4000);
     const TracedPhotons traced =
         trace_photons(scene, {.paths = 400000, .seed = 1, .count_paths = true});
     const auto noise_over_squares = [&] {
