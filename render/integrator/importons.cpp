@@ -106,7 +106,7 @@ ImportonDensity density_around(const PhotonMaps& importons, const MapSurfaces& s
     return {per_area(importons.power_scale, glm::dvec3(found.power), area), found.photons / area};
 }
 
-/// By photon or by path.
+/// What each photon is worth, and the noise that it brings.
 struct PhotonValues {
     std::vector<double> worth, noise;
 };
@@ -129,7 +129,7 @@ double importons_in_disc(const KindOfPhotons& kind, const MapSurfaces& surfaces,
     return std::max(1.0, area * density);
 }
 
-/// What each photon of a kind is worth, and the noise that it brings.
+/// The values of the photons of a kind.
 PhotonValues values_of(const MapSurfaces& surfaces, const std::vector<Photon>& photons,
                        const KindOfPhotons& kind)
 {
