@@ -45,7 +45,10 @@ def parse_options():
     parser.add_argument("--keep", type=pathlib.Path,
                         help="folder that keeps the scenes and partitions [none]")
     parser.add_argument("--to", type=pathlib.Path, help="Markdown file to write")
-    return parser.parse_args()
+    options = parser.parse_args()
+    if options.to and options.to.is_dir():
+        parser.error(f"--to: {options.to} is a folder; name the file to write")
+    return options
 
 
 def rooms_of(options):
