@@ -151,14 +151,14 @@ PhotonValues values_of(const MapSurfaces& surfaces, const std::vector<Photon>& p
     return out;
 }
 
-/// The values of the photons of paths.  Sums are of one path alone, so that they are the same
+/// The worth of the photons of paths.  Sums are of one path alone, so that they are the same
 /// whichever other paths are traced.
-class SumsOfValues {
+class SumsOfWorth {
   public:
-    /// values: of each photon.  kind: its place among those of paths.
-    SumsOfValues(std::vector<double> values, std::uint64_t PhotonCounts::*kind,
-                 const std::vector<PhotonCounts>& after_path)
-        : up_to_(std::move(values)), kind_(kind)
+    /// worth: of each photon.  kind: its place among those of paths.
+    SumsOfWorth(std::vector<double> worth, std::uint64_t PhotonCounts::*kind,
+                const std::vector<PhotonCounts>& after_path)
+        : up_to_(std::move(worth)), kind_(kind)
     {
         std::uint64_t begin = 0;
         for (const PhotonCounts& after : after_path) {
@@ -185,12 +185,24 @@ class SumsOfValues {
     std::uint64_t PhotonCounts::*kind_;
 };
 
-/// The sum over all kinds, as that of SumsOfValues.
-double between(const std::vector<SumsOfValues>& kinds, const PhotonCounts& path,
+/// Adds the noise of the photons of a kind to that of their paths.
+void add_noise(const std::vector<double>& of_photons, std::uint64_t PhotonCounts::*kind,
+               const std::vector<PhotonCounts>& after_path, std::vector<double>& of_paths)
+{
+    auto first = of_photons.begin();
+    for (std::size_t path = 0; path < after_path.size(); ++path) {
+        const auto end = of_photons.begin() + static_cast<std::ptrdiff_t>(after_path[path].*kind);
+        of_paths[path] += std::accumulate(first, end, 0.0);
+        first = end;
+    }
+}
+
+/// The sum over all kinds, as that of SumsOfWorth.
+double between(const std::vector<SumsOfWorth>& kinds, const PhotonCounts& path,
                const PhotonCounts& from, const PhotonCounts& to)
 {
     double out = 0;
-    for (const SumsOfValues& kind : kinds)
+    for (const SumsOfWorth& kind : kinds)
         out += kind.between(path, from, to);
     return out;
 }
@@ -265,28 +277,30 @@ WorthOfPaths worth_of_paths(const MappedScene& mapped, const PhotonWorth& worth,
                             const TracedPhotons& traced)
 {
     const bool known = worth.radii != nullptr;
-    std::vector<SumsOfValues> worths, noises;
+    const std::vector<PhotonCounts>& ends = traced.after_path;
+    WorthOfPaths out;
+    out.noise.resize(ends.size());
+    std::vector<SumsOfWorth> worths;
     const auto add = [&](const std::vector<Photon>& photons, const PhotonMaps& importons,
                          std::uint64_t PhotonCounts::*kind, RadiusField FirstRadii::*radii,
                          float rays) {
         PhotonValues values = values_of(
             mapped.surfaces, photons, {importons, known ? &(worth.radii->*radii) : nullptr, rays});
-        worths.emplace_back(std::move(values.worth), kind, traced.after_path);
-        noises.emplace_back(std::move(values.noise), kind, traced.after_path);
+        worths.emplace_back(std::move(values.worth), kind, ends);
+        add_noise(values.noise, kind, ends, out.noise);
     };
     add(traced.caustic, worth.caustic, &PhotonCounts::caustic, &FirstRadii::caustic, 1);
     add(traced.global, worth.global, &PhotonCounts::global, &FirstRadii::global, worth.rays);
     add(worth.weigh(traced), worth.indirect, &PhotonCounts::bounces, &FirstRadii::indirect, 1);
-    const std::vector<PhotonCounts>& ends = traced.after_path;
     const auto start_of = [&](std::uint64_t path) {
         return path == 0 ? PhotonCounts{} : ends[path - 1];
     };
-    WorthOfPaths out;
     for (std::size_t path = 0; path < ends.size(); ++path) {
         const PhotonCounts start = start_of(path);
         const double found = between(worths, start, start, ends[path]);
         out.paths.push_back(found);
-        out.noise.push_back(known ? between(noises, start, start, ends[path]) : found * found);
+        if (!known)
+            out.noise[path] = found * found;
     }
     for (const PathArrival& arrival : traced.arrivals) {
         const double found = between(worths, start_of(arrival.path), arrival.before, arrival.after);

@@ -73,9 +73,10 @@ struct PhotonWorth {
 PhotonWorth make_worth(const Importons& importons, const MapSurfaces& surfaces,
                        std::function<std::vector<Photon>(const TracedPhotons&)> weigh);
 
-/// What paths are worth: the power of their photons times the density of importons there.  The
-/// noise that a path brings is the sum over its photons of their squares, each over the importons
-/// that read the photon; without radii, the square of its worth.
+/// What paths are worth: the power of their photons times the density of importons there.  To the
+/// noise of a path each of its photons adds the square of what it is worth, divided by how many
+/// importons read it.  Where radii are not known, the noise is the square of what the path is
+/// worth.
 struct WorthOfPaths {
     std::vector<double> paths;         ///< in the order of trace_photons
     std::vector<double> noise;         ///< that each brings
