@@ -28,6 +28,7 @@ GatherBranch scatter(const RenderScene& scene, const GatherBranch& from, const I
     const bool through = go_by_lobes(
         scene, at, {.lobes = lobes, .guide = lobes == Lobes::gathered ? from.guide : nullptr},
         random, next);
+    next.by_specular = lobes != Lobes::gathered;
     if (lobes == Lobes::gathered)
         next.source.sky = from.sky;
     next.guide = next.sky = nullptr;
@@ -43,13 +44,15 @@ void add_mirror_and_glass(const RenderScene& scene, const GatherBranch& from, co
                           Departures& out)
 {
     const SpecularLobes lobes = specular_lobes(at);
+    GatherBranch sent = from;
+    sent.by_specular = true;
     if (!is_black(lobes.transmit)) {
-        GatherBranch next = from;
+        GatherBranch next = sent;
         go_through(scene, at, lobes, 1, next);
         out.add(next);
     }
     if (!is_black(lobes.mirror)) {
-        GatherBranch next = from;
+        GatherBranch next = sent;
         go_by_mirror(scene, at, lobes, 1, next);
         out.add(next);
     }

@@ -16,6 +16,7 @@ constexpr int kMostRays = 4;
 /// A part of an eye path that is still to be followed.
 struct GatherBranch : PathState {
     glm::vec3 gathered_at{0.0f};           ///< the last gathered lobe
+    bool by_specular = false;              ///< not straight from there
     float indirect_radius = 0;             ///< the first, of the indirect map there
     float transmitted_radius = 0;          ///< the same on the other side
     const DirectionGuide* guide = nullptr; ///< of the ray that the gathered lobes are to send

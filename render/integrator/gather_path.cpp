@@ -269,7 +269,8 @@ class GatherTracer {
     float weight_of(const GatherBranch& branch, const PhotonQuery& query, float first) const
     {
         const glm::vec3 way = query.position - branch.gathered_at;
-        return gather_weight({first, branch.indirect_radius, glm::dot(way, way)}, maps_.scale);
+        return gather_weight(
+            {first, branch.indirect_radius, glm::dot(way, way), branch.by_specular}, maps_.scale);
     }
 
     void add_caustic(const GatherBranch& branch, const Rgb& factor, const PhotonQuery& query)

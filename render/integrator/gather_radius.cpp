@@ -26,7 +26,9 @@ GatherScale gather_scale(float samples, float shrink, std::uint32_t neighbours)
 
 float gather_weight(const Bounce& bounce, const GatherScale& scale)
 {
-    const float y2 = scale.rays * bounce.radius_at_y * bounce.radius_at_y;
+    constexpr float kStraightRays = 8; // that find as much as one by specular surfaces
+    const float rays = bounce.by_specular ? scale.rays / kStraightRays : scale.rays;
+    const float y2 = rays * bounce.radius_at_y * bounce.radius_at_y;
     const float x2 = bounce.radius_at_x * bounce.radius_at_x;
     // The more passes, the less noise is in the mean of all and the more the blur of each counts.
     const float shrink2 = scale.shrink * scale.shrink;
@@ -92,7 +94,8 @@ std::vector<Photon> weigh_bounces(const TracedPhotons& traced, const FirstRadii&
                 const float x =
                     radius_at(first.indirect, surfaces, query_at(bounced.photon, surfaces));
                 const glm::vec3 way = bounced.photon.position - from.position;
-                out[i].power *= 1 - gather_weight({y, x, glm::dot(way, way)}, scale);
+                out[i].power *=
+                    1 - gather_weight({y, x, glm::dot(way, way), bounced.by_specular}, scale);
             }
         });
     return out;

@@ -22,7 +22,8 @@ PhotonQuery query_at(const Photon& photon, const MapSurfaces& surfaces);
 struct Bounce {
     float radius_at_y = 0; ///< the first radii
     float radius_at_x = 0;
-    float distance2 = 0; ///< square, from y to x
+    float distance2 = 0;      ///< square, from y to x
+    bool by_specular = false; ///< specular or followed lobes have sent it on between
 };
 
 /// The gather rays that count in the weights of a pass, and its radius over the first one.

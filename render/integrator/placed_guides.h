@@ -20,7 +20,7 @@ const DirectionGuide* directions_at(const PlacedGuides& guide, const Partition& 
 /// When directions are worth learning.
 struct LearningRule {
     std::size_t fewest_rays = 512; ///< of a leaf of the tree; one with twice as many is split
-    double least_gain = 1.05;      ///< by which the mean square of what rays find must fall
+    double least_gain = 1.2;       ///< by which the mean square of what rays find must fall
 };
 
 /// Learns from rays that the lobes drew.  Records move within their vector.  In parallel; the

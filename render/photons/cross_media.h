@@ -12,6 +12,7 @@ struct LeftGathered {
     std::uint64_t photon = kNoPhoton; ///< of the chunk; none was kept, or a medium came after it
     bool caustic = false;             ///< it is one of the caustic photons
     bool media = false;               ///< a medium has scattered the path since
+    bool specular = false;            ///< specular or followed lobes have sent it on since
 };
 
 /// The state of a light path.

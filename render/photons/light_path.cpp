@@ -150,7 +150,7 @@ void store(const Interaction& at, LightPath& path, bool directional, const Wante
         return;
     }
     if (link)
-        out.bounces.push_back({photon, from.caustic, from.photon});
+        out.bounces.push_back({photon, from.caustic, from.specular, from.photon});
     if (keep) {
         if (wanted.counter != nullptr)
             wanted.counter->add(photon, path.first_specular, caustic);
@@ -283,8 +283,10 @@ bool send_on(const Traced& in, const Met& met, LightPath& path)
     const int diffuse = path.diffuse;
     if (!scatter(in.scene, at, path, in.random, in.out.power))
         return false;
-    if (path.diffuse == diffuse) // a gather ray that comes the other way goes on here too
+    if (path.diffuse == diffuse) { // a gather ray that comes the other way goes on here too
         path.last = met.last;
+        path.last.specular = true;
+    }
     if (is_done(path, in.wanted)) {
         in.out.power.absorbed += glm::dvec3(path.power);
         return false;

@@ -48,6 +48,7 @@ inline constexpr std::uint64_t kNoPhoton = ~std::uint64_t{0};
 struct BouncedPhoton {
     Photon photon;
     bool from_caustic;  ///< `from` is one of the caustic photons, else of the global ones
+    bool by_specular;   ///< specular or followed lobes have sent the light on since
     std::uint64_t from; ///< the photon that its path left at the surface of the bounce; kNoPhoton:
                         ///<   a medium has scattered the light since
 };

@@ -264,15 +264,21 @@ TEST_CASE("bounced photons know the photon their light bounced from", "[photons]
     options.caustic_paths = 3000;
     options.store_direct = options.link_bounces = true;
     const TracedPhotons traced = trace_photons(*ready->render, options);
-    std::size_t straight = 0, from_caustics = 0;
+    std::size_t straight = 0, bent = 0, by_specular = 0, from_caustics = 0;
     for (const BouncedPhoton& bounced : traced.bounces) {
         const std::vector<Photon>& kept = bounced.from_caustic ? traced.caustic : traced.global;
         REQUIRE(bounced.from < kept.size());
         from_caustics += bounced.from_caustic;
         // Unless a ball was between, the light came from there.
         const glm::vec3 way = kept[bounced.from].position - bounced.photon.position;
-        straight += glm::dot(glm::normalize(way), bounced.photon.direction) > 0.9999f;
+        const bool is_straight = glm::dot(glm::normalize(way), bounced.photon.direction) > 0.9999f;
+        straight += is_straight;
+        CHECK((is_straight || bounced.by_specular));
+        bent += !is_straight;
+        by_specular += bounced.by_specular;
     }
+    CHECK(bent > 20);
+    CHECK(by_specular < 2 * bent); // few see the other side of a ball straight through its middle
     CHECK(from_caustics > 100);
     CHECK(traced.bounces.size() - from_caustics > 1000);
     CHECK(straight > traced.bounces.size() * 3 / 4);
