@@ -26,8 +26,8 @@ GatherScale gather_scale(float samples, float shrink, std::uint32_t neighbours)
 
 float gather_weight(const Bounce& bounce, const GatherScale& scale)
 {
-    constexpr float kStraightRays = 8; // that find as much as one by specular surfaces
-    const float rays = bounce.by_specular ? scale.rays / kStraightRays : scale.rays;
+    constexpr float kSpecularRays = 8; // that count as one straight ray
+    const float rays = bounce.by_specular ? scale.rays / kSpecularRays : scale.rays;
     const float y2 = rays * bounce.radius_at_y * bounce.radius_at_y;
     const float x2 = bounce.radius_at_x * bounce.radius_at_x;
     // The more passes, the less noise is in the mean of all and the more the blur of each counts.

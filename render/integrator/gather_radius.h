@@ -42,7 +42,7 @@ GatherScale gather_scale(float samples, float shrink, std::uint32_t neighbours);
 /// Returns the weight of final gathering against direct photons.  The light of a bounce is found in
 /// two ways: by the final-gather ray from x that reads a map at y, and by the photon that continued
 /// from y to x.  Both are weighted by how much each finds, and the second by how little its radius
-/// blurs, docs/light_transport.md (21); the weight of the first is 1 if there is no second
+/// blurs, docs/light_transport.md (21), (42); the weight of the first is 1 if there is no second
 /// (radius_at_x zero or not finite).
 float gather_weight(const Bounce& bounce, const GatherScale& scale);
 
