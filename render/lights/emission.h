@@ -67,13 +67,12 @@ inline DrawnPrimary draw_start(const EmissionGuide& guide, std::size_t light,
     return draw(guide.lights[light].density, even);
 }
 
-/// Returns the start that `emit(share, random)` makes of a light path, drawn by a guide; of the
-/// same expectation.
+/// Returns the start that `emit(share, random)` makes of a light path from first steps that a guide
+/// drew; of the same expectation.
 template <typename Emit>
-EmittedPath emit_guided(const EmissionGuide& guide, const LightShare& share, RandomSequence& random,
-                        const Emit& emit)
+EmittedPath emit_from(const DrawnPrimary& start, const LightShare& share, RandomSequence& random,
+                      const Emit& emit)
 {
-    const DrawnPrimary start = draw_start(guide, share.light, random);
     random.give(start.at);
     EmittedPath out = emit(LightShare{share.light, {}}, random);
     random.take_back();

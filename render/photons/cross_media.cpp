@@ -35,7 +35,7 @@ void store_in_medium(const LightPath& path, const Wanted& wanted, RandomSequence
                               static_cast<float>(std::max(path.scatterings, kFullScatterings));
     if (!wants_class(path.behind, wanted) || !wanted.volume || !(random.next() < probability))
         return;
-    const Rgb power = path.power / probability;
+    const Rgb power = path.power * part_brought(path.behind, wanted) / probability;
     if (is_finite(power) && is_finite(position))
         out.volume.push_back({position, power, path.ray.direction, path.inside.current()});
     else

@@ -11,6 +11,7 @@ namespace hipmap {
 struct LeftGathered {
     std::uint64_t photon = kNoPhoton; ///< of the chunk; none was kept, or a medium came after it
     bool caustic = false;             ///< it is one of the caustic photons
+    float part = 1;                   ///< of the light there that its path brought
     bool media = false;               ///< a medium has scattered the path since
     bool specular = false;            ///< specular or followed lobes have sent it on since
 };
@@ -43,6 +44,12 @@ inline bool wants_class(LightPathClass path, const Wanted& wanted)
         return wanted.indirect;
     }
     return false;
+}
+
+/// Returns the part of the light of a path's class that the path brings to a photon.
+inline float part_brought(LightPathClass path, const Wanted& wanted)
+{
+    return path == LightPathClass::caustic ? wanted.caustic_part : 1.0f;
 }
 
 /// Returns whether no further photon of a path is wanted.

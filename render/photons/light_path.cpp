@@ -141,31 +141,35 @@ void store(const Interaction& at, LightPath& path, bool directional, const Wante
     if (!keep && !link)
         return;
     const float geometric = glm::dot(at.back, at.normal);
-    Rgb power = path.power * (at.cosine / geometric);
+    const float part = part_brought(path.behind, wanted);
+    Rgb power = path.power * (part * at.cosine / geometric);
     if (!directional)
         power *= transmitted_by(at.bsdf().layers, Depth::diffuse, at.seen());
-    const Photon photon{at.point.position, power, at.back, at.point.face, at.side};
+    Photon photon{at.point.position, power, at.back, at.point.face, at.side};
     if (!is_finite(power) || !is_finite(at.point.position)) {
         ++out.dropped;
         return;
     }
-    if (link)
-        out.bounces.push_back({photon, from.caustic, from.specular, from.photon});
     if (keep) {
         if (wanted.counter != nullptr)
             wanted.counter->add(photon, path.first_specular, caustic);
         std::vector<Photon>& kept = caustic ? out.caustic : out.global;
-        path.last = {.photon = kept.size(), .caustic = caustic};
+        path.last = {.photon = kept.size(), .caustic = caustic, .part = part};
         kept.push_back(photon);
+    }
+    if (link) {
+        photon.power *= from.part;
+        out.bounces.push_back({photon, from.caustic, from.specular, from.photon});
     }
 }
 
 /// Keeps the photon at a surface with followed lobes, docs/light_transport.md (44).
-void store_glossy(const Interaction& at, const LightPath& path, TracedPhotons& out)
+void store_glossy(const Interaction& at, const LightPath& path, const Wanted& wanted,
+                  TracedPhotons& out)
 {
     const float cosine = glm::dot(at.back, at.normal);
     const float radiance = max_channel(path.radiance) * cosine / followed_peak(at);
-    const Rgb power = path.power * (at.cosine / cosine);
+    const Rgb power = path.power * (part_brought(path.behind, wanted) * at.cosine / cosine);
     if (is_finite(power) && is_finite(at.point.position) && radiance > 0)
         out.glossy.push_back(
             {{at.point.position, power, at.back, at.point.face, at.side}, radiance});
@@ -328,7 +332,7 @@ Met meet(const Traced& in, const Interaction& at, LightPath& path)
         path.last = {};
     if (wanted.glossy && at.follows() && path.behind == LightPathClass::caustic &&
         !is_black(path.radiance) && has_map)
-        store_glossy(at, path, out);
+        store_glossy(at, path, wanted, out);
     return {at, gathers, last};
 }
 

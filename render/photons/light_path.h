@@ -8,6 +8,7 @@ namespace hipmap {
 struct Wanted {
     bool direct = false;
     bool caustic = false;
+    float caustic_part = 1; ///< of caustic photons: paths of another kind bring the rest
     bool indirect = false;
     bool bounces = false;
     bool after_specular = true;               ///< any, once a specular surface was the first

@@ -87,12 +87,44 @@ TracedPhotons join(std::vector<TracedPhotons>& chunks)
 struct PathKind {
     const PhotonOptions& options;
     const EmissionGuide* guide; ///< null: none
-    const EmissionPlan plan;
+    EmissionPlan plan;
     RandomStream stream = RandomStream::photons;
     Wanted wanted;
+    Wanted wanted_enclosed; ///< of the paths of enclosed lights
+
+    const Wanted& wanted_of(const RenderScene& scene, std::size_t light) const
+    {
+        return scene.enclosed_lights[light] == 0 ? wanted : wanted_enclosed;
+    }
 
     /// Returns which paths of the plan are traced.
     Part traced() const { return part_of(plan.paths, options.part, options.parts); }
+
+    /// Returns how densely paths of a light start at a point, times their number.
+    double density(std::size_t light, const PrimarySample& at) const
+    {
+        const std::uint64_t paths = plan.first_path[light + 1] - plan.first_path[light];
+        return static_cast<double>(paths) *
+               (guide == nullptr ? 1 : density_at(guide->lights[light].density, at));
+    }
+};
+
+/// Paths of one kind, and those of the other.
+struct KindOfTwo {
+    const PathKind& own;
+    const PathKind& other;
+
+    /// Returns what is wanted of a path of a light.  start: by the guide, if there is one.
+    Wanted wanted(const RenderScene& scene, std::size_t light, const DrawnPrimary& start) const
+    {
+        Wanted out = own.wanted_of(scene, light);
+        if (scene.enclosed_lights[light] != 0) {
+            const double by_own = own.density(light, start.at);
+            out.caustic_part =
+                static_cast<float>(by_own / (by_own + other.density(light, start.at)));
+        }
+        return out;
+    }
 };
 
 const EmissionGuide* guide_of(const PhotonOptions& options, EmissionGuide PhotonGuides::*kind)
@@ -116,12 +148,15 @@ class PathCounts {
         const std::lock_guard lock(mutex_);
         counter->add_to(sum_);
     }
-    /// Returns the counts of all.  wanted: of their paths.
-    SeenClasses take(const Wanted& wanted)
+    /// Returns the counts of all.  wanted(light): of its paths.
+    template <typename OfLight>
+    SeenClasses take(const OfLight& wanted)
     {
-        for (SeenClasses::OfLight& light : sum_.lights) {
-            light.caustic = wanted.caustic ? light.caustic : 0;
-            light.global = wanted.direct || wanted.indirect ? light.global : 0;
+        for (std::size_t i = 0; i < sum_.lights.size(); ++i) {
+            const Wanted& of_light = wanted(i);
+            SeenClasses::OfLight& light = sum_.lights[i];
+            light.caustic = of_light.caustic ? light.caustic : 0;
+            light.global = of_light.direct || of_light.indirect ? light.global : 0;
         }
         return std::move(sum_);
     }
@@ -132,26 +167,29 @@ class PathCounts {
     SeenClasses sum_;
 };
 
-/// Traces paths in chunks that are joined in order.  emit(share, random): their starts.
+/// Traces paths of a kind in chunks that are joined in order.  emit(share, random): their starts.
 template <typename Emit>
-TracedPhotons trace_paths(const RenderScene& scene, const PathKind& kind, const Emit& emit)
+TracedPhotons trace_paths(const RenderScene& scene, const KindOfTwo& of, const Emit& emit)
 {
+    const PathKind& kind = of.own;
     const Part traced = kind.traced();
     std::vector<TracedPhotons> chunks((traced.size() + kPathsPerChunk - 1) / kPathsPerChunk);
     PathCounts counts(kind.options.seen);
     tbb::parallel_for(std::size_t{0}, chunks.size(), [&](std::size_t c) {
         TracedPhotons& photons = chunks[c];
         std::optional<ClassCounter> counter = counts.begin();
-        Wanted wanted = kind.wanted;
-        wanted.counter = counter ? &*counter : nullptr;
         const std::uint64_t begin = traced.begin + c * kPathsPerChunk;
         const std::uint64_t end = std::min(traced.end, begin + kPathsPerChunk);
         for (std::uint64_t i = begin; i < end; ++i) {
             const LightShare share = share_of(kind.plan, i);
             RandomSequence random = path_sequence(kind.options, kind.stream, share);
-            const EmittedPath start = kind.guide == nullptr
-                                          ? emit(share, random)
-                                          : emit_guided(*kind.guide, share, random, emit);
+            DrawnPrimary first;
+            if (kind.guide != nullptr)
+                first = draw_start(*kind.guide, share.light, random);
+            const EmittedPath start =
+                kind.guide == nullptr ? emit(share, random) : emit_from(first, share, random, emit);
+            Wanted wanted = of.wanted(scene, share.light, first);
+            wanted.counter = counter ? &*counter : nullptr;
             if (counter)
                 counter->begin_path(share.light, start.power);
             if (max_channel(start.power) > 0)
@@ -162,16 +200,16 @@ TracedPhotons trace_paths(const RenderScene& scene, const PathKind& kind, const 
         counts.add(counter);
     });
     TracedPhotons out = join(chunks);
-    out.seen = counts.take(kind.wanted);
+    out.seen = counts.take([&](std::size_t light) { return kind.wanted_of(scene, light); });
     return out;
 }
 
-/// What is kept of the paths that are not aimed.
-Wanted wanted_without_aim(const PhotonOptions& options)
+/// What is kept of the paths that are not aimed.  caustic: photons of caustics too.
+Wanted wanted_without_aim(const PhotonOptions& options, bool caustic)
 {
     Wanted wanted;
     wanted.direct = options.store_direct;
-    wanted.caustic = options.light.caustic && options.caustic_paths == 0;
+    wanted.caustic = caustic;
     wanted.indirect = options.light.indirect;
     wanted.bounces = options.link_bounces;
     wanted.after_specular = options.light.caustic && (wanted.caustic || wanted.indirect);
@@ -184,45 +222,70 @@ Wanted wanted_without_aim(const PhotonOptions& options)
     return wanted;
 }
 
-TracedPhotons trace_without_aim(const RenderScene& scene, const PhotonOptions& options)
+PathKind kind_without_aim(const RenderScene& scene, const PhotonOptions& options)
 {
-    const Wanted wanted = wanted_without_aim(options);
-    if (!wanted.direct && !wanted.caustic && !wanted.indirect && !wanted.volume)
-        return {};
-    const EmissionGuide* const guide = guide_of(options, &PhotonGuides::without_aim);
+    const bool caustic = options.light.caustic;
+    const Wanted wanted = wanted_without_aim(options, caustic && options.caustic_paths == 0);
+    const bool any = wanted.direct || wanted.caustic || wanted.indirect || wanted.volume;
+    const std::uint64_t paths = any ? options.paths : 0;
     const Emitters emitters = options.media ? Emitters::all : Emitters::all_but_media;
-    const PathKind kind{options, guide,
-                        guide == nullptr ? plan_emission(scene.lights, options.paths, emitters)
-                                         : plan_emission(*guide, options.paths),
-                        RandomStream::photons, wanted};
-    TracedPhotons out =
-        trace_paths(scene, kind, [&](const LightShare& share, RandomSequence& random) {
-            return emit_path(scene.lights, share, random);
-        });
-    out.emitted = kind.traced().size();
+    const EmissionGuide* const guide = guide_of(options, &PhotonGuides::without_aim);
+    return {options,
+            guide,
+            guide == nullptr ? plan_emission(scene.lights, paths, emitters)
+                             : plan_emission(*guide, paths),
+            RandomStream::photons,
+            wanted,
+            wanted_without_aim(options, caustic)};
+}
+
+/// Returns the shares of lights in the aimed paths where there is no guide.  without_aim: there are
+/// other paths, which leave the caustics of enclosed lights.
+EmissionGuide even_aimed(const RenderScene& scene, bool without_aim)
+{
+    EmissionGuide out = even_guide(scene.lights, Emitters::all_but_media);
+    for (std::size_t i = 0; i < out.lights.size(); ++i)
+        if (without_aim && scene.enclosed_lights[i] != 0)
+            out.lights[i].share = 0;
     return out;
 }
 
-TracedPhotons trace_aimed(const RenderScene& scene, const PhotonOptions& options)
+PathKind kind_aimed(const RenderScene& scene, const PhotonOptions& options, bool without_aim)
 {
-    const std::vector<TargetSphere>& targets = scene.specular_targets;
-    if (!options.light.caustic || options.caustic_paths == 0 || targets.empty())
-        return {};
-    Wanted wanted{false, true, false, options.link_bounces};
+    Wanted wanted{.caustic = true, .bounces = options.link_bounces};
     wanted.volume = options.media;
     wanted.glossy = options.store_glossy;
+    const bool any = options.light.caustic && !scene.specular_targets.empty();
     const EmissionGuide* const guide = guide_of(options, &PhotonGuides::aimed);
-    const PathKind kind{options, guide,
-                        guide == nullptr ? plan_emission(scene.lights, options.caustic_paths,
-                                                         Emitters::all_but_media)
-                                         : plan_emission(*guide, options.caustic_paths),
-                        RandomStream::caustics, wanted};
+    return {options,
+            guide,
+            plan_emission(guide == nullptr ? even_aimed(scene, without_aim) : *guide,
+                          any ? options.caustic_paths : 0),
+            RandomStream::caustics,
+            wanted,
+            wanted};
+}
+
+TracedPhotons trace_without_aim(const RenderScene& scene, const KindOfTwo& paths)
+{
     TracedPhotons out =
-        trace_paths(scene, kind, [&](const LightShare& share, RandomSequence& random) {
-            return emit_aimed_path(scene.lights, share, targets, random);
+        trace_paths(scene, paths, [&](const LightShare& share, RandomSequence& random) {
+            return emit_path(scene.lights, share, random);
+        });
+    out.emitted = paths.own.traced().size();
+    return out;
+}
+
+TracedPhotons trace_aimed(const RenderScene& scene, const KindOfTwo& paths)
+{
+    TracedPhotons out =
+        trace_paths(scene, paths, [&](const LightShare& share, RandomSequence& random) {
+            return scene.enclosed_lights[share.light] != 0
+                       ? emit_path(scene.lights, share, random)
+                       : emit_aimed_path(scene.lights, share, scene.specular_targets, random);
         });
     out.power = {}; // of no light of its own
-    out.aimed = kind.traced().size();
+    out.aimed = paths.own.traced().size();
     return out;
 }
 
@@ -237,14 +300,16 @@ RandomSequence path_sequence(const PhotonOptions& options, RandomStream stream,
 TracedPhotons trace_photons(const RenderScene& scene, const PhotonOptions& options)
 {
     std::vector<TracedPhotons> both(2);
-    both[0] = trace_without_aim(scene, options);
-    both[1] = trace_aimed(scene, options);
-    const std::uint64_t emitted = both[0].emitted, aimed = both[1].aimed;
-    if (aimed == 0)
+    const PathKind without_aim = kind_without_aim(scene, options);
+    const PathKind aimed = kind_aimed(scene, options, without_aim.plan.paths > 0);
+    both[0] = trace_without_aim(scene, {without_aim, aimed});
+    both[1] = trace_aimed(scene, {aimed, without_aim});
+    const std::uint64_t emitted = both[0].emitted, caustic_paths = both[1].aimed;
+    if (caustic_paths == 0)
         return std::move(both[0]);
     TracedPhotons out = join(both);
     out.emitted = emitted;
-    out.aimed = aimed;
+    out.aimed = caustic_paths;
     return out;
 }
 

@@ -28,8 +28,9 @@ struct PhotonOptions {
     std::uint64_t pass = 0;
     bool store_direct =
         false; ///< photons straight from a light too; else the integrator finds that light
-    std::uint64_t caustic_paths = 0; ///< to aim at specular surfaces besides, if there are any; 0:
-                                     ///< what reaches them without aim makes the caustics
+    std::uint64_t caustic_paths = 0; ///< to aim at specular surfaces besides, if there are any and
+                                     ///< for lights that need it; 0: what reaches them without aim
+                                     ///< makes the caustics
     bool link_bounces = false;       ///< fill TracedPhotons::bounces
     bool store_glossy = false;       ///< fill TracedPhotons::glossy; of caustic light alone
     LightClasses light{};            ///< photons of other light are neither traced nor kept
@@ -97,8 +98,7 @@ struct TracedPhotons {
     std::uint64_t aimed = 0;            ///< those aimed at specular surfaces, which come last
     std::vector<Photon> caustic;        ///< light, specular or media, diffuse
     std::vector<Photon> global;         ///< indirect, and direct if asked for
-    std::vector<BouncedPhoton> bounces; ///< indirect, if asked for; those from a caustic are of
-                                        ///< aimed paths, the others not
+    std::vector<BouncedPhoton> bounces; ///< indirect, if asked for
     std::vector<GlossyPhoton> glossy;   ///< if asked for
     std::vector<VolumePhoton> volume;   ///< in media
     std::vector<PhotonCounts>

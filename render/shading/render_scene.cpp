@@ -42,7 +42,9 @@ RenderScene::RenderScene(const Scene& from_scene, const Partition& from_partitio
       specular_targets(find_specular_targets(from_scene, bsdfs)),
       media(collect_media(from_scene, from_partition, rays)), environment_map(std::move(map)),
       surface_emission(surface_emission_of(*this)),
-      lights(collect_lights(scene, {surface_emission, &environment_map, media ? &*media : nullptr}))
+      lights(
+          collect_lights(scene, {surface_emission, &environment_map, media ? &*media : nullptr})),
+      enclosed_lights(find_enclosed_lights(lights, specular_targets))
 {
     for (const Material& material : scene.materials)
         bumpy.push_back(tilts(material));

@@ -30,7 +30,8 @@ struct RenderScene {
     EnvironmentMap environment_map; ///< empty: none
     SurfaceEmission surface_emission;
     LightSet lights;
-    bool lit_by_faces = false; ///< no light but emissive meshes and media emits
+    std::vector<std::uint8_t> enclosed_lights; ///< [lights] 1: a target sphere holds the light
+    bool lit_by_faces = false;                 ///< no light but emissive meshes and media emits
     bool clear = false; ///< nothing lies between surfaces: no medium, no glass that absorbs, no
                         ///<   light that rays can run into
     bool directional = false; ///< photons are weighed by the direction they came from: some surface

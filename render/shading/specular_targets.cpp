@@ -64,6 +64,13 @@ std::vector<TargetSphere> cover(const TriangleMesh& mesh, std::span<FaceId> face
     return squared_radii(parts) < squared_radii({&whole, 1}) ? parts : std::vector{whole};
 }
 
+bool holds(const TargetSphere& sphere, const Bounds<glm::vec3>& box)
+{
+    const glm::vec3 farthest =
+        glm::max(glm::abs(box.low - sphere.centre), glm::abs(box.high - sphere.centre));
+    return glm::length(farthest) <= sphere.radius;
+}
+
 } // namespace
 
 std::vector<TargetSphere> find_specular_targets(const Scene& scene, const std::vector<Bsdf>& bsdfs)
@@ -86,6 +93,21 @@ std::vector<TargetSphere> find_specular_targets(const Scene& scene, const std::v
     if (!faces.empty())
         out = cover(mesh, faces, kHalvings);
     std::erase_if(out, [](const TargetSphere& sphere) { return !(sphere.radius > 0); });
+    return out;
+}
+
+std::vector<std::uint8_t> find_enclosed_lights(const LightSet& lights,
+                                               const std::vector<TargetSphere>& targets)
+{
+    std::vector<std::uint8_t> out;
+    for (const Light& light : lights.lights) {
+        const std::optional<LightBounds> around =
+            role(light) == LightRole::medium ? std::nullopt : bounds(light);
+        out.push_back(around &&
+                      std::any_of(targets.begin(), targets.end(), [&](const TargetSphere& sphere) {
+                          return holds(sphere, around->box);
+                      }));
+    }
     return out;
 }
 

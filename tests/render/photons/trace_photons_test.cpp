@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 #include <tbb/global_control.h>
 
+#include <array>
 #include <cstring>
 
 using namespace hipmap;
@@ -254,6 +255,62 @@ TEST_CASE("trace photons: aimed paths bring the caustics that others bring, with
           kMostZ * std::hypot(plain.standard_error(), aimed.standard_error()));
     CHECK(plain.standard_error() < 0.05 * plain.mean());
     CHECK(aimed_photons > plain_photons);
+}
+
+TEST_CASE("trace photons: lights in a glass ball make the same caustics by any paths", "[photons]")
+{
+    Scene scene = open_room();
+    scene.materials.back().emission = Rgb(0);
+    ScenePointLight outside;
+    outside.position = {-0.45f, 0.45f, -0.45f};
+    outside.intensity = Rgb(1);
+    scene.lights.emplace_back(outside);
+    TriangleMesh ball = tiny::uv_sphere(24, 12);
+    tiny::scale(ball, 0.2f);
+    tiny::move(ball, {0.1f, 0.1f, 0.2f}); // about the point light
+    tiny::add(scene, ball, tiny::glass(1.5f));
+    TriangleMesh face = tiny::floor_at(0.02f, 0.1f);
+    tiny::move(face, {0.1f, 0.1f, 0.2f});
+    tiny::add(scene, face, tiny::emissive({30, 20, 10}));
+    const auto ready = tiny::ready(scene);
+    REQUIRE(ready->render->enclosed_lights == std::vector<std::uint8_t>{1, 0, 1});
+
+    PhotonGuides guides;
+    for (auto [guide, lower] :
+         {std::pair(&guides.without_aim, 0.8f), std::pair(&guides.aimed, 0.3f)}) {
+        *guide = even_guide(ready->render->lights, Emitters::all_but_media);
+        for (EmissionGuide::OfLight& light : guide->lights)
+            light.density.nodes = {{1, 1, lower, 0.5f}, {}, {}};
+    }
+    PhotonOptions options{.paths = 8000, .seed = 1, .store_direct = true, .link_bounces = true};
+    PhotonOptions with_aim = options, by_guides = options, alone = options;
+    with_aim.caustic_paths = by_guides.caustic_paths = alone.caustic_paths = 4000;
+    by_guides.guides = &guides;
+    alone.store_direct = alone.light.indirect = false;
+    const std::array all{options, with_aim, by_guides, alone};
+    std::array<std::array<RunningMean, 2>, 4> power; // [options][caustic, bounced off it]
+    for (std::uint64_t pass = 0; pass < 24; ++pass)
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            PhotonOptions of_pass = all[i];
+            of_pass.pass = pass;
+            const TracedPhotons traced = trace_photons(*ready->render, of_pass);
+            double caustic = 0, bounced = 0;
+            for (const Photon& photon : traced.caustic)
+                caustic += photon.power.y;
+            for (const BouncedPhoton& photon : traced.bounces)
+                bounced += photon.from_caustic ? photon.photon.power.y : 0;
+            power[i][0].add(caustic);
+            power[i][1].add(bounced);
+        }
+    for (std::size_t i = 1; i < all.size(); ++i)
+        for (int kind = 0; kind < 2; ++kind) {
+            const RunningMean &plain = power[0][kind], &other = power[i][kind];
+            INFO("options " << i << ", kind " << kind << ": " << plain.mean() << " and "
+                            << other.mean());
+            CHECK(std::abs(plain.mean() - other.mean()) <
+                  kMostZ * std::hypot(plain.standard_error(), other.standard_error()));
+            CHECK(other.standard_error() < 0.03 * other.mean());
+        }
 }
 
 TEST_CASE("bounced photons know the photon their light bounced from", "[photons]")
