@@ -51,6 +51,15 @@ std::vector<LeftPhoton> trace(const LightSpace& space, const MeanLights& sources
     return out;
 }
 
+/// Returns whether a sphere holds the start of light, so that all of it is aimed there.
+bool is_enclosed(const LightPoint& point, const std::vector<BoundingSphere>& targets)
+{
+    return !point.far &&
+           std::any_of(targets.begin(), targets.end(), [&](const BoundingSphere& target) {
+               return glm::distance(point.position, target.centre) <= target.radius;
+           });
+}
+
 /// Counts equal photons.  each: what one of them stands for.
 void add_counts(std::vector<LeftPhoton> photons, double each, PredictedPhotons& out)
 {
@@ -60,6 +69,29 @@ void add_counts(std::vector<LeftPhoton> photons, double each, PredictedPhotons& 
             out.places.push_back({photon, 0});
         out.places.back().photons += each;
     }
+}
+
+/// Counts the photons of caustics: of enclosed lights all paths leave them, of others the aimed
+/// ones.
+void add_caustics(const LightSpace& space, const MeanLights& sources, std::uint64_t paths,
+                  double each, PredictedPhotons& out)
+{
+    const std::vector<BoundingSphere> targets = find_caustic_targets(space.mesh, space.materials);
+    if (targets.empty())
+        return;
+    add_counts(trace(space, sources, paths, PhotonKind::caustic,
+                     [&](const LightPoint& point, RandomSequence& random) {
+                         return is_enclosed(point, targets) ? draw_start(sources, point, random)
+                                                            : LightStart{};
+                     }),
+               each, out);
+    add_counts(trace(space, sources, paths / kPathsPerCausticPath, PhotonKind::caustic,
+                     [&](const LightPoint& point, RandomSequence& random) {
+                         return is_enclosed(point, targets)
+                                    ? LightStart{}
+                                    : draw_aimed_start(sources, point, targets, random);
+                     }),
+               each, out);
 }
 
 } // namespace
@@ -92,13 +124,7 @@ PredictedPhotons predict_photons(const Scene& scene, const Partition& partition,
                          return draw_start(sources, point, random);
                      }),
                each, out);
-    const std::vector<BoundingSphere> targets = find_caustic_targets(mesh, materials);
-    if (!targets.empty())
-        add_counts(trace(space, sources, paths / kPathsPerCausticPath, PhotonKind::caustic,
-                         [&](const LightPoint& point, RandomSequence& random) {
-                             return draw_aimed_start(sources, point, targets, random);
-                         }),
-                   each, out);
+    add_caustics(space, sources, paths, each, out);
     std::ranges::sort(out.places, {}, &PredictedPhotons::At::place);
     return out;
 }

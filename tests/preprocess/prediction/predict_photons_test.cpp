@@ -66,6 +66,21 @@ TEST_CASE("predict_photons: none on glass and mirrors, caustics by both", "[pred
         CHECK(stores_photons(materials[scene.mesh.material_of_face[place.face]]));
 }
 
+TEST_CASE("predict_photons: every path of a light in a glass ball leaves a caustic", "[prediction]")
+{
+    TriangleMesh walls = tiny::uv_sphere(48, 24); // of radius 1
+    tiny::turn_inside_out(walls);
+    Scene scene = tiny::make_scene(walls);
+    scene.materials[0] = tiny::diffuse(Rgb(0.5f));
+    TriangleMesh ball = tiny::uv_sphere(48, 24);
+    tiny::scale(ball, 0.2f);
+    tiny::add(scene, ball, tiny::glass(1)); // which neither refracts nor reflects
+    ScenePointLight light;
+    light.intensity = Rgb(1);
+    scene.lights.emplace_back(light);
+    CHECK(sum_of(predict(scene), PhotonKind::caustic) == Approx(kPaths).epsilon(1e-3));
+}
+
 TEST_CASE("predict_photons: the same by one and four threads", "[prediction]")
 {
     const Scene scene = tiny::room();
