@@ -44,15 +44,15 @@ void add_mirror_and_glass(const RenderScene& scene, const GatherBranch& from, co
                           Departures& out)
 {
     const SpecularLobes lobes = specular_lobes(at);
-    GatherBranch sent = from;
-    sent.by_specular = true;
     if (!is_black(lobes.transmit)) {
-        GatherBranch next = sent;
+        GatherBranch next = from;
+        next.by_specular = true;
         go_through(scene, at, lobes, 1, next);
         out.add(next);
     }
     if (!is_black(lobes.mirror)) {
-        GatherBranch next = sent;
+        GatherBranch next = from;
+        next.by_specular = true;
         go_by_mirror(scene, at, lobes, 1, next);
         out.add(next);
     }
