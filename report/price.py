@@ -42,6 +42,8 @@ def sentences_of(error, last):
                "both vanish with more passes.")
     elif error.get("bias") == "unknown":
         yield "By noise alone: the bias of estimates from the k nearest photons is unknown."
+    if last.get("removed"):
+        yield f"Of that, {percent(last['removed'])} is bias of removed fireflies."
     if last.get("clamp"):
         yield f"Of that, {percent(last['clamp'])} is bias of --clamp, which no pass reduces."
     if last.get("missing", 0) > last["error"]:
