@@ -15,6 +15,11 @@ inline float max_channel(const Rgb& c)
     return std::max(c.x, std::max(c.y, c.z));
 }
 
+inline float sum_of_channels(const Rgb& c)
+{
+    return c.x + c.y + c.z;
+}
+
 /// Returns the Rec. 709 luminance of a colour.
 inline float luminance(const Rgb& c)
 {

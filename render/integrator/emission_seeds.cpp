@@ -15,11 +15,6 @@ constexpr std::size_t kMostImportons = 1 << 15;
 /// Directions of each importon, of each way to draw them.
 constexpr int kRays = 4;
 
-double sum_of(const Rgb& light)
-{
-    return double{light.x + light.y + light.z};
-}
-
 /// Looks for light from beyond the scene at one importon after another.
 class SeedFinder {
   public:
@@ -72,8 +67,8 @@ class SeedFinder {
         for (const std::uint32_t light : scene_.lights.environments)
             if (const auto hit = intersect(scene_.lights.lights[light], ray))
                 add(light, ray,
-                    sum_of(importon.power) * sum_of(hit->radiance) * cosine /
-                        (cosine / double{kPi} + double{hit->pdf}),
+                    double{sum_of_channels(importon.power)} * sum_of_channels(hit->radiance) *
+                        cosine / (cosine / double{kPi} + double{hit->pdf}),
                     random, out);
     }
 
@@ -87,7 +82,7 @@ class SeedFinder {
         const Ray ray = ray_from_importon(importon, drawn->direction);
         if (!scene_.rays.nearest(ray))
             add(sun, ray,
-                sum_of(importon.power) * sum_of(drawn->light) *
+                double{sum_of_channels(importon.power)} * sum_of_channels(drawn->light) *
                     double{glm::dot(importon.direction, drawn->direction)},
                 random, out);
     }

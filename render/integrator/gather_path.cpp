@@ -65,7 +65,7 @@ class GatherTracer {
         if (branch.record == kNoRecord)
             return;
         const Rgb found = radiance_[0] - before;
-        (*scratch_.records)[branch.record].light += found.x + found.y + found.z;
+        (*scratch_.records)[branch.record].light += sum_of_channels(found);
     }
 
     /// Keeps the ray that the gathered lobes of a surface sent.

@@ -74,7 +74,7 @@ double level_around(const Image& image, int x, int y)
     for (int v = y0; v < y1; ++v)
         for (int u = x0; u < x1; ++u)
             sum += image.at(u, v);
-    return double{sum.x + sum.y + sum.z} / (3.0 * (x1 - x0) * (y1 - y0));
+    return double{sum_of_channels(sum)} / (3.0 * (x1 - x0) * (y1 - y0));
 }
 
 void append(std::vector<Photon>& to, const std::vector<Photon>& from, float weight)

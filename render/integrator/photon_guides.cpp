@@ -74,14 +74,18 @@ double aimed_share(double noise_without_aim, double noise_aimed)
                : kMost;
 }
 
+double sum_of_squares(const std::vector<double>& values)
+{
+    return std::inner_product(values.begin(), values.end(), values.begin(), 0.0);
+}
+
 /// The noise that paths of one kind bring, and the square of what they are worth, over all rounds.
 struct NoiseOfWorth {
     double noise = 0, square = 0;
 
     void add(const std::vector<double>& worth_of_paths, const std::vector<double>& noise_of_paths)
     {
-        for (const double path : worth_of_paths)
-            square += path * path;
+        square += sum_of_squares(worth_of_paths);
         noise = std::reduce(noise_of_paths.begin(), noise_of_paths.end(), noise);
     }
 
@@ -152,9 +156,7 @@ class Learners {
     double share_saved(const PathSplitting& splitting, const RoundWorth& found) const
     {
         const double saved = square_saved(splitting, scene_.partition, found.arrivals);
-        double squares = saved;
-        for (const double path : found.without_aim)
-            squares += path * path;
+        const double squares = saved + sum_of_squares(found.without_aim);
         return squares > 0 ? saved / squares : 0;
     }
 

@@ -64,7 +64,7 @@ PilotBrightness brightness_of(const PilotNoise& pilot, int width, int height)
                                         2.0 +
                                     (pilot.lights.mean.empty() ? 0.0 : pilot.lights.mean[lights]);
             out.mean.push_back(mean);
-            sum += mean.x + mean.y + mean.z;
+            sum += sum_of_channels(mean);
         }
     const double mean = sum / 3 / std::max<double>(1.0, static_cast<double>(out.mean.size()));
     out.least2 = 0.01 * mean * mean;

@@ -40,7 +40,7 @@ void add_record(const RenderScene& scene, const Ray& ray, const Photon& importon
         }
     if (!is_black(sky) && !scene.rays.nearest(ray)) {
         const Rgb light = importon.power * sky * (cosine / (kPi * record.pdf));
-        record.light = light.x + light.y + light.z;
+        record.light = sum_of_channels(light);
     }
     out.push_back(record);
 }

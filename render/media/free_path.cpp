@@ -48,7 +48,7 @@ FreePath sample_free_path(const Medium& medium, float limit, const Rgb& carried,
 {
     const Rgb extinction = medium.extinction();
     FreePath out{false, limit, transmitted(extinction, limit)};
-    const float sum = carried.x + carried.y + carried.z;
+    const float sum = sum_of_channels(carried);
     if (!medium.scatters() || !(sum > 0))
         return out;
     const Rgb probabilities = carried / sum;

@@ -272,18 +272,14 @@ Place place_of(const Interaction& at)
     return {at.point.position, at.point.face, at.side};
 }
 
-float sum_of(const Rgb& power)
-{
-    return power.x + power.y + power.z;
-}
-
 /// Sends the path on.  False: it is at its end.
 bool send_on(const Traced& in, const Met& met, LightPath& path)
 {
     const Interaction& at = met.at;
     if (in.wanted.arrivals && met.gathers)
-        in.out.arrivals.push_back({place_of(at), in.out.after_path.size(), sum_of(path.power),
-                                   met.splits, counts_of(in.out), kOpen});
+        in.out.arrivals.push_back({place_of(at), in.out.after_path.size(),
+                                   sum_of_channels(path.power), met.splits, counts_of(in.out),
+                                   kOpen});
     const int diffuse = path.diffuse;
     if (!scatter(in.scene, at, path, in.random, in.out.power))
         return false;
@@ -305,7 +301,7 @@ void split(const Traced& in, Met& met, LightPath& path)
 {
     if (in.wanted.splitting == nullptr || !met.gathers)
         return;
-    const double power = double{sum_of(path.power)} * in.wanted.paths;
+    const double power = double{sum_of_channels(path.power)} * in.wanted.paths;
     met.splits =
         splits_at(*in.wanted.splitting, in.scene.partition, place_of(met.at), power, path.of);
     path.of *= met.splits;

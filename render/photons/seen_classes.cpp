@@ -15,11 +15,6 @@ constexpr double kMostUnits = 0x1p40;
 /// Paths of a class that one thread counts each; of the others one of kEvery.
 constexpr std::uint32_t kEach = 64, kEvery = 16;
 
-double sum_of_channels(const Rgb& value)
-{
-    return double{value.x} + double{value.y} + double{value.z};
-}
-
 std::uint32_t added(std::uint32_t paths, std::uint32_t more)
 {
     return std::min(paths + more, SeenClasses::kMostPaths);
@@ -67,7 +62,7 @@ void ClassCounter::begin_path(std::size_t light, const Rgb& power)
     if (lights_.empty() || lights_.back().light != light)
         lights_.push_back({static_cast<std::uint32_t>(light)});
     LightRun& run = lights_.back();
-    run.largest = std::max(run.largest, static_cast<float>(sum_of_channels(power)));
+    run.largest = std::max(run.largest, sum_of_channels(power));
 }
 
 void ClassCounter::enter_class(FaceId first_specular, bool caustic)
