@@ -113,17 +113,27 @@ std::string describe_lost(const LostLight& lost)
 
 std::string describe_need(const ErrorCost& cost)
 {
-    if (!std::isfinite(cost.seconds) || cost.seconds > kMostPracticalSeconds ||
-        cost.passes > static_cast<double>(kMostPasses))
+    const auto practical = [](double passes, double seconds) {
+        return seconds <= kMostPracticalSeconds && passes <= static_cast<double>(kMostPasses);
+    };
+    if (!practical(cost.passes, cost.seconds))
         return "is not practical (more than a day)";
-    return "would take about " + counted(static_cast<std::size_t>(cost.passes), "pass", "passes") +
-           ", " + brief_time(cost.seconds);
+    const auto passes = static_cast<std::size_t>(cost.passes);
+    if (!(cost.most_passes > cost.passes))
+        return "would take about " + counted(passes, "pass", "passes") + ", " +
+               brief_time(cost.seconds);
+    if (!practical(cost.most_passes, cost.most_seconds))
+        return "would take at least about " + counted(passes, "pass", "passes") + ", " +
+               brief_time(cost.seconds);
+    return "would take about " + grouped(passes) + " to " +
+           counted(static_cast<std::size_t>(cost.most_passes), "pass", "passes") + ", " +
+           brief_time(cost.seconds) + " to " + brief_time(cost.most_seconds);
 }
 
 std::string describe_cost(const RenderState& state, double target, double before)
 {
     const ErrorCheck& last = state.checks.back();
-    const ErrorLaw law = error_law(state.checks, state.radius_decay);
+    const ErrorLaw law = error_law(state.checks, state.radius_decay, state.film.expected);
     const bool of_target = target > 0 && target / 2 < last.error.error;
     const ErrorCost half =
         error_cost(state.checks, law, (of_target ? target : last.error.error) / 2, {0, before});
@@ -147,7 +157,7 @@ std::vector<ErrorCost> error_costs(const RenderState& state, double target, doub
         errors.insert(errors.end(), {target, target / 2});
     std::sort(errors.begin(), errors.end(), std::greater<>());
     errors.erase(std::unique(errors.begin(), errors.end()), errors.end());
-    const ErrorLaw law = error_law(checks, state.radius_decay);
+    const ErrorLaw law = error_law(checks, state.radius_decay, state.film.expected);
     for (const double error : errors)
         costs.push_back(error_cost(checks, law, error, {state.photons_per_pass, before}));
     return costs;

@@ -36,8 +36,8 @@ std::string describe_unreachable(std::span<const std::string> lights);
 /// Describes the light that photons and samples lost.
 std::string describe_lost(const LostLight& lost);
 
-/// Describes what an error takes: "would take about 23 passes, 46 s"; beyond a day: "is not
-/// practical (more than a day)".
+/// Describes what an error takes: "would take about 23 passes, 46 s", or "about 23 to 32 passes, 46
+/// to 64 s"; beyond a day: "is not practical (more than a day)".
 std::string describe_need(const ErrorCost& cost);
 
 /// Describes the cost of halving the error: of the target while it is to be reached, else of the

@@ -82,6 +82,25 @@ void warn_of_missed(const RenderArguments& arguments, const RenderedFrame& frame
         report.warn(describe_unseen(*frame.missed.unseen, frame.unseen));
 }
 
+/// Tells what errors cost.
+void print_prices(const RenderArguments& arguments, const RenderedFrame& frame, Report& report)
+{
+    const bool photons = kind_of(arguments.render.integrator).photons;
+    bool rare = false;
+    for (const ErrorCost& cost :
+         error_costs(frame.state, arguments.stops.error, seconds_before_passes(frame))) {
+        const bool is_range = cost.most_passes > cost.passes;
+        std::string line = percent(cost.error) + " error " + describe_need(cost);
+        if (photons && cost.photons > 0 && cost.photons < kMostPhotonsTold)
+            line += ", " + grouped(static_cast<std::uint64_t>(cost.photons)) +
+                    (is_range ? " light paths or more" : " light paths");
+        report.line(line);
+        rare = rare || is_range;
+    }
+    if (rare)
+        report.line("the larger figures are for passes that find light which few samples find");
+}
+
 } // namespace
 
 void print_statistics(const RenderArguments& arguments, const RenderedFrame& frame, Report& report)
@@ -115,14 +134,7 @@ void print_error(const RenderArguments& arguments, const RenderedFrame& frame, R
     report.line(describe_cost(state, arguments.stops.error, seconds_before_passes(frame)));
     if (!arguments.quote)
         return;
-    for (const ErrorCost& cost :
-         error_costs(state, arguments.stops.error, seconds_before_passes(frame))) {
-        std::string line = percent(cost.error) + " error " + describe_need(cost);
-        if (kind_of(arguments.render.integrator).photons && cost.photons > 0 &&
-            cost.photons < kMostPhotonsTold)
-            line += ", " + grouped(static_cast<std::uint64_t>(cost.photons)) + " light paths";
-        report.line(line);
-    }
+    print_prices(arguments, frame, report);
     if (frame.quote)
         for (const std::string& line : describe(*frame.quote))
             report.line(line);

@@ -198,10 +198,15 @@ Json removed_json(const std::optional<RemovedFireflies>& removed)
 
 Json cost_json(const ErrorCost& cost)
 {
-    return {{"error", cost.error},
-            {"passes", cost.passes},
-            {"seconds", cost.seconds},
-            {"photons", cost.photons}};
+    Json json = {{"error", cost.error},
+                 {"passes", cost.passes},
+                 {"seconds", cost.seconds},
+                 {"photons", cost.photons}};
+    if (cost.most_passes > cost.passes) {
+        json["most_passes"] = cost.most_passes;
+        json["most_seconds"] = cost.most_seconds;
+    }
+    return json;
 }
 
 const char* name_of_bias(BiasKnowledge bias)

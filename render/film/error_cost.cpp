@@ -20,6 +20,28 @@ double square_after(const ErrorLaw& law, double passes)
            law.by_bias / std::pow(passes, law.bias_power) + law.by_clamp;
 }
 
+/// The same if these passes find rare light, docs/error.md (29).
+double most_square_after(const ErrorLaw& law, double passes)
+{
+    return square_after(law, passes) + unmet_square(law.rare, law.passes, passes);
+}
+
+/// Returns the first number of passes at which a render may end by its error.  square_after(law,
+/// passes): of the error.
+template <typename Square>
+double first_check(const ErrorLaw& law, double error, const Square& square_after)
+{
+    constexpr double kRounding = 1e-9; // relative: of a law that is met exactly
+    const double wanted = square_of(error) * (1 + kRounding);
+    std::uint64_t passes = next_check(0);
+    while (square_after(law, static_cast<double>(passes)) > wanted) {
+        if (passes > kForever)
+            return std::numeric_limits<double>::infinity();
+        passes = next_check(passes);
+    }
+    return static_cast<double>(passes);
+}
+
 } // namespace
 
 std::uint64_t next_look(std::uint64_t passes)
@@ -36,7 +58,7 @@ std::uint64_t next_check(std::uint64_t passes)
     return next_look(std::max(passes, kFewestBatches - 1));
 }
 
-ErrorLaw error_law(std::span<const ErrorCheck> checks, double alpha)
+ErrorLaw error_law(std::span<const ErrorCheck> checks, double alpha, const ExpectedLight& rare)
 {
     if (checks.empty())
         return {};
@@ -49,6 +71,8 @@ ErrorLaw error_law(std::span<const ErrorCheck> checks, double alpha)
     law.by_photon = error.photon2 * std::pow(passes, law.photon_power);
     law.by_bias = std::max(error.bias2, 0.0) * std::pow(passes, law.bias_power);
     law.by_clamp = error.clamp2;
+    law.rare = rare;
+    law.passes = passes;
     return law;
 }
 
@@ -59,15 +83,7 @@ double error_after(const ErrorLaw& law, double passes)
 
 double passes_for(const ErrorLaw& law, double error)
 {
-    constexpr double kRounding = 1e-9; // relative: of a law that is met exactly
-    const double wanted = square_of(error) * (1 + kRounding);
-    std::uint64_t passes = next_check(0);
-    while (square_after(law, static_cast<double>(passes)) > wanted) {
-        if (passes > kForever)
-            return std::numeric_limits<double>::infinity();
-        passes = next_check(passes);
-    }
-    return static_cast<double>(passes);
+    return first_check(law, error, square_after);
 }
 
 ErrorCost error_cost(std::span<const ErrorCheck> checks, const ErrorLaw& law, double error,
@@ -78,8 +94,12 @@ ErrorCost error_cost(std::span<const ErrorCheck> checks, const ErrorLaw& law, do
     if (checks.empty())
         return cost;
     const ErrorCheck& last = checks.back();
+    const double of_pass = last.seconds / static_cast<double>(last.passes);
     cost.passes = passes_for(law, error);
-    cost.seconds = beside.before + cost.passes * last.seconds / static_cast<double>(last.passes);
+    cost.seconds = beside.before + cost.passes * of_pass;
+    const bool met = last.passes >= kFewestBatches && last.error.error <= error;
+    cost.most_passes = met ? cost.passes : first_check(law, error, most_square_after);
+    cost.most_seconds = beside.before + cost.most_passes * of_pass;
     cost.photons = cost.passes * static_cast<double>(beside.photons);
     return cost;
 }

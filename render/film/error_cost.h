@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/film/expected_light.h"
 #include "render/film/image_error.h"
 
 #include <span>
@@ -23,6 +24,8 @@ struct ErrorLaw {
     double by_bias = 0;
     double bias_power = 2.0 / 3;
     double by_clamp = 0; ///< which no pass makes smaller
+    ExpectedLight rare;  ///< of pilots, which adds noise once it is found, (29)
+    double passes = 0;   ///< that the law was fitted to
 };
 
 /// What a render costs beside the time of its passes.
@@ -31,12 +34,15 @@ struct CostBeside {
     double before = 0;         ///< s before the first pass, such as those of pilots
 };
 
-/// What an error costs, counted from the start of the render.
+/// What an error costs, counted from the start of the render.  The most is for passes that find
+/// rare light, docs/error.md (29).
 struct ErrorCost {
     double error = 0;
     double passes = 0;  ///< whole; infinite: never
     double seconds = 0; ///< with those before the first pass
     double photons = 0; ///< light paths
+    double most_passes = 0;
+    double most_seconds = 0;
 };
 
 /// Returns the first number of passes above `passes` at which the error is estimated: 2, then some
@@ -47,9 +53,10 @@ std::uint64_t next_look(std::uint64_t passes);
 /// error: from kFewestBatches on, since the first of many estimates to be low may be low by luck.
 std::uint64_t next_check(std::uint64_t passes);
 
-/// Fits the law to the parts of the error at the last check.  alpha: of docs/error.md (1).  No
-/// checks: zero.
-ErrorLaw error_law(std::span<const ErrorCheck> checks, double alpha);
+/// Fits the law to the parts of the error at the last check.  alpha: of docs/error.md (1).  rare:
+/// what pilots expect.  No checks: zero.
+ErrorLaw error_law(std::span<const ErrorCheck> checks, double alpha,
+                   const ExpectedLight& rare = {});
 
 /// Returns the error after a number of passes.
 double error_after(const ErrorLaw& law, double passes);

@@ -12,6 +12,14 @@ namespace {
 /// The exponents of the most frequent and of the rarest light.
 constexpr int kMost = 3, kLeast = kMost - ExpectedLight::kOctaves;
 
+/// Returns the share of the pixels with the light of an octave that so many passes may not have
+/// found it in: their samples are stratified.
+double share_missed(int octave, double passes)
+{
+    const double finds = passes * std::ldexp(std::sqrt(2.0), octave + kLeast); // amid the octave
+    return std::exp(-finds * finds / 2);
+}
+
 } // namespace
 
 void add_light(const RareLight& light, ExpectedLight& into)
@@ -33,15 +41,25 @@ double missing_square(const ExpectedLight& expected, std::uint64_t passes)
     RareLight sum;
     for (int octave = 0; octave < ExpectedLight::kOctaves; ++octave) {
         const RareLight& light = expected.light[static_cast<std::size_t>(octave)];
-        const double finds = n * std::ldexp(std::sqrt(2.0), octave + kLeast); // amid the octave
-        // The share of the pixels that may not have found it: their samples are stratified.
-        const double missed = std::exp(-finds * finds / 2);
+        const double missed = share_missed(octave, n);
         sum.variance += missed * light.variance / n;
         sum.missing += missed * light.missing;
         sum.finds += missed * light.finds * n;
     }
     const double found = sum.finds > 0 ? most_counted(sum.finds) / sum.finds : 0;
     return sum.missing + found * sum.variance;
+}
+
+double unmet_square(const ExpectedLight& expected, double passes, double later)
+{
+    double out = 0;
+    for (int octave = 0; octave < ExpectedLight::kOctaves; ++octave) {
+        const RareLight& light = expected.light[static_cast<std::size_t>(octave)];
+        const double finds = later * light.finds;
+        const double twice = 1 - std::exp(-finds) * (1 + finds); // the probability
+        out += share_missed(octave, passes) * twice * light.variance / later;
+    }
+    return out;
 }
 
 } // namespace hipmap

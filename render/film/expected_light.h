@@ -30,4 +30,8 @@ void add_light(const RareLight& light, ExpectedLight& into);
 /// pixels that show it.
 double missing_square(const ExpectedLight& expected, std::uint64_t passes);
 
+/// Returns the relMSE that light which `passes` may not have found is expected to add after `later`
+/// passes, if these find it twice.  docs/error.md (29).
+double unmet_square(const ExpectedLight& expected, double passes, double later);
+
 } // namespace hipmap

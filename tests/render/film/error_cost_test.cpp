@@ -84,6 +84,28 @@ TEST_CASE(
     CHECK(factor({0, 0, kAlpha, 0.3, 1.0 / 3}) == Approx(64).epsilon(0.01));
 }
 
+TEST_CASE("error cost: light that few samples find makes it a range, until the error is met",
+          "[film]")
+{
+    constexpr double kError = 0.01;
+    const auto checks = checks_of({0.001}, 4);
+    const auto cost = [&](double finds, std::span<const ErrorCheck> of) {
+        ExpectedLight rare;
+        for (int pixel = 0; pixel < 1000; ++pixel)
+            add_light({.variance = 4e-6, .missing = 1e-9, .finds = finds / 1000}, rare);
+        return error_cost(of, error_law(of, kAlpha, rare), kError, {1, 7});
+    };
+    const ErrorCost known = cost(10'000, checks);
+    CHECK(known.most_passes == known.passes);
+    CHECK(known.most_seconds == known.seconds);
+    const ErrorCost range = cost(1, checks);
+    CHECK(range.passes == known.passes);
+    CHECK(range.most_passes == passes_for({0.005}, kError));
+    CHECK(range.most_seconds == Approx(7 + 0.5 * range.most_passes));
+    CHECK(cost(1e-6, checks).most_passes == known.passes); // nobody finds it
+    CHECK(cost(1, checks_of({0.001}, 16)).most_passes == known.passes);
+}
+
 TEST_CASE("error cost: none and no error cost nothing, and a bias by chance below zero is none",
           "[film]")
 {

@@ -51,6 +51,18 @@ TEST_CASE("expected light: the limit holds the error of 95 % of the images", "[f
     }
 }
 
+TEST_CASE("expected light: passes that find it make the noise of images of it", "[film]")
+{
+    constexpr int kImages = 4000;
+    const double finds = 1e-2;
+    double sum = 0;
+    for (std::uint64_t image = 0; image < kImages; ++image)
+        sum += square_of_image(finds, image) / kImages;
+    CHECK(unmet_square(light_in_pixels(finds), 1, kPasses) == Approx(sum).epsilon(0.05));
+    CHECK(unmet_square(light_in_pixels(1e-9), 1, kPasses) < 1e-3); // they hardly ever do
+    CHECK(unmet_square(ExpectedLight(), 1, 2) == 0);
+}
+
 TEST_CASE("expected light: what passes never find is missing, what they find is known", "[film]")
 {
     CHECK(missing_square(ExpectedLight(), 1) == 0);
@@ -58,6 +70,7 @@ TEST_CASE("expected light: what passes never find is missing, what they find is 
     const ExpectedLight expected = light_in_pixels(0.1);
     CHECK(missing_square(expected, 4) < 10);
     CHECK(missing_square(expected, 200) < 1e-6);
+    CHECK(unmet_square(expected, 200, 400) < 1e-6);
     CHECK(light_in_pixels(8) == ExpectedLight());
     ExpectedLight none;
     add_light({.variance = INFINITY, .missing = 1, .finds = 1}, none);
