@@ -13,6 +13,10 @@ namespace {
 /// Passes that nobody waits for.
 constexpr std::uint64_t kForever = std::uint64_t{1} << 50;
 
+/// The order of the bias in the radius, of smooth irradiance, and the passes after which half of
+/// what is measured counts as bias, the rest as noise.
+constexpr double kBiasOrder = 2, kPassesOfBias = 16;
+
 /// The square of the error that a law gives.
 double square_after(const ErrorLaw& law, double passes)
 {
@@ -66,10 +70,12 @@ ErrorLaw error_law(std::span<const ErrorCheck> checks, double alpha, const Expec
     const auto passes = static_cast<double>(checks.back().passes);
     ErrorLaw law;
     law.photon_power = alpha;
-    law.bias_power = (1 - alpha) * error.order;
-    law.by_pass = (error.noise2 + error.removed2 - error.photon2) * passes;
+    law.bias_power = (1 - alpha) * kBiasOrder;
     law.by_photon = error.photon2 * std::pow(passes, law.photon_power);
-    law.by_bias = std::max(error.bias2, 0.0) * std::pow(passes, law.bias_power);
+    const double bias2 = std::max(error.bias2, 0.0);
+    const double share = passes / (passes + kPassesOfBias);
+    law.by_pass = (error.noise2 + error.removed2 - error.photon2 + (1 - share) * bias2) * passes;
+    law.by_bias = share * bias2 * std::pow(passes, law.bias_power);
     law.by_clamp = error.clamp2;
     law.rare = rare;
     law.passes = passes;
