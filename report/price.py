@@ -51,8 +51,14 @@ def sentences_of(error, last):
     half = [entry for entry in error.get("prices", [])
             if math.isclose(entry["error"], last["error"] / 2, rel_tol=1e-6)]
     if half and half[0]["seconds"] is not None:
-        yield (f"Half this error would take {number(half[0]['passes'])} passes and "
-               f"{duration(half[0]['seconds'])} in total.")
+        yield (f"Half this error would take {span(half[0], 'passes', number)} passes and "
+               f"{span(half[0], 'seconds', duration)} in total.")
+
+
+def span(price, what, text):
+    """A cost, or from which to which where few samples find some of the light."""
+    most = price.get(f"most_{what}")
+    return text(price[what]) + (f" to {text(most)}" if most is not None else "")
 
 
 def interval(check):
@@ -182,7 +188,7 @@ def price_list(stats, error, last):
     for entry in error.get("prices", []):
         if entry["passes"] is None:
             continue
-        cells = [number(entry["passes"]), duration(entry["seconds"])]
+        cells = [span(entry, "passes", number), span(entry, "seconds", duration)]
         cells += [number(entry["photons"])] if by_photons else []
         mark = " \u2713" if entry["error"] >= last["error"] else ""
         rows.append([percent(entry["error"]) + mark] + cells)

@@ -173,6 +173,17 @@ class Report(ToolsTestCase):
             self.change_statistics(miss)
             self.assertEqual("Light that few samples find may be missing" in self.page().text(), told)
 
+    def test_costs_are_ranges_where_few_samples_find_some_light(self):
+        self.make_results("--passes", 2)
+
+        def find_more(stats):
+            for price in stats["error"]["prices"]:
+                price.update(passes=4, seconds=10, most_passes=11, most_seconds=20)
+        self.change_statistics(find_more)
+        text = self.page().text()
+        self.assertIn("Half this error would take 4 to 11 passes and ", text)
+        self.assertEqual(text.count("4 to 11"), 1 + len(self.change_statistics(find_more)["error"]["prices"]))
+
     def test_pictures_of_another_shape_are_shown_beside(self):
         self.make_results("--passes", 2)
         self.change_statistics(lambda stats: stats["pictures"][0].update(width=48, height=40))
