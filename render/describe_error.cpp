@@ -119,12 +119,9 @@ std::string describe_need(const ErrorCost& cost)
     if (!practical(cost.passes, cost.seconds))
         return "is not practical (more than a day)";
     const auto passes = static_cast<std::size_t>(cost.passes);
-    if (!(cost.most_passes > cost.passes))
-        return "would take about " + counted(passes, "pass", "passes") + ", " +
-               brief_time(cost.seconds);
-    if (!practical(cost.most_passes, cost.most_seconds))
-        return "would take at least about " + counted(passes, "pass", "passes") + ", " +
-               brief_time(cost.seconds);
+    if (!cost.is_range() || !practical(cost.most_passes, cost.most_seconds))
+        return std::string(cost.is_range() ? "would take at least about " : "would take about ") +
+               counted(passes, "pass", "passes") + ", " + brief_time(cost.seconds);
     return "would take about " + grouped(passes) + " to " +
            counted(static_cast<std::size_t>(cost.most_passes), "pass", "passes") + ", " +
            brief_time(cost.seconds) + " to " + brief_time(cost.most_seconds);

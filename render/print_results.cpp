@@ -89,13 +89,12 @@ void print_prices(const RenderArguments& arguments, const RenderedFrame& frame, 
     bool rare = false;
     for (const ErrorCost& cost :
          error_costs(frame.state, arguments.stops.error, seconds_before_passes(frame))) {
-        const bool is_range = cost.most_passes > cost.passes;
         std::string line = percent(cost.error) + " error " + describe_need(cost);
         if (photons && cost.photons > 0 && cost.photons < kMostPhotonsTold)
             line += ", " + grouped(static_cast<std::uint64_t>(cost.photons)) +
-                    (is_range ? " light paths or more" : " light paths");
+                    (cost.is_range() ? " light paths or more" : " light paths");
         report.line(line);
-        rare = rare || is_range;
+        rare = rare || cost.is_range();
     }
     if (rare)
         report.line("the larger figures are for passes that find light which few samples find");

@@ -202,7 +202,7 @@ Json cost_json(const ErrorCost& cost)
                  {"passes", cost.passes},
                  {"seconds", cost.seconds},
                  {"photons", cost.photons}};
-    if (cost.most_passes > cost.passes) {
+    if (cost.is_range()) {
         json["most_passes"] = cost.most_passes;
         json["most_seconds"] = cost.most_seconds;
     }

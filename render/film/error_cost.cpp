@@ -24,21 +24,21 @@ double square_after(const ErrorLaw& law, double passes)
            law.by_bias / std::pow(passes, law.bias_power) + law.by_clamp;
 }
 
-/// The same if these passes find rare light, docs/error.md (29).
+/// Returns the square of the error by a law, if the passes find rare light, docs/error.md (29).
 double most_square_after(const ErrorLaw& law, double passes)
 {
     return square_after(law, passes) + unmet_square(law.rare, law.passes, passes);
 }
 
-/// Returns the first number of passes at which a render may end by its error.  square_after(law,
-/// passes): of the error.
+/// Returns the first number of passes at which a render may end by its error.  square(law, passes):
+/// of the error.
 template <typename Square>
-double first_check(const ErrorLaw& law, double error, const Square& square_after)
+double first_check(const ErrorLaw& law, double error, const Square& square)
 {
     constexpr double kRounding = 1e-9; // relative: of a law that is met exactly
     const double wanted = square_of(error) * (1 + kRounding);
     std::uint64_t passes = next_check(0);
-    while (square_after(law, static_cast<double>(passes)) > wanted) {
+    while (square(law, static_cast<double>(passes)) > wanted) {
         if (passes > kForever)
             return std::numeric_limits<double>::infinity();
         passes = next_check(passes);

@@ -43,6 +43,8 @@ struct ErrorCost {
     double photons = 0; ///< light paths
     double most_passes = 0;
     double most_seconds = 0;
+
+    bool is_range() const { return most_passes > passes; }
 };
 
 /// Returns the first number of passes above `passes` at which the error is estimated: 2, then some

@@ -51,6 +51,8 @@ TEST_CASE("error cost: a law of all parts is found again, and halving costs what
             law.bias_power = 2 * (1 - alpha);
             const auto checks = checks_of(law, 128);
             const ErrorLaw found = error_law(checks, alpha);
+            const double hidden = 128 * law.by_bias / std::pow(128, law.bias_power) * 16 / 144;
+            CHECK(found.by_pass == Approx(law.by_pass + hidden).margin(1e-9));
             CHECK(found.by_photon == Approx(law.by_photon).margin(1e-9));
             CHECK(found.by_bias == Approx(law.by_bias * 128 / 144).margin(1e-9));
             CHECK(error_after(found, 128) == Approx(error_after(law, 128)));
@@ -79,6 +81,8 @@ TEST_CASE("error cost: to halve an error costs 4 times the passes, and 8 by phot
     CHECK(factor({0.3, 0}) == Approx(4).epsilon(0.01));
     CHECK(factor({0, 0.3}) == Approx(8).epsilon(0.01));
     CHECK(factor({0, 0, kAlpha, 0.3, 2.0 / 3}) == Approx(8).epsilon(0.01));
+    // An order that is measured does not count.
+    CHECK(factor({0, 0, kAlpha, 0.3, 1.0 / 3}) == Approx(8).epsilon(0.01));
 }
 
 TEST_CASE("error cost: light that few samples find makes it a range, until the error is met",
