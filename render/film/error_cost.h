@@ -23,9 +23,9 @@ struct ErrorLaw {
     double photon_power = 2.0 / 3;
     double by_bias = 0;
     double bias_power = 2.0 / 3;
-    double by_clamp = 0; ///< which no pass makes smaller
-    ExpectedLight rare;  ///< of pilots, which adds noise once it is found, (29)
-    double passes = 0;   ///< that the law was fitted to
+    double by_clamp = 0;     ///< which no pass makes smaller
+    ExpectedLight rare = {}; ///< of pilots, which adds noise once it is found, (29)
+    double passes = 0;       ///< that the law was fitted to
 };
 
 /// What a render costs beside the time of its passes.
