@@ -3,6 +3,7 @@
 #include "common/math/poisson.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace hipmap {
 
@@ -76,10 +77,13 @@ void count_hits(std::vector<Sample>& samples)
     std::ranges::stable_sort(order, std::ranges::greater{},
                              [](const Sample* sample) { return sample->noise; });
     for (std::size_t i = 0; i < order.size(); ++i) {
-        const std::span<Sample* const> alike = find_alike(order, i);
-        const auto again = static_cast<double>(
-            std::ranges::count_if(alike, [](const Sample* sample) { return sample->again; }));
-        order[i]->hits = 2 * (again + 0.5) / (static_cast<double>(alike.size()) - again + 1);
+        double again = 0.5, once = 1;
+        for (const Sample* alike : find_alike(order, i))
+            if (alike->again)
+                again += 1;
+            else // which is hit more often by as much as it is dimmer
+                once += std::sqrt(order[i]->noise / alike->noise);
+        order[i]->hits = 2 * again / once;
     }
 }
 
@@ -97,15 +101,20 @@ RareSamples judge_rare_samples(std::span<const OutstandingPixel> pixels, std::si
     count_hits(samples);
 
     RareSamples out;
-    double sum = 0, squares = 0;
+    double light = 0, sum = 0, squares = 0, hits = 0, count = 0;
     for (const Sample& sample : samples)
         if (sample.is_removed()) {
-            out.missing += 2 * sample.hits * sample.noise;
+            light += std::sqrt(sample.noise);
             sum += sample.noise;
             squares += sample.noise * sample.noise;
+            hits = std::max(hits, sample.hits);
+            count += 1;
         }
-    if (squares > 0) // as much is known of their mean as by so many alike
-        out.most_missing = out.missing * most_expected(sum * sum / squares) / (sum * sum / squares);
+    if (squares > 0) { // as much is known of their mean as by so many alike
+        const double alike = sum * sum / squares;
+        out.missing = 2 * light * light * hits / count;
+        out.most_missing = out.missing * most_expected(alike) / alike;
+    }
     for (const std::size_t sample : sample_of)
         out.removed.push_back(samples[sample].is_removed() ? 1 : 0);
     return out;

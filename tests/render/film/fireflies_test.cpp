@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 using namespace hipmap;
@@ -55,8 +56,10 @@ Film noisy_film(std::size_t bright, float radiance)
 }
 
 /// Passes of noise in which some pixels, as far apart as can be, get all of a part of their light
-/// by bright samples.
-Film film_hit_by_few(int pixels, double hits, std::uint64_t seed)
+/// by bright samples.  power: of the chance that one is brighter than L, which falls as L^-power,
+/// above 1; infinite: all are alike.
+Film film_hit_by_few(int pixels, double hits, std::uint64_t seed,
+                     double power = std::numeric_limits<double>::infinity())
 {
     constexpr float kPart = 0.3f;
     const SyntheticPasses passes{
@@ -70,7 +73,9 @@ Film film_hit_by_few(int pixels, double hits, std::uint64_t seed)
             const int pixel = i * all / pixels;
             RandomSequence random(seed, RandomStream::pictures, number,
                                   static_cast<std::uint64_t>(pixel));
-            const double light = random.next() < chance ? 1 / chance : 0;
+            const bool hit = random.next() < chance;
+            const double bright = std::pow(1 - random.next(), -1 / power) * (1 - 1 / power);
+            const double light = hit ? bright / chance : 0;
             images.radiance.pixels[static_cast<std::size_t>(pixel)] +=
                 passes.truth(pixel % passes.side, pixel / passes.side) * kPart *
                 static_cast<float>(light - 1);
@@ -249,4 +254,30 @@ TEST_CASE("error_of_shown: intervals hold where rare samples hit few pixels, onc
         CHECK(stated2 > 0.7 * true2);
         CHECK(stated2 < 1.5 * true2);
     }
+}
+
+TEST_CASE("error_of_shown: intervals hold where rare samples differ in brightness", "[film]")
+{
+    constexpr int kRuns = 200;
+    int inside = 0, better = 0, worse = 0;
+    std::vector<double> stated;
+    for (std::uint64_t seed = 0; seed < kRuns; ++seed) {
+        Film film = film_hit_by_few(40, 0.4, seed, 1.5);
+        const ImageError error = *error_of_shown(FireflyChoice::remove, film);
+        const double kept = true_error(film_image(film), SyntheticPasses{}.truth());
+        remove_fireflies(film);
+        const double truth = true_error(film_image(film), SyntheticPasses{}.truth());
+        inside += truth >= error.low && truth <= error.high ? 1 : 0;
+        better += truth < 0.8 * kept ? 1 : 0;
+        worse += truth > 1.25 * kept ? 1 : 0;
+        stated.push_back(error.error / truth);
+    }
+    std::ranges::sort(stated);
+    INFO(inside << " inside, " << better << " better, " << worse << " worse, stated over true "
+                << stated[kRuns / 2]);
+    CHECK(inside > 0.87 * kRuns);
+    CHECK(better > 0.4 * kRuns);
+    CHECK(worse == 0);
+    CHECK(stated[kRuns / 2] > 0.9);
+    CHECK(stated[kRuns / 2] < 1.15);
 }

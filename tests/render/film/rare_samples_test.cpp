@@ -79,3 +79,17 @@ TEST_CASE("judge_rare_samples: what is often hit twice stays, brighter and rarer
     for (std::size_t i = 32; i < both.removed.size(); ++i)
         CHECK(both.removed[i] == 0);
 }
+
+TEST_CASE("judge_rare_samples: one sample far above those that are hit twice is rare", "[film]")
+{
+    const auto judged = [](double noise) {
+        const auto others = below(lone_pixels(1, 1), lone_pixels(1, 1.2, true));
+        return judge_rare_samples(below(lone_pixels(1, noise), others), kWidth);
+    };
+    // Hit 2 (1 + 1/2)/(1 + 10 + 1) times: the other one is dimmer by 10, and hit so much more
+    // often.
+    const RareSamples bright = judged(100);
+    CHECK(bright.removed == std::vector<std::uint8_t>{1, 0, 0});
+    CHECK(bright.missing == Approx(2 * 0.25 * 100));
+    CHECK(count_removed(judged(4)) == 0);
+}
