@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 """Measures whether `render --quote` keeps its word on scenes, and writes docs/quotes.md.
 
-    bench/quotes.py [--bin BIN] [--size 160] [--error 10 5 2] [--most 60] SCENE...
+    bench/quotes.py [--bin BIN] [--size 160] [--error 10 5 2] [--most 60] [--rows FILE] SCENE...
 
 Each scene is quoted once, as a user would, and then rendered to each of the errors. True errors are
 relMSE (docs/error.md (3)) against a render of another seed to about two thirds of the least error,
-less that render's own.  Takes 1 to 4 minutes a scene, on all cores.
+or of ten times the longest render, less that render's own.  Scenes whose rows FILE has are not
+measured again.  Takes 1 to 4 minutes a scene, on all cores.
 """
 
 import argparse
@@ -21,11 +22,11 @@ import time
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 sys.path.append(str(ROOT / "experiments"))
 import programs
+import promises
 
-WITHIN = 1.5  # times, of a promise
 REFERENCE_PART = 0.65  # of the least error, that a reference has
+REFERENCE_TIMES = 10  # the longest render that is tried, at most
 REFERENCE_SEED = 99
-PATIENCE = 4  # times the passes that were promised, after which a render is given up
 
 
 class Scene:
@@ -49,7 +50,8 @@ class Scene:
     def reference(self, least):
         """Returns the image and the square of the error that it states."""
         image, stats = self.render("reference", "--seed", REFERENCE_SEED, "--error",
-                                   100 * REFERENCE_PART * least)
+                                   100 * REFERENCE_PART * least, "--time",
+                                   REFERENCE_TIMES * self.options.most)
         return image, stats["error"]["checks"][-1]["error"] ** 2
 
     def true_error(self, image, reference):
@@ -59,49 +61,42 @@ class Scene:
         return math.sqrt(square) if square > 0 else None
 
 
-def promised(price, what):
-    """The range of what `--quote` promises."""
-    return price[what], price.get(f"most_{what}", price[what])
-
-
 def rows(options, path):
     """The rows of a scene: dictionaries."""
     with tempfile.TemporaryDirectory() as folder:
         scene = Scene(options, path, folder)
         _, quoted = scene.render("quote", "--quote")
-        promises = [price for error in options.error for price in quoted["error"]["prices"]
-                    if math.isclose(price["error"], error / 100) and
-                    price["seconds"] <= options.most]
-        if not promises:
+        prices = [price for error in options.error for price in quoted["error"]["prices"]
+                  if math.isclose(price["error"], error / 100) and
+                  price["seconds"] <= options.most]
+        if not prices:
             return
-        reference = scene.reference(min(promise["error"] for promise in promises))
-        for promise in promises:
-            image, stats = scene.render("image", "--error", 100 * promise["error"], "--passes",
-                                        max(8, math.ceil(PATIENCE * promised(promise, "passes")[1])))
+        reference = scene.reference(min(price["error"] for price in prices))
+        for price in prices:
+            passes = promises.promised(price, "passes")
+            image, stats = scene.render("image", "--error", 100 * price["error"], "--passes",
+                                        max(8, math.ceil(promises.PATIENCE * passes[1])))
             check = stats["error"]["checks"][-1]
-            yield {"scene": path.name, "error": promise["error"],
-                   "passes": promised(promise, "passes"), "taken": check["passes"],
-                   "seconds": promised(promise, "seconds"), "clock": stats["clock"], "quote": quoted["clock"],
+            yield {"scene": path.name, "error": price["error"],
+                   "passes": passes, "taken": check["passes"],
+                   "seconds": promises.promised(price, "seconds"), "clock": stats["clock"],
+                   "quote": quoted["clock"],
                    "stated": check["error"], "true": scene.true_error(image, reference),
                    "met": stats["ended_by"] == "error"}
 
 
 def kept(row):
-    return row["met"] and all(least / WITHIN <= taken <= most * WITHIN
-                              for (least, most), taken in ((row["passes"], row["taken"]),
-                                                           (row["seconds"], row["clock"])))
-
-
-def span(least, most, form):
-    return f"{least:{form}}" + (f" to {most:{form}}" if most > least else "")
+    return (row["met"] and promises.held(row["passes"], row["taken"]) and
+            promises.held(row["seconds"], row["clock"]))
 
 
 def line(row):
     """A row of the table."""
     true = f"{100 * row['true']:.2g} %" if row["true"] else "less than the reference's"
     return "| " + " | ".join((
-        row["scene"], f"{100 * row['error']:g} %", span(*row["passes"], "g"),
-        f"{row['taken']}{'' if row['met'] else ', given up'}", span(*row["seconds"], ".1f"), f"{row['clock']:.1f}",
+        row["scene"], f"{100 * row['error']:g} %", promises.written(row["passes"], "g"),
+        f"{row['taken']}{'' if row['met'] else ', given up'}",
+        promises.written(row["seconds"], ".1f"), f"{row['clock']:.1f}",
         f"{row['clock'] / row['seconds'][0]:.2f}", f"{row['quote']:.1f}", f"{100 * row['stated']:.2g} %", true,
         "held" if kept(row) else "**missed**")) + " |"
 
@@ -114,7 +109,7 @@ def page(options, found):
         "error ([error.md](error.md#quotes)); then `--error` renders to it with the same seed. Seconds taken are the "
         "clock's, of the whole program, on all cores. A render stops only after 4, 6, 8, 11, 16, ... passes. "
         f"Errors that take more than {options.most:g} s were not tried.", "",
-        f"Held: passes and seconds are both within a factor of {WITHIN} of the promise, "
+        f"Held: passes and seconds are both within a factor of {promises.WITHIN} of the promise, "
         "which is a range where few samples find some of the light ((29) there); the ratio is that to its lower end. "
         f"{sum(map(kept, found))} of {len(found)}.", "",
         "| scene | error | passes promised | taken | seconds promised | taken | ratio | quote, s | error stated | "
@@ -131,13 +126,22 @@ def main():
     parser.add_argument("--error", type=float, nargs="+", default=[10, 5, 2],
                         help="percent; of those that --quote lists")
     parser.add_argument("--most", type=float, default=60, help="seconds that a render may promise to take")
+    parser.add_argument("--rows", type=pathlib.Path, help="JSON, read and written: the rows by scene")
     options = parser.parse_args()
-    found = []
+    found = {}
+    if options.rows and options.rows.exists():
+        found = json.loads(options.rows.read_text(encoding="utf-8"))
     for path in options.scenes:
+        if path.name in found:
+            continue
+        found[path.name] = []
         for row in rows(options, path):
-            found.append(row)
+            found[path.name].append(row)
             print(line(row), flush=True)
-    (ROOT / "docs/quotes.md").write_text(page(options, found), encoding="utf-8")
+        if options.rows:
+            options.rows.write_text(json.dumps(found, indent=1), encoding="utf-8")
+    rendered = [row for path in options.scenes for row in found[path.name]]
+    (ROOT / "docs/quotes.md").write_text(page(options, rendered), encoding="utf-8")
     return 0
 
 

@@ -4,6 +4,7 @@ import math
 
 import arithmetic
 import plan
+import promises
 
 
 def runs(results, kind, scene, setting):
@@ -77,7 +78,6 @@ def regret(found, seconds):
 
 
 MOST_SLOWER = 1.5  # times that the progressive integrator may take without caustics
-WITHIN = 1.5  # times, of a promise
 
 
 def begins_better(found, name, error):
@@ -98,9 +98,9 @@ def kept(quote):
     """Whether passes and true error are within a factor of what was promised."""
     if not quote["met"] or quote["error2"] <= 0:
         return False
-    ratios = (quote["passes"] / quote["promised_passes"],
-              math.sqrt(quote["error2"]) / quote["error"])
-    return all(1 / WITHIN <= ratio <= WITHIN for ratio in ratios)
+    true = math.sqrt(quote["error2"])
+    return (promises.held(quote["promised_passes"], quote["passes"]) and
+            promises.held((quote["error"], quote["error"]), true))
 
 
 def recommended(results, names, error):

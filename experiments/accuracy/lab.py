@@ -13,9 +13,9 @@ import plan
 
 sys.path.append(str(plan.ROOT / "experiments"))
 import programs
+import promises
 
 SPACING = 3  # passes from point to point of a curve, times
-PATIENCE = 4  # times the passes that were promised, after which an image is given up
 
 
 def schedule(start, each, seconds, spacing=SPACING):
@@ -107,12 +107,13 @@ class Lab:
             self.render(scene, setting, self.study.size, "--quote", *options)
             prices = json.loads(file.read_text())["error"]["prices"]
             price = min(prices, key=lambda price: abs(price["error"] - error))
+            passes = promises.promised(price, "passes")
             self.render(scene, setting, self.study.size, "-o", image, "--passes",
-                        max(8, math.ceil(PATIENCE * price["passes"])), *options)
+                        max(8, math.ceil(promises.PATIENCE * passes[1])), *options)
             stats = json.loads(file.read_text())
             check = stats["error"]["checks"][-1]
-            return {"error": error, "promised_passes": price["passes"],
-                    "promised_seconds": price["seconds"], "passes": check["passes"],
+            return {"error": error, "promised_passes": passes,
+                    "promised_seconds": promises.promised(price, "seconds"), "passes": check["passes"],
                     "seconds": stats["error"]["seconds_before"] + check["seconds"],
                     "stated": check["error"],
                     "met": stats["ended_by"] == "error",

@@ -8,6 +8,7 @@ import findings
 import plan
 
 sys.path.append(str(plan.ROOT / "experiments"))
+import promises
 from tables import table
 
 UNKNOWN = "not known"
@@ -189,17 +190,18 @@ def quotes(results):
                 continue
             held.append(findings.kept(quote))
             true = math.sqrt(quote["error2"]) if quote["error2"] > 0 else None
-            lines.append([scene.name, percent(quote["error"]), f"{quote['promised_passes']:.0f}",
+            lines.append([scene.name, percent(quote["error"]), promises.written(quote["promised_passes"], ".0f"),
                           f"{quote['passes']}{'' if quote['met'] else ', given up'}",
-                          f"{quote['passes'] / quote['promised_passes']:.2f}",
-                          seconds(quote["promised_seconds"]), seconds(quote["seconds"]),
+                          f"{quote['passes'] / quote['promised_passes'][0]:.2f}",
+                          " to ".join(dict.fromkeys(map(seconds, quote["promised_seconds"]))),
+                          seconds(quote["seconds"]),
                           percent(quote["stated"]), percent(true) if true else UNKNOWN,
                           f"{true / quote['error']:.2f}" if true else "-", verdict(held[-1])])
     return f"""## Quotes: are predicted costs right?
 
 `--quote --error E` predicts the cost from two to eight passes; then `--error E` renders with the same setting (`{plan.BASE}`) and
 seed. A render stops only at passes that are a factor of √2 apart. The mark: passes and true error within a factor of
-{findings.WITHIN} of the prediction. Held by {sum(held)} of {len(held)}.
+{promises.WITHIN} of the prediction, which is a range where few samples find some of the light ([error.md](error.md) (29)). Held by {sum(held)} of {len(held)}.
 
 """ + table(["scene", "E", "passes promised", "taken", "ratio", "seconds promised", "taken",
              "error stated", "true error", "true / E", "mark"], lines)

@@ -158,11 +158,13 @@ class Marks(unittest.TestCase):
         self.assertIs(findings.keeps_mark(diffuse, 1.6, False), False)
 
     def test_a_quote_is_kept_if_passes_and_error_are_near_it(self):
-        quote = {"met": True, "error": 0.1, "error2": 0.12 ** 2, "promised_passes": 20,
+        quote = {"met": True, "error": 0.1, "error2": 0.12 ** 2, "promised_passes": (20, 20),
                  "passes": 23}
         self.assertTrue(findings.kept(quote))
         self.assertFalse(findings.kept({**quote, "met": False}))
         self.assertFalse(findings.kept({**quote, "passes": 32}))
+        self.assertTrue(findings.kept({**quote, "promised_passes": (20, 32), "passes": 45}))
+        self.assertFalse(findings.kept({**quote, "promised_passes": (32, 45), "passes": 20}))
         self.assertFalse(findings.kept({**quote, "passes": 11}))
         self.assertFalse(findings.kept({**quote, "error2": 0.16 ** 2}))
 
